@@ -16,6 +16,7 @@
 #include "app/document/piece_edits.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
+#include "core/garment/opening_cuts.h"
 
 namespace toile::app {
 
@@ -102,6 +103,21 @@ bool isAnyPieceOut(Workspace& on, bool leftOut) {
     return std::ranges::any_of(on.document().selection(), [&on, leftOut](int piece) {
         return isLeftOut(on.document(), piece) == leftOut;
     });
+}
+
+bool isOneFlatPiece(Workspace& on) {
+    return isOnePiece(on) && !selectedFlat(on.document()).empty();
+}
+
+/// Of the selected pieces those that cuts may open.
+Pieces selectedOpenable(Workspace& on) {
+    Pieces found;
+    for (const int piece : on.document().selection()) {
+        if (isOpenable(*on.document().garment()->pieces[static_cast<std::size_t>(piece)])) {
+            found.push_back(piece);
+        }
+    }
+    return found;
 }
 
 bool canExportThese(Workspace& on) {
@@ -598,6 +614,22 @@ std::vector<ActionSpec> makeActions() {
              [](Workspace& on) { return isAnyPieceOut(on, true); })},
         {ActionId::LeaveOutSmall, "leaveOutSmall", TR("Leave out &small pieces…"), "",
          TR("Leave out all pieces below an area that you type"), whenOpen()},
+        {ActionId::CutOpen,
+         "cutOpen",
+         TR("Cut o&pen"),
+         "",
+         TR("Cut the selected pieces open that cannot lie flat as they are; the others stay"),
+         {[](GarmentActions& on, bool) {
+              on.workspace().cutOpen(selectedOpenable(on.workspace()));
+          },
+          [](Workspace& on) { return !selectedOpenable(on).empty(); }}},
+        {ActionId::DartHere,
+         "dartHere",
+         TR("&Dart here…"),
+         "",
+         TR("Propose a dart from the nearest edge to the place that is pointed at, or has a ring: "
+            "Enter cuts it, Escape throws it away"),
+         {.enabledWhen = isOneFlatPiece}},
         {ActionId::StateEase,
          "stateEase",
          TR("State the &ease…"),

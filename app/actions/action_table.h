@@ -113,6 +113,8 @@ enum class ActionId {
     LeaveOut,
     TakeIn,
     LeaveOutSmall,
+    CutOpen,
+    DartHere,
     ExportOnlyThese,
     JoinSeam,
     StateEase,

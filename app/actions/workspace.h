@@ -116,6 +116,13 @@ public:
     /// @param piece  that it is drawn on, for the words of the history
     /// @param text   what is done, with %1 for the piece; empty: the usual words
     void addCut(UserCut cut, std::optional<int> piece = {}, const QString& text = {});
+    /// Cuts these pieces open where they cannot lie flat (`openingCuts`): the cuts are the person's
+    /// from then on. What cannot be opened is `refused`. On large pieces they are found on another
+    /// thread.
+    void cutOpen(const std::vector<int>& pieces);
+    /// Cuts once around the tube at a place of a piece (`loopAround`), made as by `addCut`. Where
+    /// there is none it is `refused`. On large pieces it is found on another thread.
+    void cutAround(int piece, const SurfacePoint& place);
     /// Lets a dart go on as a seam, by a cut from its tip to the outline (`cutBeyondDart`), made as
     /// by `addCut`. What points at no edge is `refused`.
     /// @param seam an index into Garment::seams
@@ -222,6 +229,13 @@ private:
     void makeCut(const DrawnCut& drawn, std::optional<UserCut> image);
     /// That makes a seam of a dart.
     std::optional<CutId> cutBeyond(int seam) const;
+    /// Finds cuts in pieces of the garment, at once where that is quick.
+    /// @param find  `Result<std::vector<UserCut>>(Progress&)`; holds what it looks at
+    void findCuts(const QString& text, bool isQuick,
+                  std::function<Result<std::vector<UserCut>>(Progress&)> find,
+                  std::function<void(std::vector<UserCut>)> found);
+    /// Takes cuts in, named, as one step.
+    void takeCuts(const QString& text, std::vector<UserCut> cuts);
     std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 
     template <class Value>

@@ -9,7 +9,9 @@
 #include "app/jobs/job.h"
 #include "app/text/error_text.h"
 #include "core/base/file.h"
+#include "core/cut/loop_around.h"
 #include "core/garment/file_space.h"
+#include "core/garment/opening_cuts.h"
 #include "core/pattern/dart_division.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/seam/seam_origin.h"
@@ -59,6 +61,9 @@ QString textOfRemoval(const SeamsFile& seams, const std::vector<CutId>& ids) {
                ? Workspace::tr("Removal of a cut")
                : Workspace::tr("Removal of %1").arg(QString::fromStdString(cut->name));
 }
+
+/// Fewer triangles, and cuts are found within some milliseconds.
+constexpr Eigen::Index kQuickTriangles = 2000;
 
 /// Whether a mirror image is found at once: within some milliseconds.
 bool isSmall(const Garment& garment) {
@@ -205,6 +210,92 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
                 [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
                     addMirroredCuts(seams.cuts, cut, image);
                 });
+}
+
+void Workspace::findCuts(const QString& text, bool isQuick,
+                         std::function<Result<std::vector<UserCut>>(Progress&)> find,
+                         std::function<void(std::vector<UserCut>)> found) {
+    if (!isQuick || mirroring_.isBusy()) {
+        mirroring_.start(makeJob(text, std::move(find), std::move(found)));
+        return;
+    }
+    Progress progress;
+    auto cuts = find(progress);
+    if (cuts) {
+        found(std::move(*cuts));
+    } else {
+        emit refused(errorText(cuts.error()));
+    }
+}
+
+void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
+    std::vector<UserCut> named = loading().seams.cuts;
+    for (UserCut& cut : cuts) {
+        cut.name = freeName(named, wordsOf(cut.kind).stem, true);
+        for (Eigen::Vector3d& point : cut.points) {
+            point = inFileSpace(point, loading().seams, *document_.garment());
+        }
+        named.push_back(cut);
+    }
+    changeSeams(text, [cuts = std::move(cuts)](SeamsFile& seams) {
+        seams.cuts.insert(seams.cuts.end(), cuts.begin(), cuts.end());
+    });
+}
+
+void Workspace::cutOpen(const std::vector<int>& pieces) {
+    const auto garment = document_.garment();
+    if (!garment || opening_.isActive() || pieces.empty()) {
+        return;
+    }
+    std::vector<std::pair<std::shared_ptr<const Piece>, bool>> chosen;
+    Eigen::Index triangles = 0;
+    for (const int index : pieces) {
+        const auto& piece = garment->pieces[static_cast<std::size_t>(index)];
+        const bool isWhole = std::ranges::find(garment->uncut, piece) != garment->uncut.end();
+        chosen.emplace_back(piece, isWhole);
+        triangles += piece->mesh.F.rows();
+    }
+    const auto find = [chosen](Progress& progress) -> Result<std::vector<UserCut>> {
+        std::vector<UserCut> all;
+        for (const auto& [piece, isWhole] : chosen) {
+            const auto cuts = openingCuts(*piece, isWhole, progress);
+            if (!cuts) {
+                return cuts.error();
+            }
+            all.insert(all.end(), cuts->begin(), cuts->end());
+        }
+        return all;
+    };
+    findCuts(tr("Cut open"), triangles <= kQuickTriangles, find,
+             [this, garment](std::vector<UserCut> cuts) {
+                 if (document_.garment() == garment && !opening_.isActive()) {
+                     takeCuts(tr("Cut open"), std::move(cuts));
+                 }
+             });
+}
+
+void Workspace::cutAround(int piece, const SurfacePoint& place) {
+    const auto garment = document_.garment();
+    if (!garment || opening_.isActive()) {
+        return;
+    }
+    const auto of = garment->pieces[static_cast<std::size_t>(piece)];
+    const auto find = [of, place](Progress& progress) -> Result<std::vector<UserCut>> {
+        constexpr int kPlaces = 8;
+        const SurfaceLinks links(of->mesh, of->table);
+        const auto loop = loopAround(links, place, progress);
+        if (!loop) {
+            return loop.error();
+        }
+        return std::vector<UserCut>{
+            {{}, UserCut::Kind::Loop, placesAlong(of->mesh, *loop, kPlaces), false}};
+    };
+    findCuts(tr("Closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
+             [this, garment](std::vector<UserCut> cuts) {
+                 if (document_.garment() == garment) {
+                     addCut(std::move(cuts.front()));
+                 }
+             });
 }
 
 void Workspace::dartToSeam(int seam) {

@@ -4,6 +4,8 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/garment/opening_cuts.h"
+
 namespace toile::app {
 namespace {
 
@@ -21,10 +23,10 @@ bool hasOtherIslands(const Finding& finding, const Garment& garment) {
     });
 }
 
-bool isOpenedByCuts(const Finding& finding) {
-    constexpr ErrorCode kCodes[] = {ErrorCode::ClosedSurface, ErrorCode::SeveralLoops,
-                                    ErrorCode::Handle};
-    return finding.error && std::ranges::find(kCodes, finding.error->code) != std::end(kCodes);
+bool isOpenedByCuts(const Finding& finding, const Garment& garment) {
+    return std::ranges::any_of(finding.pieces, [&garment](int piece) {
+        return isOpenable(*garment.pieces[static_cast<std::size_t>(piece)]);
+    });
 }
 
 struct Words {
@@ -40,9 +42,10 @@ constexpr Words kWords[] = {
                        "Make each island of the file's UV map one piece; undo brings these back")},
     {Remedy::CutOpen, QT_TRANSLATE_NOOP("Remedy", "Cut open"),
      QT_TRANSLATE_NOOP("Remedy",
-                       "Cut open every piece that cannot lie flat as it is; undo closes them")},
+                       "Cut this piece open along short seams, which are yours to take back")},
     {Remedy::SetUnit, QT_TRANSLATE_NOOP("Remedy", "Set unit…"),
-     QT_TRANSLATE_NOOP("Remedy", "Choose the unit of the file's numbers")},
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Choose the unit of the file's numbers, or type how tall the garment is")},
     {Remedy::SetUpAxis, QT_TRANSLATE_NOOP("Remedy", "Set axis…"),
      QT_TRANSLATE_NOOP("Remedy", "Choose the axis of the file that points up")},
     {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "State ease…"),
@@ -74,7 +77,7 @@ std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
             if (hasOtherIslands(finding, *plan.garment)) {
                 remedies.push_back(Remedy::DivideByUv);
             }
-            if (isOpenedByCuts(finding)) {
+            if (isOpenedByCuts(finding, *plan.garment)) {
                 remedies.push_back(Remedy::CutOpen);
             }
             return remedies;
@@ -114,7 +117,7 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
         case Remedy::DivideByUv:
             return {ActionId::SplitUv};
         case Remedy::CutOpen:
-            return {ActionId::AutoCut};
+            return {ActionId::CutOpen};
         case Remedy::SetUnit:
             return {ActionId::UnitMillimetre, ActionId::UnitCentimetre, ActionId::UnitDecimetre,
                     ActionId::UnitMetre, ActionId::UnitInch};

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QContextMenuEvent>
+#include <QLineF>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
@@ -144,6 +145,22 @@ std::optional<QPointF> SceneView::onSeam(int seam, int side, double along) const
     }
     const VertexRun& run = lines().seams[index][static_cast<std::size_t>(side)];
     return run.count == 0 ? std::nullopt : pointOnScreen(pointAlong(*scene(), run, along));
+}
+
+std::optional<WorstSpot> SceneView::markedSpotAt(const QPointF& at, double pixels) const {
+    std::optional<WorstSpot> nearest;
+    if (!document_.view().worstSpots || spots_.overlay != document_.view().overlay) {
+        return nearest;
+    }
+    for (const WorstSpot& spot : spots_.spots) {
+        const auto place = placeNow(spot);
+        const double distance = place ? QLineF(place->at, at).length() : pixels;
+        if (distance < pixels) {
+            pixels = distance;
+            nearest = spot;
+        }
+    }
+    return nearest;
 }
 
 void SceneView::setWorstSpots(FlaggedSpots spots) {

@@ -56,6 +56,9 @@ public:
     SceneRenderer& renderer() { return *renderer_; }
     /// To be marked, as far as they are of what is shown.
     void setWorstSpots(FlaggedSpots spots);
+    const FlaggedSpots& spots() const { return spots_; }
+    /// The marked spot that is drawn within so many pixels, of several the nearest.
+    std::optional<WorstSpot> markedSpotAt(const QPointF& at, double pixels) const;
     /// Marks a place on the left side of a seam.
     void setSeamDot(std::optional<SeamDot> dot);
     /// Which drags move the camera.
@@ -122,7 +125,6 @@ protected:
     void stopFollowing();
     /// Where the scene's pieces lie on the sheet.
     const SheetPlaces& places() const;
-    const FlaggedSpots& spots() const { return spots_; }
     const ToolChoice& tools() const { return tools_; }
     Document& document_;
 

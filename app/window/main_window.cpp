@@ -114,11 +114,18 @@ void MainWindow::connectParts() {
     if (PatternView* pattern = views().patternView()) {
         new OutdatedBar(workspace_, actions_, *pattern);
     }
-    connect(docks_.get(), &WindowDocks::dartWanted, this,
-            [this](int piece, const Eigen::Vector2d& flat) {
-                tools_->dart().propose(piece, flat);
-                views().takeKeyboard(ViewKind::Garment);
-            });
+    const auto proposeDart = [this](int piece, const Eigen::Vector2d& flat) {
+        tools_->choose(ToolId::Dart);
+        tools_->dart().propose(piece, flat);
+        views().takeKeyboard(ViewKind::Garment);
+    };
+    connect(docks_.get(), &WindowDocks::dartWanted, this, proposeDart);
+    connect(docks_.get(), &WindowDocks::unitWanted, centre_.get(), &WindowCentre::askAgain);
+    actions_.on(ActionId::DartHere, this, [this, proposeDart] {
+        if (const auto spot = contextMenus_->placeForDart()) {
+            proposeDart(spot->piece, spot->flat);
+        }
+    });
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     actions_.on(ActionId::Quit, this, &QWidget::close);

@@ -5,6 +5,8 @@
 #include <QContextMenuEvent>
 #include <QCoreApplication>
 #include <QKeyEvent>
+#include <QTimer>
+#include <algorithm>
 
 #include "app/document/document.h"
 #include "app/views/feature_at.h"
@@ -36,6 +38,26 @@ const char* selectAt(const SceneView& view, Document& document, const QPointF& a
     return kPieceMenu;
 }
 
+/// The place of a flat piece under the pointer; a worst place where its mark is.
+std::optional<WorstSpot> placeAt(const SceneView& view, const Document& document,
+                                 const QPointF& at) {
+    constexpr double kOnMark = 12;  // pixels
+    if (const auto spot = view.markedSpotAt(at, kOnMark)) {
+        return spot;
+    }
+    const auto hit = view.hitAt(at);
+    const PieceResult* result = hit ? document.result(hit->piece) : nullptr;
+    if (!result || !result->flat || !document.isCurrent()) {
+        return std::nullopt;
+    }
+    WorstSpot place;
+    place.piece = hit->piece;
+    place.flat =
+        flatPositionOf(result->flat->Q, result->piece->mesh.F, {hit->face, hit->barycentric})
+            .transpose();
+    return place;
+}
+
 const char* menuOfSelection(const Document& document) {
     return !document.selection().empty() ? kPieceMenu : document.seam() ? kSeamMenu : kGroundMenu;
 }
@@ -44,7 +66,7 @@ const char* menuOfSelection(const Document& document) {
 
 WindowContextMenus::WindowContextMenus(QWidget& window, Document& document,
                                        const ActionRegistry& actions, ViewArea& views)
-    : window_(window), document_(document), actions_(actions) {
+    : window_(window), document_(document), actions_(actions), views_(views) {
     for (SceneView* view :
          std::initializer_list<SceneView*>{views.garmentView(), views.patternView()}) {
         if (view) {
@@ -83,8 +105,29 @@ void WindowContextMenus::showInView(SceneView& view, const QPointF& at, bool poi
     if (!document_.garment()) {
         return;
     }
+    pointed_ = pointed ? placeAt(view, document_, at) : std::nullopt;
     const char* menu = pointed ? selectAt(view, document_, at) : menuOfSelection(document_);
     show(menu, view.mapToGlobal(at.toPoint()));
+}
+
+std::optional<WorstSpot> WindowContextMenus::placeForDart() const {
+    if (pointed_ && document_.isSelected(pointed_->piece)) {
+        return pointed_;
+    }
+    const auto isOfSelected = [this](const WorstSpot& spot) {
+        return document_.isSelected(spot.piece);
+    };
+    if (const auto ring = views_.shownSpot(); ring && isOfSelected(*ring)) {
+        return ring;
+    }
+    const SceneView* pattern = views_.patternView();
+    if (pattern) {
+        const auto found = std::ranges::find_if(pattern->spots().spots, isOfSelected);
+        if (found != pattern->spots().spots.end()) {
+            return *found;
+        }
+    }
+    return std::nullopt;
 }
 
 void WindowContextMenus::showOnRow(QAbstractItemView& list, const char* menu, const QPoint& at) {
@@ -94,6 +137,7 @@ void WindowContextMenus::showOnRow(QAbstractItemView& list, const char* menu, co
         return;
     }
     const QPoint place = under.isValid() ? at : list.visualRect(meant).bottomLeft();
+    pointed_.reset();
     show(menu, list.viewport()->mapToGlobal(place));
 }
 
@@ -103,6 +147,10 @@ void WindowContextMenus::show(const char* menu, const QPoint& onScreen) {
     }
     shown_ = makeContextMenu(menu, actions_, &window_);
     shown_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(shown_, &QMenu::aboutToHide, this, [this] {
+        // What was chosen is done in between.
+        QTimer::singleShot(0, this, [this] { pointed_.reset(); });
+    });
     shown_->popup(onScreen);
 }
 

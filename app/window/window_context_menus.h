@@ -4,6 +4,9 @@
 #include <QMenu>
 #include <QObject>
 #include <QPointer>
+#include <optional>
+
+#include "app/render/overlay_figures.h"
 
 class QAbstractItemView;
 
@@ -28,6 +31,11 @@ public:
     /// Shows one of the table's menus (menu_table.h) on the rows of a list.
     void serve(QAbstractItemView& list, const char* menu);
 
+    /// Where a dart is meant to end: the place on a flat piece that the menu was asked for, or the
+    /// worst place nearest to it where that one is marked; else the place with the ring, else the
+    /// first marked one of the selected piece.
+    std::optional<WorstSpot> placeForDart() const;
+
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
@@ -39,7 +47,9 @@ private:
     QWidget& window_;
     Document& document_;
     const ActionRegistry& actions_;
+    ViewArea& views_;
     QPointer<QMenu> shown_;
+    std::optional<WorstSpot> pointed_;  ///< as long as the menu is there
 };
 
 }  // namespace toile::app

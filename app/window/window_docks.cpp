@@ -116,6 +116,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         connect(pattern, &PatternView::helpWanted, this, [this](int piece) {
             const std::map<int, Remedy> helps = helpOfPieces();
             if (const auto found = helps.find(piece); found != helps.end()) {
+                document_.setSelection({piece});
                 help(found->second);
             }
         });
@@ -238,6 +239,10 @@ void WindowDocks::showHelp() {
 }
 
 void WindowDocks::help(Remedy remedy) {
+    if (remedy == Remedy::SetUnit) {
+        emit unitWanted();
+        return;
+    }
     const std::vector<ActionId> ids = actionsOf(remedy);
     if (remedy == Remedy::LayOutAgain) {
         document_.setSelection({});  // two that are laid out alone may meet the others

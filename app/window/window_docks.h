@@ -56,6 +56,8 @@ public:
 signals:
     /// A dart from the nearest edge to this place is to be proposed.
     void dartWanted(int piece, const Eigen::Vector2d& flat);
+    /// The unit of the file, or the garment's height, is to be asked for.
+    void unitWanted();
 
 private:
     /// In the order of `Panel`, then the other one below the views and those beside them.

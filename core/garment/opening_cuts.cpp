@@ -12,7 +12,7 @@ namespace toile {
 namespace {
 
 /// Lines are the same where their lengths differ by no more, as a part.
-constexpr double kSameLength = 0.01;
+constexpr double kSameLine = 0.01;
 
 /// Which points of a line a cut keeps.
 enum class Kept { Ends, Bends, All };
@@ -43,7 +43,7 @@ bool doOpen(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut
         opened += cut.length;
     }
     return made.pieces.size() == 1 && !made.pieces.front()->defect && made.problems.empty() &&
-           std::abs(opened - wanted) <= kSameLength * wanted;
+           std::abs(opened - wanted) <= kSameLine * wanted;
 }
 
 }  // namespace

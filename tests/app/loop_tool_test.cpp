@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed loop, with the mouse.
 #include <cmath>
+#include <numbers>
 
 #include "core/quality/measures.h"
+#include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 
@@ -33,6 +35,48 @@ private slots:
                     .sum();
         }
         QVERIFY(std::abs(area - kWidth * kHeight) < 1e-6);
+    }
+
+    void altAndAClickCutAroundATube_data() {
+        QTest::addColumn<ToolId>("tool");
+        QTest::newRow("cut tool") << ToolId::Cut;
+        QTest::newRow("loop tool") << ToolId::Loop;
+    }
+
+    void altAndAClickCutAroundATube() {
+        QFETCH(ToolId, tool);
+        constexpr double kRadius = 90, kLength = 700;
+        MeshArrays sleeve = test::makeSheet(2 * std::numbers::pi * kRadius, kLength, 16, 12);
+        for (auto v : sleeve.V.rowwise()) {
+            const double angle = v.x() / kRadius;
+            v = Eigen::RowVector3d(kRadius * std::cos(angle), v.y(), -kRadius * std::sin(angle));
+        }
+        const QString file = fixture_.path("sleeve.obj");
+        test::writeObj(file.toStdString(), {{"sleeve", sleeve}});
+        fixture_.open();
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        fixture_.workspace().setWeld(true);
+        QVERIFY(fixture_.openAndWait(file));
+        QVERIFY(document().garment()->pieces[0]->defect);
+        tools().choose(tool);
+        QVERIFY(hint().contains("Alt+click"));
+        SceneView& view = garmentView();
+        click(view, QPointF(view.width() / 2.0, view.height() / 2.0), Qt::AltModifier);
+        QTRY_COMPARE_WITH_TIMEOUT(document().pieceCount(), 2, test::kPatience);
+        QCOMPARE(tools().current().id(), tool);
+        const AppliedCut& cut = document().garment()->cuts[0];
+        QCOMPARE(cut.kind, UserCut::Kind::Loop);
+        const double around = 2 * 16 * kRadius * std::sin(std::numbers::pi / 16);
+        QVERIFY(std::abs(cut.length - around) < 1e-3 * around);
+    }
+
+    void altAndAClickOnASheetSaysThatThereIsNoTube() {
+        openSheets();
+        tools().choose(ToolId::Loop);
+        SceneView& view = garmentView();
+        click(view, at(view, 0, {62, 42, 0}), Qt::AltModifier);
+        QVERIFY(said().contains("no tube"));
+        QVERIFY(document().garment()->cuts.empty());
     }
 };
 

@@ -93,7 +93,11 @@ private slots:
         const auto write = [this](const char* file, const Pieces& pieces) {
             test::writeObj(fixture_.path(file).toStdString(), pieces);
         };
+        MeshArrays beside = makeTube(90, 700, 16, 12);
+        beside.V.col(0).array() += 250;
         write("leg.obj", {{"leg", makeTube(90, 700, 16, 12)}});
+        write("legs.obj", {{"left", makeTube(90, 700, 16, 12)}, {"right", beside}});
+        write("tiny.obj", {{"sheet", test::makeSheet(4, 6, 8, 12)}});
         write("cap.obj", {{"cap", test::makeCap(0)}});
         write("sheets.obj",
               {{"front", test::makeSheet(400, 600, 8, 12)},
@@ -123,6 +127,58 @@ private slots:
         QVERIFY(rowWith(Remedy::CutOpen).isValid());
     }
 
+    void theButtonOpensItsPieceAlone() {
+        QVERIFY(open("legs.obj"));
+        QCOMPARE(document().pieceCount(), 2);
+        const auto isFlat = [this](int piece) {
+            return document().result(piece) && document().result(piece)->flat;
+        };
+        emit fixture_.patternView().helpWanted(1);
+        QTRY_VERIFY_WITH_TIMEOUT(isFlat(1), test::kPatience);
+        QVERIFY(waitForAnswer());
+        QVERIFY(!isFlat(0));
+        // The cut is the person's: it has a name, and can be taken back alone.
+        QCOMPARE(document().garment()->cuts.size(), std::size_t{1});
+        QCOMPARE(document().garment()->cuts[0].author, CutAuthor::User);
+        QCOMPARE(document().history().undoText(), QString("Cut open"));
+        QCOMPARE(document().selection(), Document::Selection{1});
+        QVERIFY(!fixture_.action(ActionId::CutOpen).isEnabled());
+        document().setSelection({0});
+        fixture_.action(ActionId::CutOpen).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(isFlat(0), test::kPatience);
+        QCOMPARE(document().garment()->cuts.size(), std::size_t{2});
+    }
+
+    void theUnitIsAskedForOnTheCard() {
+        QVERIFY(open("tiny.obj"));
+        QTest::keyClick(&fixture_.window(), Qt::Key_F8);
+        auto& card = fixture_.find<QWidget>("garmentCard");
+        QVERIFY(!card.isVisible());
+        clickOn(rowWith(Remedy::SetUnit));
+        QVERIFY(card.isVisible());
+    }
+
+    void aDartIsProposedWhereTheMenuIsAskedFor() {
+        QVERIFY(open("cap.obj"));
+        PatternView& view = fixture_.patternView();
+        const Eigen::Vector2d label = document().scene()->pieces[0].label;
+        const Eigen::Vector2d pixel =
+            view.camera().toScreen(document().settings()[0].placement->applied(label));
+        emit view.menuWanted({pixel.x(), pixel.y()}, true);
+        QCOMPARE(document().selection(), Document::Selection{0});
+        fixture_.action(ActionId::DartHere).trigger();
+        fixture_.window().findChild<QMenu*>("pieceContext")->close();
+        QCOMPARE(fixture_.window().tools().current().id(), ToolId::Dart);
+        const auto& tool = dynamic_cast<const PathTool&>(fixture_.window().tools().current());
+        QCOMPARE(tool.draft().points().size(), std::size_t{2});
+        QVERIFY(tool.draft().points().front().isOnRim());
+        const Eigen::Vector2d tip =
+            flatPositionOf(document().result(0)->flat->Q, document().garment()->pieces[0]->mesh.F,
+                           tool.draft().points().back().at)
+                .transpose();
+        QVERIFY((tip - label).norm() < 2 / view.pixelsPerMillimetre());
+    }
+
     void theKeyboardDoesWhatTheButtonDoes() {
         QVERIFY(open("leg.obj"));
         QTest::keyClick(&fixture_.window(), Qt::Key_F8);
@@ -149,10 +205,10 @@ private slots:
         test::click(view, onScreen({box.center().x(), box.max().y() - 0.1 * side}));
         QCOMPARE(document().selection(), Document::Selection{0});
         // The button is below the words in the middle.
-        for (double down = 0; down < 0.4 && document().loading().autoCut == false; down += 0.02) {
+        for (double down = 0; down < 0.4 && document().loading().seams.cuts.empty(); down += 0.02) {
             test::click(view, onScreen(box.center() - Eigen::Vector2d(0, down * side)));
         }
-        QVERIFY(document().loading().autoCut);
+        QVERIFY(!document().loading().seams.cuts.empty());
         QTRY_VERIFY_WITH_TIMEOUT(document().result(0) && document().result(0)->flat,
                                  test::kPatience);
         QVERIFY(view.piecePlaces().isEmpty());

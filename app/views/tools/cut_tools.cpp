@@ -28,14 +28,16 @@ bool liesOn(const Piece& whole, const PieceRim& rim, const Eigen::Vector3d& poin
 QString CutTool::hint(ViewKind) const {
     if (draft_.isEmpty()) {
         return tr(
-            "Click: begin the cut, on an edge to open it there · Ctrl+click: along the "
-            "mesh's edges · Esc: back to selecting");
+            "Click: begin the cut, on an edge to open it there · Alt+click: around the tube there "
+            "· "
+            "Ctrl+click: along the mesh's edges · Esc: back to selecting");
     }
     return hasEnough()
-               ? tr("Click: go on · Double click or Enter: cut · Backspace: take the last point "
-                    "back · Esc: throw the cut away")
-               : tr("Click: next point · Ctrl+click: along the mesh's edges · Backspace: take the "
-                    "point back · Esc: throw the cut away");
+               ? tr("Click: go on · Alt: no snapping · Double click or Enter: cut · Backspace: "
+                    "take "
+                    "the last point back · Esc: throw the cut away")
+               : tr("Click: next point · Alt: no snapping · Ctrl+click: along the mesh's edges · "
+                    "Backspace: take the point back · Esc: throw the cut away");
 }
 
 bool LoopTool::fits(const ClothPoint& point) const {
@@ -45,8 +47,8 @@ bool LoopTool::fits(const ClothPoint& point) const {
 QString LoopTool::hint(ViewKind) const {
     if (draft_.isEmpty()) {
         return tr(
-            "Click: begin a closed cut · Ctrl+click: along the mesh's edges · Esc: back to "
-            "selecting");
+            "Click: begin a closed cut · Alt+click: around the tube there · Ctrl+click: along the "
+            "mesh's edges · Esc: back to selecting");
     }
     return hasEnough()
                ? tr("Click: go on · Click the first point, double click or Enter: cut · "

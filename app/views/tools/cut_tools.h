@@ -15,6 +15,9 @@ public:
 
     ToolId id() const override { return ToolId::Cut; }
     QString hint(ViewKind view) const override;
+
+protected:
+    bool goesAround() const override { return true; }
 };
 
 /// Cuts along a closed line through three places or more.
@@ -30,6 +33,7 @@ public:
 
 protected:
     bool fits(const ClothPoint& point) const override;
+    bool goesAround() const override { return true; }
 };
 
 /// Cuts from an edge to a tip inside the cloth: by one drag, or by two clicks.

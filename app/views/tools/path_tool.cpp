@@ -31,6 +31,12 @@ PathTool::PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind,
 
 std::optional<ClothPoint> PathTool::placeAt(const ToolView& view, const Pointer& pointer) {
     const auto& garment = workspace_.document().garment();
+    if (garment && !draft_.isEmpty() && pointer.modifiers.testFlag(Qt::AltModifier)) {
+        const auto hit = view.hitAt(pointer.at);
+        return hit ? std::optional(ClothPoint{
+                         hit->piece, {hit->face, hit->barycentric}, ClothPoint::On::Cloth, -1})
+                   : std::nullopt;
+    }
     return garment ? snapper_.find(view, *garment, pointer.at, draft_.points()) : std::nullopt;
 }
 
@@ -49,6 +55,10 @@ void PathTool::click(ToolView& view, const Pointer& pointer) {
     const auto place = placeAt(view, pointer);
     isMeant_ = false;
     if (!place || isFinishing_) {
+        return;
+    }
+    if (draft_.isEmpty() && goesAround() && pointer.modifiers.testFlag(Qt::AltModifier)) {
+        workspace_.cutAround(place->piece, place->at);
         return;
     }
     draft_.setAlongEdges(pointer.modifiers.testFlag(Qt::ControlModifier));
@@ -192,6 +202,17 @@ void PathTool::finish() {
     workspace_.addCut(std::move(cut), piece);
 }
 
+bool PathTool::isDetour() const {
+    // Half around a round tube is one and a half times as long.
+    constexpr double kDetour = 3;
+    return !draft_.alongEdges() && std::ranges::any_of(draft_.legs(), [this](const auto& leg) {
+        const MeshArrays& mesh = draft_.piece()->mesh;
+        return leg.path &&
+               leg.path->length >
+                   kDetour * (positionOf(mesh, leg.to) - positionOf(mesh, leg.from)).norm();
+    });
+}
+
 void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
     draft_.paint(view, painter, style, style.seam);
     if (under_ && remark_.isEmpty()) {
@@ -205,6 +226,9 @@ void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle&
         note << remark_;
     } else if (const auto length = draft_.length(); length && *length > 0) {
         note << lengthWithUnit(*length);
+        if (isDetour()) {
+            note << tr("much longer than straight: is it the layer you mean?");
+        }
     }
     paintNote(painter, style, pointer_, note);
 }

@@ -38,6 +38,8 @@ protected:
     /// True where the place can be added: of the same piece, and not the last one again.
     virtual bool fits(const ClothPoint& point) const;
     void add(const ClothPoint& point);
+    /// Whether a click with Alt, where nothing is begun, cuts around the tube there.
+    virtual bool goesAround() const { return false; }
     void follow(ToolView& view, const Pointer& pointer, const std::optional<ClothPoint>& at);
     bool hasEnough() const { return draft_.points().size() >= least_; }
     /// Orders the cut and begins anew; where the cut bends with a way that is still being looked
@@ -60,6 +62,9 @@ private:
     /// Whether the cut has to bend as the ways do.
     bool bends() const;
     std::vector<Eigen::Vector3d> cutPoints();
+    /// Whether a way between two places is far longer than the straight line: it may run over
+    /// another layer of the cloth than the one that is meant.
+    bool isDetour() const;
 
     std::size_t least_;                ///< places that a cut needs
     std::optional<ClothPoint> under_;  ///< the pointer, before the first place
