@@ -9,6 +9,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/export/writers.h"
+#include "core/garment/slits.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {
@@ -73,6 +74,20 @@ void printPieces(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
+/// Lines along which pieces are open inside, as UV maps have them: they can be joined.
+void printSlits(const Garment& garment, std::ostream& out) {
+    const std::vector<Slit> slits = slitsInside(garment.pieces);
+    if (!slits.empty()) {
+        double length = 0;
+        for (const Slit& slit : slits) {
+            length += slit.length;
+        }
+        out << '\n'
+            << counted(static_cast<long long>(slits.size()), "slit") << " inside pieces, "
+            << fixed(length, 0) << " mm in all, whose edges lie on each other\n";
+    }
+}
+
 void printSeams(const Garment& garment, std::ostream& out) {
     if (garment.seams.seams.empty()) {
         return;
@@ -108,6 +123,7 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         out << '\n';
         printCuts(*garment, out);
         printPieces(*garment, out);
+        printSlits(*garment, out);
         printSeams(*garment, out);
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/garment/slits.h"
+
+#include <gtest/gtest.h>
+
+#include "core/cut/cut_along.h"
+#include "core/cut/surface_paths.h"
+#include "core/garment/join_pieces.h"
+#include "core/pipeline/pipeline.h"
+#include "tests/core/cut/surface.h"
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+using Pieces = std::vector<std::shared_ptr<const Piece>>;
+
+/// A sheet of 12 x 12 squares of 10 mm, open along these ways of vertices.
+std::shared_ptr<const Piece> slitSheet(const std::vector<std::vector<int>>& ways) {
+    const test::Surface sheet(test::planeGrid(12, 12, 10));
+    std::vector<PathPolyline> paths;
+    for (const auto& way : ways) {
+        paths.push_back(polylineOf(sheet.links, way));
+    }
+    const auto cut = cutAlong(sheet.mesh, paths);
+    Piece piece = makePiece("sheet", cut->mesh);
+    piece.sourceVertex.assign(static_cast<std::size_t>(piece.mesh.V.rows()), 0);
+    piece.sourceFace.assign(static_cast<std::size_t>(piece.mesh.F.rows()), 0);
+    return std::make_shared<const Piece>(std::move(piece));
+}
+
+Pieces closed(const Pieces& pieces) {
+    std::vector<UserJoin> joins;
+    for (const Slit& slit : slitsInside(pieces)) {
+        joins.push_back({"slit " + std::to_string(joins.size() + 1), slit.points});
+    }
+    return joinPieces(pieces, joins).pieces;
+}
+
+TEST(Slits, AreFoundInsideAndCloseByAJoin) {
+    const Pieces sheet{slitSheet({{54, 55, 56, 57}})};
+    const auto slits = slitsInside(sheet);
+    ASSERT_EQ(slits.size(), 1U);
+    EXPECT_EQ(slits[0].piece, 0);
+    EXPECT_NEAR(slits[0].length, 30, 1e-12);
+    const Pieces whole = closed(sheet);
+    EXPECT_FALSE(whole[0]->defect);
+    EXPECT_TRUE(whole[0]->holes.empty());
+    EXPECT_EQ(whole[0]->mesh.V.rows(), 13 * 13);
+}
+
+TEST(Slits, ADartIsNone) {
+    EXPECT_TRUE(slitsInside({slitSheet({{6, 19, 32, 45}})}).empty());
+    EXPECT_TRUE(slitsInside({slitSheet({})}).empty());
+}
+
+TEST(Slits, AreWhatAUvMapLeavesOpenInsideItsIslands) {
+    const auto slitsOf = [](const std::filesystem::path& path) {
+        Progress progress;
+        LoadOptions options;
+        options.split = SplitMode::Uv;
+        const auto garment = loadGarment({path}, options, progress);
+        return garment ? static_cast<int>(slitsInside(garment->pieces).size()) : -1;
+    };
+    const auto suit = test::sharedFile("garments/suit_mh.obj");
+    const auto polo = test::sharedFile("garments/polo.obj");
+    TOILE_NEEDS_SHARED(suit);
+    TOILE_NEEDS_SHARED(polo);
+    EXPECT_GT(slitsOf(suit), 100);
+    EXPECT_EQ(slitsOf(polo), 0);  // its tubes are open from end to end
+}
+
+}  // namespace
+}  // namespace toile
