@@ -72,6 +72,9 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     } else {
         out << verdictText(readiness) << '\n';
         printFindings(readiness, out);
+        for (const ClothNeed& need : readiness.cloth) {
+            out << "cloth: " << sentence(need) << '\n';
+        }
     }
     out.flush();
     const bool isReady = readiness.count(Severity::Fault) == 0;

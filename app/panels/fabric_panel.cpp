@@ -11,6 +11,7 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/document/document.h"
@@ -21,6 +22,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
+#include "core/layout/cloth_need.h"
 
 namespace toile::app {
 
@@ -42,14 +44,10 @@ bool isSmall(const FabricQuestion& question) {
 }
 
 /// Place among the presets; their number for one that is none of them.
-int presetOf(const Fabric& fabric) {
+int rowOf(const Fabric& fabric) {
     const auto presets = fabricPresets();
-    int index = 0;
-    while (index < static_cast<int>(presets.size()) &&
-           !(presets[static_cast<std::size_t>(index)] == fabric)) {
-        ++index;
-    }
-    return index;
+    const Fabric* preset = presetOf(fabric);
+    return static_cast<int>(preset ? preset - presets.data() : std::ssize(presets));
 }
 
 QString capitalised(QString word) {
@@ -128,7 +126,6 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
     connect(&document_, &Document::changed, this, &FabricPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &FabricPanel::showNeed);
     refresh();
-    showNeed();
     askForFit();
 }
 
@@ -154,7 +151,7 @@ QWidget* FabricPanel::makeContents() {
     material_->setObjectName("fabricMaterial");
     material_->setAccessibleName(tr("Fabric of"));
     material_->setToolTip(
-        tr("The garment, or what pieces of another material are cut from (panel Position)"));
+        tr("The garment, or what pieces of another material are cut from (panel Piece)"));
     material_->setFocusPolicy(Qt::StrongFocus);
     fieldGuard_.install(*material_);
     connect(material_, &QComboBox::activated, this, [this](int index) {
@@ -193,12 +190,31 @@ QWidget* FabricPanel::makeContents() {
     unstated->setObjectName("fabricUnstated");
     unstated_ = unstated;
     grid->addWidget(unstated, kLastRow, 0, 1, 3);
+    addCloth(*grid, kLastRow + 1);
+    return contents;
+}
+
+void FabricPanel::addCloth(QGridLayout& grid, int row) {
+    width_ = new LengthEdit(this);
+    width_->setObjectName("fabricWidth");
+    width_->setAccessibleName(tr("Width of the cloth"));
+    width_->setToolTip(tr("As it is sold, from selvedge to selvedge"));
+    width_->setRange(1, kMaxClothWidth);
+    width_->setFocusPolicy(Qt::StrongFocus);
+    fieldGuard_.install(*width_);
+    width_->installEventFilter(this);
+    connect(width_, &QDoubleSpinBox::valueChanged, this, &FabricPanel::setWidth);
+    auto* title = new QLabel(tr("&Width"), this);
+    title->setBuddy(width_);
+    grid.addWidget(title, row, 0);
+    grid.addWidget(width_, row, 1, 1, 2);
     need_ = makeNote({});
     need_->setObjectName("fabricNeed");
-    need_->setToolTip(tr("The box around all pieces with their allowances, the grain upwards"));
-    grid->addWidget(need_, kLastRow + 1, 0, 1, 3);
-    grid->setRowStretch(kLastRow + 2, 1);
-    return contents;
+    need_->setToolTip(
+        tr("The box around the pieces that are cut from this, one of each, with their "
+           "allowances, the grain upwards"));
+    grid.addWidget(need_, row + 1, 0, 1, 3);
+    grid.setRowStretch(row + 2, 1);
 }
 
 void FabricPanel::addLimits(QGridLayout& grid) {
@@ -339,18 +355,24 @@ void FabricPanel::onChanged(DocumentChanges what) {
 }
 
 void FabricPanel::showNeed() {
-    Eigen::AlignedBox2d box;
-    if (const Scene* scene = document_.scene().get()) {
-        const SheetPlaces places = placesOf(document_.settings());
-        for (std::size_t piece = 0; piece < scene->pieces.size(); ++piece) {
-            box.extend(placedBox(scene->pieces[piece].edgeBox,
-                                 placeOf(places, static_cast<int>(piece)).placement));
-        }
+    need_->hide();
+    const auto pattern = document_.derived().pattern;
+    if (!pattern) {
+        return;
     }
-    need_->setVisible(!box.isEmpty());
-    if (!box.isEmpty()) {
-        need_->setText(tr("Needs %1 of cloth %2 wide, as the pieces lie now")
-                           .arg(saidLength(box.sizes().y()), saidLength(box.sizes().x())));
+    std::vector<std::optional<Placement>> placements;
+    for (const PieceSettings& settings : document_.settings()) {
+        placements.push_back(settings.placement);
+    }
+    for (const ClothNeed& need : clothNeeds(*pattern, placements, document_.fabric())) {
+        if (need.material == shown_) {
+            need_->setText(
+                need.fits()
+                    ? tr("Needs %1 of it, as the pieces lie now").arg(saidLength(need.length))
+                    : tr("As the pieces lie now they take %1 across, more than its width")
+                          .arg(saidLength(need.across)));
+            need_->show();
+        }
     }
 }
 
@@ -396,10 +418,14 @@ void FabricPanel::refresh() {
     pages_->setCurrentIndex(document_.garment() ? 0 : 1);
     showMaterials();
     const Fabric& fabric = fabricOf(shown_, document_.state().materials, document_.fabric());
-    preset_->setCurrentIndex(presetOf(fabric));
+    preset_->setCurrentIndex(rowOf(fabric));
     for (const Limit& limit : limits_) {
         const QSignalBlocker quiet(limit.field);
         limit.field->setValue(kPercentPerShare * fabric.*limit.direction.*limit.end);
+    }
+    {
+        const QSignalBlocker quiet(width_);
+        width_->setValue(fabric.width);
     }
     const bool isStated = hasLimits(fabric);
     setShown(limitWidgets_, isStated);
@@ -410,6 +436,7 @@ void FabricPanel::refresh() {
                                                       return hasLimits(material.fabric);
                                                   }));
     showFit();
+    showNeed();
 }
 
 void FabricPanel::showFit() {
@@ -440,7 +467,11 @@ void FabricPanel::choosePreset(int index) {
     const auto presets = fabricPresets();
     Fabric& fabric = shownFabric(next);
     if (index >= 0 && index < static_cast<int>(presets.size())) {
+        // A width that was typed stays.
+        const Fabric* before = presetOf(fabric);
+        const double width = fabric.width;
         fabric = presets[static_cast<std::size_t>(index)];
+        fabric.width = before && before->width == width ? fabric.width : width;
     } else {
         // Limits of 0 are nothing to begin with.
         fabric = hasLimits(fabric) ? fabric : *fabricPreset("woven");
@@ -465,6 +496,14 @@ void FabricPanel::setLimit(const Limit& limit, double percent) {
     fabric.*limit.direction.*limit.end = percent / kPercentPerShare;
     document_.edit(tr("Fabric limits"), std::move(next), gesture_);
     refresh();
+}
+
+void FabricPanel::setWidth(double millimetres) {
+    if (document_.garment()) {
+        DocumentState next = document_.state();
+        shownFabric(next).width = millimetres;
+        document_.edit(tr("Width of the cloth"), std::move(next), gesture_);
+    }
 }
 
 void FabricPanel::follow(const QString& link) {

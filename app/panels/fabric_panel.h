@@ -20,6 +20,7 @@ namespace toile::app {
 class Document;
 struct DocumentState;
 class FieldGuard;
+class LengthEdit;
 class PercentEdit;
 
 /// What the garment is cut from, and what pieces of another material are: not stated, a preset, or
@@ -59,6 +60,7 @@ private:
     };
 
     QWidget* makeContents();
+    void addCloth(QGridLayout& grid, int row);
     void addLimits(QGridLayout& grid);
     PercentEdit* makeField(const char* name, const QString& label, const QString& tip);
     QLabel* makeNote(const QString& text);
@@ -66,7 +68,7 @@ private:
     void onChanged(DocumentChanges what);
     void refresh();
     void showDirections();
-    /// How much cloth the arrangement takes.
+    /// How much of the cloth that is shown the arrangement takes.
     void showNeed();
     void askForFit();
     void setFit(const std::optional<FabricFit>& fit, const QString& problem = {});
@@ -76,6 +78,7 @@ private:
     Fabric& shownFabric(DocumentState& state) const;
     void choosePreset(int index);
     void setLimit(const Limit& limit, double percent);
+    void setWidth(double millimetres);
     void follow(const QString& link);
 
     Document& document_;
@@ -88,6 +91,7 @@ private:
     std::array<QLabel*, 3> directions_{}, shares_{};   ///< of warp, weft, bias
     std::vector<QWidget*> limitWidgets_, fitWidgets_;  ///< nothing to see where none is stated
     QLabel *all_, *worst_, *unstated_ = nullptr, *need_ = nullptr;
+    LengthEdit* width_ = nullptr;
     int gesture_ = -1;  ///< what is typed into one field, one after the other, is one step
     std::optional<FabricFit> fit_;
     QString problem_;  ///< why the fit could not be worked out

@@ -216,6 +216,14 @@ std::string writeReadiness(const Garment& garment, const Readiness& readiness) {
     for (const Finding& finding : readiness.findings) {
         json["findings"].push_back(findingJson(garment, finding));
     }
+    json["cloth"] = Json::array();
+    for (const ClothNeed& need : readiness.cloth) {
+        json["cloth"].push_back({{"material", textOrNull(need.material)},
+                                 {"length_mm", number(need.length)},
+                                 {"across_mm", number(need.across)},
+                                 {"width_mm", number(need.width)},
+                                 {"fits", need.fits()}});
+    }
     return jsonText(json);
 }
 

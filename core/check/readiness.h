@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/check/finding.h"
+#include "core/layout/cloth_need.h"
 
 namespace toile {
 
@@ -20,6 +21,7 @@ enum class Verdict {
 /// What was found, the faults first, then by kind, the worst of a kind first.
 struct Readiness {
     std::vector<Finding> findings{};
+    std::vector<ClothNeed> cloth{};  ///< of what is flat; none where there is no pattern
 
     int count(Severity severity) const;
     Verdict verdict() const;

@@ -11,6 +11,7 @@
 #include "core/check/piece_check.h"
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
+#include "core/layout/cloth_need.h"
 #include "core/layout/sheet_overlaps.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/trueing.h"
@@ -50,6 +51,7 @@ public:
             checkSheet();
         }
         Readiness readiness = found_.inOrder();
+        readiness.cloth = clothWanted();
         for (Finding& finding : readiness.findings) {
             finding.subject = labelled(plan_.labels, std::move(finding.subject));
         }
@@ -253,6 +255,16 @@ private:
             isOfGarment(plan_.pattern.get()) && plan_.pattern->pieces[piece].outline.rows() > 0;
         return isKnown ? edgeOf(plan_.pattern->pieces[piece])
                        : Points2(result.flat->Q(result.piece->boundary, Eigen::all));
+    }
+
+    std::vector<ClothNeed> clothWanted() const {
+        std::vector<std::optional<Placement>> placements;
+        for (const PieceSettings& settings : plan_.settings) {
+            placements.push_back(settings.placement);
+        }
+        return isOfGarment(plan_.pattern.get())
+                   ? clothNeeds(*plan_.pattern, placements, plan_.fabric)
+                   : std::vector<ClothNeed>();
     }
 
     void checkSheet() {

@@ -127,7 +127,8 @@ Json materialsJson(const Pattern& pattern) {
                                  {"fabric", text(fabric.id)},
                                  {"warp", limits(fabric.warp)},
                                  {"weft", limits(fabric.weft)},
-                                 {"bias", limits(fabric.bias)}});
+                                 {"bias", limits(fabric.bias)},
+                                 {"width_mm", number(fabric.width)}});
         }
     }
     return materials;

@@ -18,30 +18,35 @@ struct StrainLimits {
     bool operator==(const StrainLimits&) const = default;
 };
 
+inline constexpr double kUsualClothWidth = 1400;  // mm
+inline constexpr double kMaxClothWidth = 100'000;
+
 /// What a garment is cut from, as far as flattening needs it.
 struct Fabric {
     std::string id;     ///< "woven"; of a preset, or "custom"; "unstated": nothing is known of it
     StrainLimits warp;  ///< along the grain
     StrainLimits weft;  ///< across it
     StrainLimits bias;  ///< at 45 degrees to it
+    double width = kUsualClothWidth;  ///< as it is sold, across the warp, mm
 
     bool operator==(const Fabric&) const = default;
 };
 
 /// Common fabrics, the first of them the one to begin with: not stated, without limits. Rules of
 /// thumb, not measurements: where it matters a sample is to be measured and the limits typed in.
+/// Widths are common ones.
 inline std::span<const Fabric> fabricPresets() {
     static const Fabric presets[] = {
         {"unstated", {}, {}, {}},
         {"woven", {-0.01, 0.02}, {-0.01, 0.03}, {-0.03, 0.08}},
-        {"denim", {-0.005, 0.01}, {-0.005, 0.015}, {-0.015, 0.04}},
+        {"denim", {-0.005, 0.01}, {-0.005, 0.015}, {-0.015, 0.04}, 1500},
         {"canvas", {-0.005, 0.01}, {-0.005, 0.02}, {-0.02, 0.05}},
-        {"jersey", {-0.05, 0.15}, {-0.08, 0.35}, {-0.06, 0.25}},
-        {"spandex", {-0.08, 0.40}, {-0.08, 0.50}, {-0.08, 0.45}},
-        {"neoprene", {-0.04, 0.20}, {-0.04, 0.20}, {-0.04, 0.20}},
+        {"jersey", {-0.05, 0.15}, {-0.08, 0.35}, {-0.06, 0.25}, 1600},
+        {"spandex", {-0.08, 0.40}, {-0.08, 0.50}, {-0.08, 0.45}, 1500},
+        {"neoprene", {-0.04, 0.20}, {-0.04, 0.20}, {-0.04, 0.20}, 1300},
         {"leather", {-0.005, 0.03}, {-0.005, 0.05}, {-0.005, 0.04}},
         {"faux-leather", {-0.005, 0.04}, {-0.005, 0.08}, {-0.005, 0.06}},
-        {"eva-foam", {-0.03, 0.05}, {-0.03, 0.05}, {-0.03, 0.05}},
+        {"eva-foam", {-0.03, 0.05}, {-0.03, 0.05}, {-0.03, 0.05}, 1000},
     };
     return presets;
 }
@@ -51,10 +56,19 @@ inline bool hasLimits(const Fabric& fabric) {
     return fabric.id != fabricPresets().front().id;
 }
 
-/// A preset as it is: what goes beyond it is a matter of judgement. Limits that a person typed are
-/// not.
+/// The preset whose limits it has, as they are, whatever its width; null where there is none.
+inline const Fabric* presetOf(const Fabric& fabric) {
+    const auto presets = fabricPresets();
+    const auto found = std::ranges::find_if(presets, [&fabric](const Fabric& preset) {
+        return preset.id == fabric.id && preset.warp == fabric.warp && preset.weft == fabric.weft &&
+               preset.bias == fabric.bias;
+    });
+    return found == presets.end() ? nullptr : &*found;
+}
+
+/// What goes beyond a preset is a matter of judgement; limits that a person typed are not.
 inline bool isRuleOfThumb(const Fabric& fabric) {
-    return std::ranges::find(fabricPresets(), fabric) != fabricPresets().end();
+    return presetOf(fabric) != nullptr;
 }
 
 /// What some pieces are cut from beside the garment's own fabric: its lining, an interfacing.

@@ -154,6 +154,25 @@ private slots:
         QCOMPARE(needed(), before);
     }
 
+    void aClothThatIsTooNarrowIsSaid() {
+        auto& width = fixture_.find<LengthEdit>("fabricWidth");
+        QCOMPARE(width.value(), fabricPreset("woven")->width);
+        width.selectAll();
+        QTest::keyClicks(&width, "5 cm");
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(document().fabric().width, 50.0);
+        QVERIFY(isRuleOfThumb(document().fabric()));  // its limits are as they were
+        QVERIFY(label("fabricNeed").contains("more than its width"));
+        QTest::keyClick(&preset(), Qt::Key_Down);   // denim
+        QCOMPARE(document().fabric().width, 50.0);  // typed, so it stays
+        undo();
+        undo();
+        QCOMPARE(width.value(), fabricPreset("woven")->width);
+        QTest::keyClick(&preset(), Qt::Key_Down);  // denim
+        QCOMPARE(document().fabric().width, fabricPreset("denim")->width);
+        QVERIFY(!label("fabricNeed").contains("more than its width"));
+    }
+
     void typedLimitsAreACustomFabric() {
         type("fabricWarpMost", "12,5 %");
         QCOMPARE(document().fabric().id, std::string("custom"));

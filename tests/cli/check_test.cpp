@@ -35,7 +35,7 @@ TEST(Check, AProjectBringsItsGrainAndItsFabric) {
     ASSERT_TRUE(writeProject(folder / "flap.toile", project));
     const auto ready = test::toileRun({"check", (folder / "flap.toile").string()});
     EXPECT_EQ(ready.status, 0) << ready.err;
-    EXPECT_EQ(ready.out, "Ready to cut\n");
+    EXPECT_TRUE(ready.out.starts_with("Ready to cut\ncloth: ")) << ready.out;  // no finding
 }
 
 TEST(Check, TheFabricDecidesWhatStrainIsInDoubt) {
@@ -74,6 +74,19 @@ TEST(Check, JsonNamesKindSeverityAndPlace) {
         EXPECT_TRUE(finding["message"].is_string());
     }
     EXPECT_TRUE(anySeam);
+}
+
+TEST(Check, SaysHowMuchClothThePatternTakes) {
+    const auto run =
+        test::toileRun({"check", kSample, "--unit", "mm", "--pattern", "--fabric", "denim"});
+    EXPECT_NE(run.out.find(" mm of cloth 1500 mm wide, as the pieces lie"), std::string::npos)
+        << run.out;
+    const auto json = nlohmann::json::parse(
+        test::toileRun({"check", kSample, "--unit", "mm", "--fabric", "denim", "--json"}).out);
+    ASSERT_EQ(json["cloth"].size(), 1U);
+    EXPECT_EQ(json["cloth"][0]["width_mm"], 1500);
+    EXPECT_TRUE(json["cloth"][0]["fits"].get<bool>());
+    EXPECT_GT(json["cloth"][0]["length_mm"], 100);
 }
 
 TEST(Check, GuessedUnitsAreNamed) {
