@@ -103,6 +103,7 @@ enum class ActionId {
     SplitSeams,
     AutoCut,
     Weld,
+    CloseSlits,
     SeamsFromFile,
     SeamsToFile,
     RenamePiece,

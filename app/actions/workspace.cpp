@@ -298,6 +298,10 @@ void Workspace::setWeld(bool on) {
     setLoadingField(tr("Welding"), &LoadOptions::weld, on);
 }
 
+void Workspace::setCloseSlits(bool on) {
+    setLoadingField(tr("Closing slits"), &LoadOptions::closeSlits, on);
+}
+
 void Workspace::changeLoading(LoadingChange change) {
     if (opening_.isActive() && !opening_.files()) {
         // What the garment that comes will be like is not known before it is here.

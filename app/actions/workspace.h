@@ -92,6 +92,8 @@ public:
     void setAutoCut(bool on);
     /// Whether vertices that lie on each other are joined. As setUnit.
     void setWeld(bool on);
+    /// Whether both sides of the slits inside pieces are made one. As setUnit.
+    void setCloseSlits(bool on);
     /// Changes cuts and joins; pieces that no change touches stay as they are, flat or not.
     /// @param text  what was done, for the undo menu
     void changeSeams(const QString& text, std::function<void(SeamsFile&)> change);

@@ -124,6 +124,8 @@ void addReading(CLI::App& command, Arguments& arguments) {
         ->type_name("FILE.json");
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
+    command.add_flag("--close-slits", load.closeSlits,
+                     "Sew shut the slits inside pieces, as texture maps have them");
     command.add_flag("--strict", load.strict,
                      "Refuse a file in which anything has to be left out or repaired");
 }

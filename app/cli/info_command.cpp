@@ -74,17 +74,21 @@ void printPieces(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
-/// Lines along which pieces are open inside, as UV maps have them: they can be joined.
-void printSlits(const Garment& garment, std::ostream& out) {
+/// Lines along which pieces are open inside, as UV maps have them, and what closes them.
+void printSlits(const Arguments& arguments, const Garment& garment, std::ostream& out) {
     const std::vector<Slit> slits = slitsInside(garment.pieces);
     if (!slits.empty()) {
         double length = 0;
         for (const Slit& slit : slits) {
             length += slit.length;
         }
+        // Not those of cuts; and a project says itself how its files are read.
+        const bool canClose =
+            !arguments.load.closeSlits && !arguments.project && !slitsInside(garment.uncut).empty();
         out << '\n'
             << counted(static_cast<long long>(slits.size()), "slit") << " inside pieces, "
-            << fixed(length, 0) << " mm in all, whose edges lie on each other\n";
+            << fixed(length, 0) << " mm in all, whose edges lie on each other"
+            << (canClose ? "; --close-slits closes them" : "") << '\n';
     }
 }
 
@@ -123,7 +127,7 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         out << '\n';
         printCuts(*garment, out);
         printPieces(*garment, out);
-        printSlits(*garment, out);
+        printSlits(arguments, *garment, out);
         printSeams(*garment, out);
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/garment/rim_pairs.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/mesh/disk_check.h"
+#include "core/mesh/repair.h"
 
 namespace toile {
 namespace {
@@ -31,6 +35,72 @@ std::vector<std::vector<int>> loopsOf(const RimPairs& rims, const std::vector<in
     return loops;
 }
 
+/// The rims of a piece that are slits: all but the outline whose edges lie on each other.
+std::vector<std::vector<int>> slitLoops(const RimPairs& rims, std::size_t p,
+                                        const MeshArrays& mesh) {
+    std::vector<std::vector<int>> loops = loopsOf(rims, rims.rims()[p]);
+    const auto around = [&](const std::vector<int>& loop) {
+        double sum = 0;
+        for (const int e : loop) {
+            sum += lengthOf(mesh, rims.edge(e));
+        }
+        return sum;
+    };
+    if (!loops.empty()) {
+        loops.erase(std::ranges::max_element(loops, {}, around));
+    }
+    std::erase_if(loops, [&](const std::vector<int>& loop) {
+        const std::set<int> own(loop.begin(), loop.end());
+        return !std::ranges::all_of(loop, [&](int e) { return own.contains(rims.edge(e).mate); });
+    });
+    return loops;
+}
+
+/// A piece with the two sides of these slits made one; null where it would be no surface then.
+std::shared_ptr<Piece> withSlitsClosed(const Piece& piece, const RimPairs& rims,
+                                       const std::vector<std::vector<int>>& loops) {
+    const auto total = static_cast<int>(piece.mesh.V.rows());
+    geometry::DisjointSets same(total);
+    for (const std::vector<int>& loop : loops) {
+        for (const int e : loop) {  // its head comes with its mate, which is in the loop too
+            same.join(rims.edge(e).tail, rims.edge(rims.edge(e).mate).head);
+        }
+    }
+    const auto sourceOf = [&piece](int v) {
+        return piece.sourceVertex.empty() ? -1 : piece.sourceVertex[v];
+    };
+    MeshArrays mesh;
+    mesh.V.resize(total, 3);
+    std::vector<int> number(total), sourceVertex;
+    int count = 0;
+    for (int v = 0; v < total; ++v) {
+        const int root = same.root(v);  // the least: numbered already
+        if (root == v) {
+            number[v] = count;
+            mesh.V.row(count++) = piece.mesh.V.row(v);
+            sourceVertex.push_back(sourceOf(v));
+        } else {
+            number[v] = number[root];
+            int& source = sourceVertex[number[root]];
+            source = source < 0 ? sourceOf(v) : source;
+        }
+    }
+    mesh.V.conservativeResize(count, 3);
+    mesh.F = piece.mesh.F;
+    for (int& v : cornersOf(mesh.F)) {
+        v = number[v];
+    }
+    EdgeTable table = buildEdgeTable(mesh.F, count);
+    if (!isValidSurface(mesh, table)) {
+        return nullptr;
+    }
+    auto made = std::make_shared<Piece>(makePiece(piece.name, std::move(mesh), std::move(table)));
+    made->file = piece.file;
+    made->sourceVertex = std::move(sourceVertex);
+    made->sourceFace = piece.sourceFace;
+    return made;
+}
+
 }  // namespace
 
 std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& pieces) {
@@ -38,23 +108,7 @@ std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& p
     std::vector<Slit> slits;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const MeshArrays& mesh = pieces[p]->mesh;
-        std::vector<std::vector<int>> loops = loopsOf(rims, rims.rims()[p]);
-        const auto around = [&](const std::vector<int>& loop) {
-            double sum = 0;
-            for (const int e : loop) {
-                sum += lengthOf(mesh, rims.edge(e));
-            }
-            return sum;
-        };
-        if (!loops.empty()) {
-            loops.erase(std::ranges::max_element(loops, {}, around));
-        }
-        for (const std::vector<int>& loop : loops) {
-            const std::set<int> own(loop.begin(), loop.end());
-            if (!std::ranges::all_of(loop,
-                                     [&](int e) { return own.contains(rims.edge(e).mate); })) {
-                continue;
-            }
+        for (const std::vector<int>& loop : slitLoops(rims, p, mesh)) {
             std::set<int> done;
             for (const int e : loop) {
                 if (done.contains(e)) {
@@ -78,6 +132,20 @@ std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& p
         }
     }
     return slits;
+}
+
+void closeSlits(std::vector<std::shared_ptr<Piece>>& pieces) {
+    const std::vector<std::shared_ptr<const Piece>> before(pieces.begin(), pieces.end());
+    const RimPairs rims(before);
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        const auto loops = slitLoops(rims, p, pieces[p]->mesh);
+        if (loops.empty()) {
+            continue;
+        }
+        if (auto closed = withSlitsClosed(*pieces[p], rims, loops)) {
+            pieces[p] = std::move(closed);
+        }
+    }
 }
 
 }  // namespace toile

@@ -24,4 +24,10 @@ struct Slit {
 /// lies on. Cost: linear in the triangles, n log n in the edges of rims. Pure.
 std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& pieces);
 
+/// Makes every piece with slits anew, both sides of each slit one: the same faces in the same
+/// order, and no reference panel, which is open there. One that would be no surface then stays as
+/// it is; so does, the same pointer, one without slits.
+/// @param pieces  as `divide` gives them, without ids yet  Cost: as above. Pure.
+void closeSlits(std::vector<std::shared_ptr<Piece>>& pieces);
+
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "core/base/unique_names.h"
 #include "core/garment/divide.h"
+#include "core/garment/slits.h"
 #include "core/garment/weld_soup.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
@@ -121,6 +122,9 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     take(weldSoup(file->soup, options.weld, millimetresPer(file->unit),
                   read.path.filename().string()));
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
+    if (options.closeSlits) {
+        closeSlits(divided.pieces);
+    }
     if (options.split == SplitMode::Auto) {
         file->betterSplit = betterThan(divided, *file->soup, progress);
     }

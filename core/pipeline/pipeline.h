@@ -27,9 +27,10 @@ struct LoadOptions {
     std::optional<FileUnit> unit{};  ///< of all files; guessed per file where not given
     std::optional<UpAxis> up{};      ///< of all files; guessed per file where not given
     SplitMode split = SplitMode::Auto;
-    bool weld = false;     ///< join vertices that lie on each other, within each object
-    bool strict = false;   ///< refuse a file in which anything had to be left out or repaired
-    bool autoCut = false;  ///< cut open what is no disk
+    bool weld = false;        ///< join vertices that lie on each other, within each object
+    bool closeSlits = false;  ///< make both sides of slits inside pieces one (`closeSlits`)
+    bool strict = false;      ///< refuse a file in which anything had to be left out or repaired
+    bool autoCut = false;     ///< cut open what is no disk
     /// Cuts and joins, in the unit and axes of the first file; and ease by the names of seams,
     /// which `resolveNames` turns into settings.
     SeamsFile seams{};
@@ -57,11 +58,11 @@ struct GarmentInputs {
 /// Reads the files. Errors: those of readSoup, for the first that cannot be read.
 Result<ReadFiles> readFiles(const std::vector<std::filesystem::path>& paths, Progress& progress);
 
-/// Makes one garment of files: weld, unit, division, repair, joins, cuts, seams. With several files
-/// piece names are prefixed by the file's stem. A cut or a join that cannot be made, or an ease for
-/// a seam that is not there, is a problem of the garment. The same inputs give the same garment,
-/// whatever there was before. Errors: NoGeometry, Cancelled; with `strict` also the first note
-/// about something left out or repaired.
+/// Makes one garment of files: weld, unit, division, repair, slits, joins, cuts, seams. With
+/// several files piece names are prefixed by the file's stem. A cut or a join that cannot be made,
+/// or an ease for a seam that is not there, is a problem of the garment. The same inputs give the
+/// same garment, whatever there was before. Errors: NoGeometry, Cancelled; with `strict` also the
+/// first note about something left out or repaired.
 /// @param before  a garment and its inputs: what comes out as it was there is the same pointer, and
 ///                where nothing but joins, cuts and ease is another it is not divided anew
 Result<Garment> makeGarment(const GarmentInputs& inputs, Progress& progress,

@@ -28,6 +28,9 @@ inline constexpr auto kReading = [](auto& at, auto& loading) {
             R"("auto", "components", "objects", "groups", "materials", "uv" or "seams")",
             parseSplitMode);
     at.field("weld", loading.weld);
+    if (at.kReads || loading.closeSlits) {
+        at.field("closeSlits", loading.closeSlits);
+    }
     at.field("strict", loading.strict);
     at.field("autoCut", loading.autoCut);
 };
@@ -204,6 +207,7 @@ inline constexpr auto kFabric = [](auto& at, auto& fabric) {
     strainLimits(at, "warp", fabric.warp);
     strainLimits(at, "weft", fabric.weft);
     strainLimits(at, "bias", fabric.bias);
+    at.field("width", fabric.width, 1.0, kMaxClothWidth);
 };
 
 inline constexpr auto kMaterial = [](auto& at, auto& material) {

@@ -187,6 +187,11 @@ private slots:
         QVERIFY(fixture_.waitForResults());
         QVERIFY(fixture_.workspace().loading().weld);
         QCOMPARE(document().pieceCount(), 2);  // islands stay apart
+        fixture_.action(ActionId::CloseSlits).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(fixture_.workspace().loading().closeSlits);
+        QVERIFY(fixture_.action(ActionId::CloseSlits).isChecked());
+        QCOMPARE(document().pieceCount(), 2);
         fixture_.action(ActionId::SplitComponents).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().pieceCount(), 1);

@@ -141,9 +141,9 @@ TEST(Arguments, CheckTakesAFabricAndReadsAsTheOthersDo) {
 
 TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
     for (const bool window : {true, false}) {
-        std::vector<const char*> typed{"a.obj",  "--split",    "seams",  "--seams",
-                                       "a.json", "--auto-cut", "--weld", "--up",
-                                       "z",      "--unit",     "in",     "--strict"};
+        std::vector<const char*> typed{
+            "a.obj", "--split", "seams",  "--seams", "a.json",   "--auto-cut",   "--weld",
+            "--up",  "z",       "--unit", "in",      "--strict", "--close-slits"};
         if (!window) {
             typed.insert(typed.begin(), "info");
         }
@@ -153,7 +153,7 @@ TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
         EXPECT_EQ(a.seams, "a.json");
         EXPECT_EQ(a.load.up, UpAxis::Z);
         EXPECT_EQ(a.load.unit, LengthUnit::Inch);
-        EXPECT_TRUE(a.load.autoCut && a.load.weld && a.load.strict);
+        EXPECT_TRUE(a.load.autoCut && a.load.weld && a.load.closeSlits && a.load.strict);
     }
 }
 

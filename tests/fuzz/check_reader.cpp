@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/garment/divide.h"
+#include "core/garment/slits.h"
 #include "core/io/triangulate.h"
 #include "tests/core/io/soup_promises.h"
 
@@ -55,11 +56,16 @@ std::string brokenByPiece(const Piece& piece, const PolygonSoup& soup) {
 }
 
 std::string brokenByDivision(const SourceFile& file, const DivideOptions& options) {
-    const DividedFile divided = divide(file, 0, "", options);
-    for (const auto& piece : divided.pieces) {
-        std::string broken = brokenByPiece(*piece, *file.soup);
-        if (!broken.empty()) {
-            return broken;
+    DividedFile divided = divide(file, 0, "", options);
+    for (const bool areShut : {false, true}) {
+        if (areShut) {
+            closeSlits(divided.pieces);
+        }
+        for (const auto& piece : divided.pieces) {
+            std::string broken = brokenByPiece(*piece, *file.soup);
+            if (!broken.empty()) {
+                return broken;
+            }
         }
     }
     return "";

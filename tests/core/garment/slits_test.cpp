@@ -7,6 +7,7 @@
 #include "core/cut/surface_paths.h"
 #include "core/garment/join_pieces.h"
 #include "core/pipeline/pipeline.h"
+#include "core/quality/measures.h"
 #include "tests/core/cut/surface.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -17,7 +18,7 @@ namespace {
 using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
 /// A sheet of 12 x 12 squares of 10 mm, open along these ways of vertices.
-std::shared_ptr<const Piece> slitSheet(const std::vector<std::vector<int>>& ways) {
+std::shared_ptr<Piece> slitSheet(const std::vector<std::vector<int>>& ways) {
     const test::Surface sheet(test::planeGrid(12, 12, 10));
     std::vector<PathPolyline> paths;
     for (const auto& way : ways) {
@@ -27,7 +28,7 @@ std::shared_ptr<const Piece> slitSheet(const std::vector<std::vector<int>>& ways
     Piece piece = makePiece("sheet", cut->mesh);
     piece.sourceVertex.assign(static_cast<std::size_t>(piece.mesh.V.rows()), 0);
     piece.sourceFace.assign(static_cast<std::size_t>(piece.mesh.F.rows()), 0);
-    return std::make_shared<const Piece>(std::move(piece));
+    return std::make_shared<Piece>(std::move(piece));
 }
 
 Pieces closed(const Pieces& pieces) {
@@ -55,11 +56,56 @@ TEST(Slits, ADartIsNone) {
     EXPECT_TRUE(slitsInside({slitSheet({})}).empty());
 }
 
+TEST(Slits, CloseToTheSheetTheyWereMadeIn) {
+    // A straight one, one with a corner, and one with three ends.
+    const auto before =
+        slitSheet({{54, 55, 56, 57}, {80, 81, 94, 107}, {84, 85, 86, 87, 88}, {86, 99, 112}});
+    before->file = 2;
+    before->reference = Points2(Points2::Zero(before->mesh.V.rows(), 2));
+    ASSERT_EQ(loopLengths(*before).size(), 4U);
+    std::vector<std::shared_ptr<Piece>> pieces{before};
+    closeSlits(pieces);
+    ASSERT_EQ(pieces.size(), 1U);
+    const Piece& whole = *pieces[0];
+    EXPECT_FALSE(whole.defect);
+    EXPECT_TRUE(whole.holes.empty());
+    EXPECT_EQ(loopLengths(whole).size(), 1U);
+    EXPECT_EQ(whole.boundary.size(), 4U * 12);
+    EXPECT_EQ(whole.mesh.V.rows(), 13 * 13);
+    EXPECT_EQ(whole.mesh.F.rows(), before->mesh.F.rows());
+    EXPECT_NEAR(triangleAreas3d(whole.mesh).sum(), triangleAreas3d(before->mesh).sum(), 1e-9);
+    EXPECT_EQ(whole.name, before->name);
+    EXPECT_EQ(whole.file, 2);
+    EXPECT_EQ(whole.sourceVertex.size(), 13U * 13);
+    EXPECT_EQ(whole.sourceFace, before->sourceFace);
+    EXPECT_FALSE(whole.reference);  // it is open where the piece was
+    EXPECT_TRUE(slitsInside({pieces[0]}).empty());
+}
+
+TEST(Slits, ClosedLeaveADartOpenAndPiecesWithoutThemAlone) {
+    const std::vector<int> dart{6, 19, 32, 45};
+    std::vector<std::shared_ptr<Piece>> pieces{slitSheet({dart}), slitSheet({}),
+                                               slitSheet({dart, {106, 107, 108}})};
+    for (int k = 0; k < 3; ++k) {  // or the edges of all three lie on each other
+        pieces[static_cast<std::size_t>(k)]->mesh.V.col(2).array() += 100 * k;
+    }
+    const auto before = pieces;
+    closeSlits(pieces);
+    EXPECT_EQ(pieces[0], before[0]);
+    EXPECT_EQ(pieces[1], before[1]);
+    EXPECT_NE(pieces[2], before[2]);
+    EXPECT_EQ(loopLengths(*before[2]).size(), 2U);
+    EXPECT_EQ(loopLengths(*pieces[2]).size(), 1U);
+    EXPECT_FALSE(pieces[2]->defect);
+    EXPECT_EQ(pieces[2]->mesh.V.rows(), 13 * 13 + 3);
+}
+
 TEST(Slits, AreWhatAUvMapLeavesOpenInsideItsIslands) {
-    const auto slitsOf = [](const std::filesystem::path& path) {
+    const auto slitsOf = [](const std::filesystem::path& path, bool close = false) {
         Progress progress;
         LoadOptions options;
         options.split = SplitMode::Uv;
+        options.closeSlits = close;
         const auto garment = loadGarment({path}, options, progress);
         return garment ? static_cast<int>(slitsInside(garment->pieces).size()) : -1;
     };
@@ -68,6 +114,7 @@ TEST(Slits, AreWhatAUvMapLeavesOpenInsideItsIslands) {
     TOILE_NEEDS_SHARED(suit);
     TOILE_NEEDS_SHARED(polo);
     EXPECT_GT(slitsOf(suit), 100);
+    EXPECT_EQ(slitsOf(suit, true), 0);
     EXPECT_EQ(slitsOf(polo), 0);  // its tubes are open from end to end
 }
 

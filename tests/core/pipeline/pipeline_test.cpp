@@ -8,6 +8,7 @@
 
 #include "core/export/export_file.h"
 #include "core/export/formats.h"
+#include "core/garment/slits.h"
 #include "core/project/place_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -90,6 +91,58 @@ TEST(Pipeline, ReadingLeavesRoomForJoinsCutsAndSeams) {
     const auto none = cutGarment(garment, options, cancelled);
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::Cancelled);
+}
+
+/// A sheet of 6 x 6 squares of 50 mm that its UV map opens along three edges inside.
+std::string sheetWithSlit() {
+    std::ostringstream obj;
+    for (int row = 0; row <= 6; ++row) {
+        for (int column = 0; column <= 6; ++column) {
+            obj << "v " << 50 * column << ' ' << 50 * row << " 0\n";
+            obj << "vt " << column << ' ' << row << '\n';
+        }
+    }
+    obj << "vt 2 3\nvt 3 3\n";  // of the faces above: the ends of the slit are shared
+    for (int row = 0; row < 6; ++row) {
+        for (int column = 0; column < 6; ++column) {
+            obj << 'f';
+            for (const auto& [right, up] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+                const int c = column + right, r = row + up, vertex = 7 * r + c + 1;
+                const bool isDouble = row == 3 && r == 3 && (c == 2 || c == 3);
+                obj << ' ' << vertex << '/' << (isDouble ? 48 + c : vertex);
+            }
+            obj << '\n';
+        }
+    }
+    return obj.str();
+}
+
+TEST(Pipeline, ClosesSlitsWhereAskedAndDividesAnewForThat) {
+    const test::TemporaryFolder folder;
+    Progress progress;
+    const auto files = readFiles({folder.write("sheet.obj", sheetWithSlit())}, progress);
+    ASSERT_TRUE(files);
+    GarmentInputs asRead{*files};
+    asRead.loading.unit = LengthUnit::Millimetre;
+    asRead.loading.split = SplitMode::Uv;
+    GarmentInputs shut = asRead;
+    shut.loading.closeSlits = true;
+    const auto before = makeGarment(asRead, progress);
+    ASSERT_TRUE(before);
+    ASSERT_EQ(before->pieces.size(), 1U);
+    EXPECT_EQ(slitsInside(before->pieces).size(), 1U);
+    EXPECT_EQ(before->pieces[0]->mesh.V.rows(), 7 * 7 + 2);
+    const auto after = makeGarment(shut, progress, asRead, &*before);
+    ASSERT_TRUE(after);
+    ASSERT_EQ(after->pieces.size(), 1U);
+    EXPECT_TRUE(slitsInside(after->pieces).empty());
+    EXPECT_EQ(after->pieces[0]->mesh.V.rows(), 7 * 7);
+    EXPECT_FALSE(after->pieces[0]->defect);
+    EXPECT_EQ(after->pieces[0]->id, before->pieces[0]->id);  // what was said of it stays
+    EXPECT_EQ(after->uncut, after->pieces);
+    const auto again = makeGarment(asRead, progress, shut, &*after);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(slitsInside(again->pieces).size(), 1U);
 }
 
 /// Cuts that cross each other ten thousand times, and one that crosses itself a million times.

@@ -38,6 +38,7 @@ public:
         loading.up = flag() ? std::optional(UpAxis::Z) : std::nullopt;
         loading.split = static_cast<SplitMode>(upTo(6));
         loading.weld = flag();
+        loading.closeSlits = flag();
         loading.strict = flag();
         loading.autoCut = flag();
         loading.seams.unit = unit();
