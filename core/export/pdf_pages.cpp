@@ -263,6 +263,9 @@ Result<void> placeOnTiles(PdfPlan& plan, const AlignedBox2d& box, const PrintedC
             }
         }
     }
+    if (plan.pages.empty()) {  // of a pattern without a flat piece: an empty page, but a page
+        plan.pages.push_back({0, 0, grid.window(0, 0), grid.frame(0, 0)});
+    }
     findShared(plan);
     return {};
 }

@@ -10,7 +10,7 @@
 
 namespace toile::geometry {
 
-NearestOnLine::NearestOnLine(const Points2& closed) : points_(closed) {
+NearestOnLine::NearestOnLine(const Polygon& closed) : points_(closed) {
     std::vector<std::uint32_t> edges;  // triangles without area
     const auto count = static_cast<std::uint32_t>(closed.rows());
     for (std::uint32_t k = 0; k < count; ++k) {

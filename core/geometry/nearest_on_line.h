@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/triangle_tree.h"
-#include "core/mesh/mesh_arrays.h"
 
 namespace toile::geometry {
 
@@ -11,7 +11,7 @@ namespace toile::geometry {
 class NearestOnLine {
 public:
     /// @param closed  at least one point; its last is joined to its first
-    explicit NearestOnLine(const Points2& closed);
+    explicit NearestOnLine(const Polygon& closed);
 
     /// Of places equally near the first along the line.
     Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const;

@@ -106,7 +106,10 @@ TEST(WritePdf, HasNoDatesAndTellsViewersNotToScale) {
 
 TEST(WritePdf, IsReadBackOnEveryPaper) {
     const Drawn made = handmade();
-    for (const Drawn* drawn : {&made, &shirt()}) {
+    Drawn none{made.pattern, {}};  // nothing is flat
+    none.pattern.pieces.clear();
+    none.drawing = draw(none.pattern, layOut(none.pattern));
+    for (const Drawn* drawn : {&made, &shirt(), static_cast<const Drawn*>(&none)}) {
         for (const Paper paper : kPapers) {
             for (const double overlap : {0.0, 10.0, 50.0}) {
                 const PdfOptions options{paper, overlap};
