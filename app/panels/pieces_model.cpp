@@ -201,8 +201,7 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             }
             if (known && known->error) {
                 // Short enough for a table; the whole sentence is in the tool tip and the details.
-                const std::string_view reason = name(known->error->code);
-                return {tr("Not flat: %1").arg(QString::fromUtf8(reason).replace('-', ' '))};
+                return {tr("Not flat: %1").arg(troubleText(*known->error, *known->piece))};
             }
             return {!known                       ? tr("Waiting")
                     : statusOf(*known) == "flat" ? tr("Flat")

@@ -131,6 +131,10 @@ void PiecesPanel::onChanged(DocumentChanges what) {
     }
 }
 
+QTreeView& PiecesPanel::table() {
+    return *table_;
+}
+
 std::vector<int> PiecesPanel::meantWith(int piece) const {
     const auto& selection = document_.selection();
     return document_.isSelected(piece) ? std::vector<int>(selection.begin(), selection.end())
@@ -153,7 +157,7 @@ void PiecesPanel::editCell(int piece, int column) {
     const QModelIndex cell = sorted_->mapFromSource(model_->index(piece, column));
     table_->scrollTo(cell);
     table_->selectionModel()->setCurrentIndex(cell, QItemSelectionModel::NoUpdate);
-    table_->edit(cell);
+    table_->openEditor(cell);
 }
 
 QStringList PiecesPanel::quietColumns() const {

@@ -12,6 +12,8 @@ class QTreeView;
 
 namespace toile::app {
 
+class PiecesView;
+
 class ColumnChooser;
 class Document;
 class PiecesModel;
@@ -24,7 +26,7 @@ class PiecesPanel : public QWidget {
 public:
     explicit PiecesPanel(Document& document, QWidget* parent = nullptr);
 
-    QTreeView& table() { return *table_; }
+    QTreeView& table();
     /// Which columns there are to be.
     ColumnChooser& columns() { return *columns_; }
     /// Lets the selected piece's name be typed; nothing where none is selected, or several are.
@@ -59,7 +61,7 @@ private:
     Document& document_;
     PiecesModel* model_;
     QSortFilterProxyModel* sorted_;
-    QTreeView* table_;
+    PiecesView* table_;
     ColumnChooser* columns_;
     QLabel* details_;
     std::vector<int> wanted_;     ///< widths that the contents need, pixels; 0: hidden

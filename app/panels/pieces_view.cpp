@@ -64,6 +64,11 @@ PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
     setItemDelegateForColumn(PiecesModel::Pair, new PairDelegate(this));
 }
 
+void PiecesView::openEditor(const QModelIndex& cell) {
+    setFocus();  // an open editor takes what was typed
+    edit(cell, AllEditTriggers, nullptr);
+}
+
 bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
     const bool isKey = event && event->type() == QEvent::KeyPress;
     if (trigger == EditKeyPressed) {

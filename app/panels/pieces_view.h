@@ -15,6 +15,9 @@ class PiecesView : public QTreeView {
 public:
     explicit PiecesView(QWidget* parent = nullptr);
 
+    /// Opens the editor of a cell, once that of another is closed; not while one is about to open.
+    void openEditor(const QModelIndex& cell);
+
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
     QItemSelectionModel::SelectionFlags selectionCommand(const QModelIndex& index,

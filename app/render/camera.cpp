@@ -133,8 +133,10 @@ void Camera3D::frame(std::span<const Eigen::AlignedBox3d> boxes) {
 
 double Camera3D::distanceToFit(const Eigen::AlignedBox3d& box) const {
     const Eigen::Matrix3d basis = axes();
-    const double tanY = std::tan(kFieldOfView / 2) / kFrameMargin;
-    const double tanX = tanY * width_ / height_;
+    const double tan = std::tan(kFieldOfView / 2);
+    const double tanX = tan / kFrameMargin * width_ / height_;
+    const double tanY =
+        tan * std::max(0.5, std::min(1 / kFrameMargin, 1 - 2 * freeEdges_ / height_));
     double needed = 0;
     for (int corner = 0; corner < 8; ++corner) {
         const auto type = static_cast<Eigen::AlignedBox3d::CornerType>(corner);

@@ -48,6 +48,10 @@ struct Ray {
 class Camera3D {
 public:
     void setViewport(double width, double height);
+    /// Of the slider over the lower edge of the garment's view, logical pixels.
+    static constexpr double kSliderRoom = 46;
+    /// What framing leaves free at the upper and lower edge, logical pixels.
+    void setFreeEdges(double pixels) { freeEdges_ = pixels; }
 
     /// Turns by a drag of so many pixels; half a viewport height is a quarter turn.
     void orbit(double dx, double dy);
@@ -107,6 +111,7 @@ private:
     double distance_ = 1000;
     double yaw_ = 0.45, pitch_ = 0.12;
     double width_ = 1, height_ = 1;
+    double freeEdges_ = 0;
     bool orthographic_ = false;
 };
 

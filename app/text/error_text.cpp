@@ -9,6 +9,7 @@
 #include "core/base/characters.h"
 #include "core/base/error.h"
 #include "core/export/read_back.h"
+#include "core/garment/piece.h"
 #include "core/pattern/piece_marks.h"
 
 namespace toile::app {
@@ -67,6 +68,17 @@ QString errorText(const Error& error) {
         text += "; " + advised;
     }
     return text + '.';
+}
+
+QString troubleText(const Error& trouble, const Piece& piece) {
+    switch (trouble.code) {
+        case ErrorCode::SeveralLoops:
+            return tr("a tube with %1 openings").arg(loopLengths(piece).size());
+        case ErrorCode::ClosedSurface:
+            return tr("closed all round");
+        default:
+            return errorDescription({trouble.code});
+    }
 }
 
 DrawingWords drawingWords() {

@@ -8,6 +8,7 @@
 namespace toile {
 struct DrawingWords;
 struct Error;
+struct Piece;
 struct ReadBack;
 class Wording;
 }  // namespace toile
@@ -25,6 +26,9 @@ QString errorText(const Error& error);
 /// What happened alone, with the particulars, and what to try alone; the latter may be empty.
 QString errorDescription(const Error& error);
 QString errorAdvice(const Error& error);
+
+/// What the matter is with a piece, in few words: "a tube with 3 openings".
+QString troubleText(const Error& trouble, const Piece& piece);
 
 /// What exported drawings say, in the person's language.
 DrawingWords drawingWords();

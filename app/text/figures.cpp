@@ -25,6 +25,12 @@ int decimalsFor(double value) {
 
 }  // namespace
 
+QLocale ungrouped() {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
 QString lengthNumber(double millimetres) {
     // Typed with a hyphen, printed with a minus.
     return QString::fromStdString(lengthNumber(millimetres, LengthDisplay::instance().format()))
@@ -68,7 +74,7 @@ QString signedFineLength(double millimetres) {
 QString areaNumber(double squareMillimetres) {
     const bool inches = LengthDisplay::instance().format().unit == LengthUnit::Inch;
     const double side = millimetresPer(inches ? LengthUnit::Inch : LengthUnit::Centimetre);
-    return QLocale().toString(squareMillimetres / (side * side), 'f', 1);
+    return ungrouped().toString(squareMillimetres / (side * side), 'f', 1);
 }
 
 QString areaWithUnit(double squareMillimetres) {

@@ -8,12 +8,17 @@
 #include "core/flatten/base/flat_piece.h"
 #include "core/pipeline/pipeline.h"
 
+class QLocale;
+
 namespace toile::app {
 
 /// Figures of a piece as a person reads them: in the user's locale, with units, short.
 
 /// What numbers below zero begin with; a hyphen is what is typed.
 inline constexpr QChar kMinus(0x2212);
+
+/// The person's locale without marks between thousands, as measures are written.
+QLocale ungrouped();
 
 /// Lengths and areas are in the person's unit (`LengthDisplay`), given in mm and mm².
 

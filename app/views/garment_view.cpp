@@ -34,6 +34,7 @@ GarmentView::GarmentView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<GarmentRenderer>(), parent) {
     setObjectName("garmentView");
     setAccessibleName(tr("Garment"));
+    camera_.setFreeEdges(Camera3D::kSliderRoom);
 }
 
 void GarmentView::setCameraViewport(double width, double height) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/views/piece_places.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
@@ -16,11 +15,6 @@
 
 namespace toile::app {
 namespace {
-
-/// The context of the translations.
-class PlaceWords {
-    Q_DECLARE_TR_FUNCTIONS(PiecePlaces)
-};
 
 constexpr double kPlaceGap = 40;                      ///< mm, between places and what is flat
 constexpr double kPlaceAir = 6, kButtonPadding = 20;  ///< logical pixels
@@ -38,17 +32,6 @@ const Error* troubleOf(const Document& document, int piece) {
     }
     const auto& defect = document.garment()->pieces[static_cast<std::size_t>(piece)]->defect;
     return defect ? &*defect : nullptr;
-}
-
-QString wordsOf(const Error& trouble, const Piece& piece) {
-    switch (trouble.code) {
-        case ErrorCode::SeveralLoops:
-            return PlaceWords::tr("a tube with %1 openings").arg(loopLengths(piece).size());
-        case ErrorCode::ClosedSurface:
-            return PlaceWords::tr("closed all round");
-        default:
-            return errorDescription({trouble.code});
-    }
 }
 
 double areaOf(const MeshArrays& mesh) {
@@ -70,8 +53,10 @@ void PiecePlaces::follow(const Document& document, const SheetPlaces& sheet) {
         for (int piece = 0; piece < document.pieceCount() && !results_.empty(); ++piece) {
             if (const Error* trouble = troubleOf(document, piece)) {
                 const Piece& of = *garment_->pieces[static_cast<std::size_t>(piece)];
-                all_.push_back(
-                    {piece, std::max(1.0, std::sqrt(areaOf(of.mesh))), {}, wordsOf(*trouble, of)});
+                all_.push_back({piece,
+                                std::max(1.0, std::sqrt(areaOf(of.mesh))),
+                                {},
+                                troubleText(*trouble, of)});
             }
         }
     }

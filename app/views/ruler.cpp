@@ -115,7 +115,7 @@ QString rulerText(double millimetres, const RulerUnit& unit) {
                    toile::lengthNumber(millimetres, {LengthUnit::Inch, kFinestFraction, "."}))
             .replace('-', kMinus);
     }
-    return QLocale().toString(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 7).replace('-', kMinus);
+    return ungrouped().toString(std::abs(value) < 1e-9 ? 0.0 : value, 'g', 7).replace('-', kMinus);
 }
 
 void paintRulers(QPainter& painter, const RenderStyle& style, const QRect& view,

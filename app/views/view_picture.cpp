@@ -94,6 +94,7 @@ void PicturePainter::beginText(QPainter& picture, const QRect& part) const {
 void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
     Camera3D camera;
     camera.setViewport(part.width(), part.height());
+    camera.setFreeEdges(Camera3D::kSliderRoom);
     if (options_.direction) {
         camera.setDirection(options_.direction->yaw, options_.direction->pitch);
     }

@@ -31,7 +31,7 @@ namespace toile::app {
 namespace {
 
 /// Logical pixels.
-constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 340, kFabricHeight = 340;
+constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 400, kFabricHeight = 280;
 
 /// The overlay that shows what was found; none where no overlay does.
 std::optional<Overlay> overlayFor(FindingKind kind) {

@@ -427,17 +427,6 @@ veraltet</translation>
     </message>
 </context>
 <context>
-    <name>PiecePlaces</name>
-    <message>
-        <source>a tube with %1 openings</source>
-        <translation>ein Schlauch mit %1 Öffnungen</translation>
-    </message>
-    <message>
-        <source>closed all round</source>
-        <translation>ringsum geschlossen</translation>
-    </message>
-</context>
-<context>
     <name>PlatformChoice</name>
     <message>
         <source>there is no display to open the window on; &quot;toile flatten&quot; and &quot;toile render&quot; need none, and xvfb-run lends one</source>
@@ -469,6 +458,10 @@ veraltet</translation>
         <source>Drawing the pieces</source>
         <translation>Schnittteile werden gezeichnet</translation>
     </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 von %2: %3</translation>
+    </message>
 </context>
 <context>
     <name>Remedy</name>
@@ -493,16 +486,8 @@ veraltet</translation>
         <translation>Aufschneiden</translation>
     </message>
     <message>
-        <source>Cut open every piece that cannot lie flat as it is; undo closes them</source>
-        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann; Rückgängig schließt sie wieder</translation>
-    </message>
-    <message>
         <source>Set unit…</source>
         <translation>Einheit angeben…</translation>
-    </message>
-    <message>
-        <source>Choose the unit of the file&apos;s numbers</source>
-        <translation>Die Einheit der Zahlen in der Datei wählen</translation>
     </message>
     <message>
         <source>Set axis…</source>
@@ -543,6 +528,14 @@ veraltet</translation>
     <message>
         <source>Put all pieces in rows side by side</source>
         <translation>Alle Schnittteile in Reihen nebeneinander legen</translation>
+    </message>
+    <message>
+        <source>Cut this piece open along short seams, which are yours to take back</source>
+        <translation>Dieses Schnittteil entlang kurzer Nähte aufschneiden; die Einschnitte gehören dann Ihnen und lassen sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Choose the unit of the file&apos;s numbers, or type how tall the garment is</source>
+        <translation>Die Einheit der Zahlen in der Datei wählen oder eingeben, wie groß das Kleidungsstück ist</translation>
     </message>
 </context>
 <context>
@@ -2318,6 +2311,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>the piece is left out of the pattern</source>
         <translation>das Schnittteil ist aus dem Schnitt ausgenommen</translation>
     </message>
+    <message>
+        <source>there is no tube to go around</source>
+        <translation>hier ist kein Schlauch, um den er laufen könnte</translation>
+    </message>
+    <message>
+        <source>On each other on the sheet: %1. Move them apart, or lay all out again.</source>
+        <translation>Auf dem Bogen aufeinander: %1. Schieben Sie sie auseinander oder legen Sie alles neu aus.</translation>
+    </message>
+    <message>
+        <source>Without a grain line, as their grain is not stated: %1. Turn the arrow, or choose a grain.</source>
+        <translation>Ohne Fadenlauf in der Datei, weil er nicht angegeben ist: %1. Drehen Sie den Pfeil oder wählen Sie einen Fadenlauf.</translation>
+    </message>
+    <message>
+        <source>no cuts were found that open it</source>
+        <translation>es wurden keine Einschnitte gefunden, die es öffnen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -2682,30 +2691,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
     </message>
     <message>
-        <source>Seam lines keep their exact length; the outline gives way alike all around</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich viel nach</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least</source>
-        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge; der Stoff innen wird verschoben, bis er sich am wenigsten dehnt</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline: no triangle is ever flipped, but it is no pattern</source>
-        <translation>Nahtlinien behalten auf rundem Umriss genau ihre Länge: kein Dreieck wird je umgeklappt, doch ein Schnittmuster ist es nicht</translation>
-    </message>
-    <message>
-        <source>The cloth keeps its angles as well as it can; seam lines change their length</source>
-        <translation>Der Stoff behält seine Winkel, so gut er kann; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
-        <source>Nearly the same by another way; seam lines change their length</source>
-        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
-        <source>Every triangle keeps its angles as well as it can; seam lines change their length</source>
-        <translation>Jedes Dreieck behält seine Winkel, so gut es kann; Nahtlinien ändern ihre Länge</translation>
-    </message>
-    <message>
         <source>&amp;Draft</source>
         <translation>&amp;Entwurf</translation>
     </message>
@@ -2728,22 +2713,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>To the last digits: takes its time</source>
         <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
-    </message>
-    <message>
-        <source>Outline by &amp;Newton steps</source>
-        <translation>Umriss mit &amp;Newton-Schritten</translation>
-    </message>
-    <message>
-        <source>The fast way to the outline</source>
-        <translation>Der schnelle Weg zum Umriss</translation>
-    </message>
-    <message>
-        <source>Outline by &amp;linearly constrained steps</source>
-        <translation>Umriss mit &amp;linear gebundenen Schritten</translation>
-    </message>
-    <message>
-        <source>The published way to the same outline</source>
-        <translation>Der veröffentlichte Weg zum selben Umriss</translation>
     </message>
     <message>
         <source>C&amp;ompare methods…</source>
@@ -2924,10 +2893,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Divide the garment into pieces by what the file has</source>
         <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
-    </message>
-    <message>
-        <source>&amp;Parts</source>
-        <translation>&amp;Zusammenhang</translation>
     </message>
     <message>
         <source>Whatever hangs together is one piece</source>
@@ -3514,10 +3479,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Pfeiltasten</translation>
     </message>
     <message>
-        <source>Move the selected pieces by 1 mm, with Shift by 10 mm</source>
-        <translation>Die ausgewählten Schnittteile um 1 mm verschieben, mit Umschalt um 10 mm</translation>
-    </message>
-    <message>
         <source>Esc while dragging</source>
         <translation>Esc beim Ziehen</translation>
     </message>
@@ -3781,10 +3742,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zoll</translation>
     </message>
     <message>
-        <source>by parts</source>
-        <translation>nach Zusammenhang</translation>
-    </message>
-    <message>
         <source>by objects</source>
         <translation>nach Objekten</translation>
     </message>
@@ -3927,30 +3884,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Angles follow the c&amp;urvature</source>
         <translation>Winkel folgen der &amp;Krümmung</translation>
-    </message>
-    <message>
-        <source>Angles spread &amp;evenly (Wang 2005)</source>
-        <translation>Winkel &amp;gleichmäßig verteilt (Wang 2005)</translation>
-    </message>
-    <message>
-        <source>Least &amp;stretch on a circle (Yoshizawa 2004)</source>
-        <translation>Kleinste Dehnung auf dem Krei&amp;s (Yoshizawa 2004)</translation>
-    </message>
-    <message>
-        <source>&amp;Free outline (Desbrun 2002)</source>
-        <translation>&amp;Freier Umriss (Desbrun 2002)</translation>
-    </message>
-    <message>
-        <source>Free outline, least squares (Lé&amp;vy 2002)</source>
-        <translation>Freier Umriss, kleinste &amp;Quadrate (Lévy 2002)</translation>
-    </message>
-    <message>
-        <source>Free outline, by an&amp;gles (Sheffer 2005)</source>
-        <translation>Freier Umriss, über die &amp;Winkel (Sheffer 2005)</translation>
-    </message>
-    <message>
-        <source>On a ci&amp;rcle (Floater 2003)</source>
-        <translation>Auf dem K&amp;reis (Floater 2003)</translation>
     </message>
     <message>
         <source>1 seam</source>
@@ -4441,12 +4374,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach UV-Inseln teilen</translation>
     </message>
     <message>
-        <source>Divide by parts</source>
-        <translation>Nach Teilen teilen</translation>
-    </message>
-    <message>
         <source>Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.</source>
-        <translation>%1 geteilt, können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
+        <translation>Bei der Teilung %1 können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
     </message>
     <message>
         <source>&amp;Rename…</source>
@@ -4627,6 +4556,134 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 in</source>
         <translation>%1 in</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length; the outline gives way alike all around (Wang 2005)</source>
+        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich nach (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least (Yoshizawa 2004)</source>
+        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss; der Stoff darin wird verschoben, bis er sich am wenigsten dehnt (Yoshizawa 2004)</translation>
+    </message>
+    <message>
+        <source>Seam lines keep their exact length on a round outline: no triangle is ever flipped, but it is no pattern (Floater 2003)</source>
+        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss: nie klappt ein Dreieck um, aber ein Schnitt ist es nicht (Floater 2003)</translation>
+    </message>
+    <message>
+        <source>The cloth keeps its angles as well as it can; seam lines change their length (Desbrun 2002)</source>
+        <translation>Der Stoff behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Desbrun 2002)</translation>
+    </message>
+    <message>
+        <source>Nearly the same by another way; seam lines change their length (Lévy 2002)</source>
+        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge (Lévy 2002)</translation>
+    </message>
+    <message>
+        <source>Every triangle keeps its angles as well as it can; seam lines change their length (Sheffer 2005)</source>
+        <translation>Jedes Dreieck behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Sheffer 2005)</translation>
+    </message>
+    <message>
+        <source>Outli&amp;ne the fast way</source>
+        <translation>Umriss auf sch&amp;nellem Weg</translation>
+    </message>
+    <message>
+        <source>The outline by Newton steps</source>
+        <translation>Der Umriss in Newton-Schritten</translation>
+    </message>
+    <message>
+        <source>Out&amp;line the published way</source>
+        <translation>Umriss wie veröffent&amp;licht</translation>
+    </message>
+    <message>
+        <source>The same outline by linearly constrained steps, as in the paper of 2005</source>
+        <translation>Derselbe Umriss in linear beschränkten Schritten, wie im Aufsatz von 2005</translation>
+    </message>
+    <message>
+        <source>Connected &amp;parts</source>
+        <translation>Zusammenhängende &amp;Teile</translation>
+    </message>
+    <message>
+        <source>Cut o&amp;pen</source>
+        <translation>Auf&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>Cut the selected pieces open that cannot lie flat as they are; the others stay</source>
+        <translation>Die ausgewählten Schnittteile aufschneiden, die so nicht flach liegen können; die anderen bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Dart here…</source>
+        <translation>&amp;Abnäher hier …</translation>
+    </message>
+    <message>
+        <source>Propose a dart from the nearest edge to the place that is pointed at, or has a ring: Enter cuts it, Escape throws it away</source>
+        <translation>Einen Abnäher von der nächsten Kante zu der Stelle vorschlagen, auf die gezeigt wird oder die einen Ring hat: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Move the selected pieces by 1 mm (1/16 in), with Shift by 10 mm (1/2 in)</source>
+        <translation>Die ausgewählten Schnittteile um 1 mm (1/16 Zoll) verschieben, mit Umschalt um 10 mm (1/2 Zoll)</translation>
+    </message>
+    <message>
+        <source>Alt+click</source>
+        <translation>Alt+Klick</translation>
+    </message>
+    <message>
+        <source>Cut around the tube there, while nothing is begun</source>
+        <translation>Rund um den Schlauch schneiden, solange nichts begonnen ist</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Draw to no edge or corner, while a line is begun</source>
+        <translation>An keiner Kante oder Ecke einrasten, während eine Linie begonnen ist</translation>
+    </message>
+    <message>
+        <source>by connected parts</source>
+        <translation>nach zusammenhängenden Teilen</translation>
+    </message>
+    <message>
+        <source>Divide by connected parts</source>
+        <translation>Nach zusammenhängenden Teilen teilen</translation>
+    </message>
+    <message>
+        <source>Angles spread &amp;evenly</source>
+        <translation>Winkel &amp;gleichmäßig verteilt</translation>
+    </message>
+    <message>
+        <source>Least &amp;stretch on a circle</source>
+        <translation>Kleinste Dehnung auf dem Krei&amp;s</translation>
+    </message>
+    <message>
+        <source>&amp;Free outline</source>
+        <translation>&amp;Freier Umriss</translation>
+    </message>
+    <message>
+        <source>Free outline, leas&amp;t squares</source>
+        <translation>Freier Umriss, kleinste &amp;Quadrate</translation>
+    </message>
+    <message>
+        <source>Free outline, by an&amp;gles</source>
+        <translation>Freier Umriss, über die &amp;Winkel</translation>
+    </message>
+    <message>
+        <source>On a ci&amp;rcle</source>
+        <translation>Auf dem K&amp;reis</translation>
+    </message>
+    <message>
+        <source>Close s&amp;lits</source>
+        <translation>Sch&amp;litze schließen</translation>
+    </message>
+    <message>
+        <source>Sew shut the slits inside pieces, as texture maps have them</source>
+        <translation>Die Schlitze innerhalb von Teilen schließen, wie Texturkarten sie haben</translation>
+    </message>
+    <message>
+        <source>a tube with %1 openings</source>
+        <translation>ein Schlauch mit %1 Öffnungen</translation>
+    </message>
+    <message>
+        <source>closed all round</source>
+        <translation>ringsum geschlossen</translation>
     </message>
 </context>
 <context>
@@ -4839,12 +4896,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::ColourButton</name>
     <message>
-        <source>As usual</source>
-        <translation>Wie üblich</translation>
-    </message>
-    <message>
         <source>Another colour…</source>
         <translation>Andere Farbe…</translation>
+    </message>
+    <message>
+        <source>The theme&apos;s</source>
+        <translation>Wie das Farbschema</translation>
     </message>
 </context>
 <context>
@@ -4962,16 +5019,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::CutTool</name>
     <message>
-        <source>Click: go on · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: weiter · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: begin the cut, on an edge to open it there · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
+        <translation>Klick: Einschnitt beginnen, an einer Kante öffnet er sie · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
     </message>
     <message>
-        <source>Click: next point · Ctrl+click: along the mesh&apos;s edges · Backspace: take the point back · Esc: throw the cut away</source>
-        <translation>Klick: nächster Punkt · Strg+Klick: entlang der Netzkanten · Rücktaste: Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: go on · Alt: no snapping · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
+        <translation>Klick: weiter · Alt: nicht einrasten · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: begin the cut, on an edge to open it there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: Einschnitt beginnen, an einer Kante öffnet er sie · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: next point · Alt: no snapping · Ctrl+click: along the mesh&apos;s edges · Backspace: take the point back · Esc: throw the cut away</source>
+        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Strg+Klick: entlang der Netzkanten · Rücktaste: Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
     </message>
 </context>
 <context>
@@ -5239,22 +5296,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Beginning of the file</source>
         <translation>Anfang der Datei</translation>
     </message>
-    <message>
-        <source>Pieces</source>
-        <translation>Schnittteile</translation>
-    </message>
-    <message>
-        <source>Which pieces are written</source>
-        <translation>Welche Schnittteile geschrieben werden</translation>
-    </message>
-    <message>
-        <source>All pieces</source>
-        <translation>Alle Schnittteile</translation>
-    </message>
-    <message>
-        <source>Selected pieces (%1)</source>
-        <translation>Ausgewählte Schnittteile (%1)</translation>
-    </message>
 </context>
 <context>
     <name>toile::app::FabricPanel</name>
@@ -5383,10 +5424,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Material von</translation>
     </message>
     <message>
-        <source>The garment, or what pieces of another material are cut from (panel Position)</source>
-        <translation>Das Kleidungsstück oder eine Stoffart, aus der einzelne Schnittteile zugeschnitten werden (Feld „Stoffart“ bei Lage und Winkel)</translation>
-    </message>
-    <message>
         <source>Garment</source>
         <translation>Kleidungsstück</translation>
     </message>
@@ -5399,12 +5436,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stoff nicht angegeben: Wählen Sie einen, um zu sehen, wo er mehr nachgeben muss, als er kann.</translation>
     </message>
     <message>
-        <source>The box around all pieces with their allowances, the grain upwards</source>
-        <translation>Das Rechteck um alle Schnittteile mit ihren Zugaben, der Fadenlauf nach oben</translation>
+        <source>The garment, or what pieces of another material are cut from (panel Piece)</source>
+        <translation>Das Kleidungsstück, oder woraus Teile einer anderen Stoffart zugeschnitten werden (Bereich Schnittteil)</translation>
     </message>
     <message>
-        <source>Needs %1 of cloth %2 wide, as the pieces lie now</source>
-        <translation>Braucht %1 Stoff, %2 breit, so wie die Schnittteile jetzt liegen</translation>
+        <source>Width of the cloth</source>
+        <translation>Breite des Stoffs</translation>
+    </message>
+    <message>
+        <source>As it is sold, from selvedge to selvedge</source>
+        <translation>Wie er verkauft wird, von Webkante zu Webkante</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>The box around the pieces that are cut from this, one of each, with their allowances, the grain upwards</source>
+        <translation>Das Rechteck um die Teile, die daraus zugeschnitten werden, je eines, mit ihren Zugaben, der Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Needs %1 of it, as the pieces lie now</source>
+        <translation>Braucht %1 davon, so wie die Teile liegen</translation>
+    </message>
+    <message>
+        <source>As the pieces lie now they take %1 across, more than its width</source>
+        <translation>So wie die Teile liegen, brauchen sie %1 in der Breite, mehr als der Stoff hat</translation>
     </message>
 </context>
 <context>
@@ -5751,8 +5808,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Klick: nächster Punkt, von dreien oder mehr · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: begin a closed cut · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: geschlossenen Schnitt beginnen · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: begin a closed cut · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
+        <translation>Klick: geschlossenen Schnitt beginnen · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
     </message>
 </context>
 <context>
@@ -6024,6 +6081,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>another piece: a cut stays on one</source>
         <translation>ein anderes Schnittteil: ein Einschnitt bleibt auf einem</translation>
     </message>
+    <message>
+        <source>much longer than straight: is it the layer you mean?</source>
+        <translation>viel länger als gerade: Ist es die Lage, die Sie meinen?</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PatternPrinting</name>
@@ -6060,6 +6121,25 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::PieceChoice</name>
+    <message>
+        <source>Pieces</source>
+        <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Which pieces are wanted</source>
+        <translation>Welche Schnittteile gewünscht sind</translation>
+    </message>
+    <message>
+        <source>All pieces</source>
+        <translation>Alle Schnittteile</translation>
+    </message>
+    <message>
+        <source>Selected pieces (%1)</source>
+        <translation>Ausgewählte Schnittteile (%1)</translation>
     </message>
 </context>
 <context>
@@ -6662,6 +6742,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>&amp;New garments start with:</source>
         <translation>&amp;Neue Kleidungsstücke beginnen mit:</translation>
     </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>What pattern makers need</source>
+        <translation>Was man zum Schnittmachen braucht</translation>
+    </message>
+    <message>
+        <source>Leave out other methods, overlays of their mathematics and what is about meshes. What is in use stays</source>
+        <translation>Lässt andere Verfahren, Einfärbungen zu ihrer Mathematik und alles zum Netz weg. Was in Gebrauch ist, bleibt</translation>
+    </message>
+    <message>
+        <source>M&amp;enus show:</source>
+        <translation>M&amp;enüs zeigen:</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PrintDialog</name>
@@ -7199,12 +7295,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke nehmen · Esc: nichts auswählen</translation>
     </message>
     <message>
-        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: 1 mm, with Shift 10 mm · Esc: select nothing</source>
-        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit Rahmen auswählen · Alt: anders einrasten · Pfeiltasten: 1 mm, mit Umschalt 10 mm · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Nudge %1</source>
         <translation>%1 rücken</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: select nothing</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: nichts auswählen</translation>
     </message>
 </context>
 <context>
@@ -7742,6 +7838,14 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>Removal of join %1</source>
         <translation>Verbindung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Closing slits</source>
+        <translation>Schlitze schließen</translation>
     </message>
 </context>
 </TS>

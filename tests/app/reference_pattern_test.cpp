@@ -151,7 +151,8 @@ private slots:
         for (int piece = 0; piece < document().pieceCount(); ++piece) {
             const double most = document().referenceFit(piece)->max;
             const double drawn = widest[static_cast<std::size_t>(piece)];
-            QVERIFY2(drawn > 0.5 * most - 0.05 && drawn < most + 0.05, qPrintable(QString::number(drawn)));
+            QVERIFY2(drawn > 0.5 * most - 0.05 && drawn < most + 0.05,
+                     qPrintable(QString::number(drawn)));
         }
         fixture_->action(ActionId::ReferencePanels).trigger();
         gaps.follow(document());

@@ -171,6 +171,7 @@ protected:
     Camera3D garmentCamera(QSize size = kSize) {
         Camera3D camera;
         camera.setViewport(size.width(), size.height());
+        camera.setFreeEdges(Camera3D::kSliderRoom);
         camera.setDirection(0, 0);
         frameGarment(camera, *document().scene(), placesOf(document().settings()), {0}, 0);
         return camera;
