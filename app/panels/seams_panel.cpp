@@ -240,12 +240,16 @@ void SeamsPanel::selectInDocument() {
 }
 
 void SeamsPanel::editEase() {
+    if (!document_.seam()) {
+        return;
+    }
+    table_->setFocus();  // an open editor takes what was typed, and rows may change places
     if (const std::optional<int> seam = document_.seam()) {
-        const QModelIndex index = sorted_->mapFromSource(model_->index(*seam, SeamsModel::Ease));
-        if (index.flags() & Qt::ItemIsEditable) {
-            table_->setFocus();
-            table_->setCurrentIndex(index);
-            table_->edit(index);
+        const QPersistentModelIndex cell =
+            sorted_->mapFromSource(model_->index(*seam, SeamsModel::Ease));
+        table_->setCurrentIndex(cell);
+        if (cell.flags() & Qt::ItemIsEditable && !table_->isPersistentEditorOpen(cell)) {
+            table_->edit(cell);
         }
     }
 }

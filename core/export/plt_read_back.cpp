@@ -2,9 +2,9 @@
 #include "core/export/plt_read_back.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
-
-#include "core/geometry/polygon.h"
+#include <string_view>
 
 namespace toile {
 namespace {
@@ -20,18 +20,18 @@ Points2 turnedBack(const Points2& line, const Drawing& drawing, const PltOptions
     return back;
 }
 
-/// What is cut out and lies in no other, or in a hole: pieces.
-int countPieces(const std::vector<ReadLine>& lines) {
-    int pieces = 0;
+/// Pieces whose line is there, by the order in which lines are written: which line lies in which
+/// other says nothing where pieces lie on each other.
+int countPieces(const std::vector<ReadLine>& lines, const Drawing& drawing) {
+    std::set<std::string_view> cut;
     for (const ReadLine& line : lines) {
-        const Eigen::Vector2d point = line.points.row(0);
-        const auto around = std::ranges::count_if(lines, [&](const ReadLine& other) {
-            return &other != &line && other.layer == LayerKind::Cut && other.closed &&
-                   geometry::isInside(other.points, point);
-        });
-        pieces += line.layer == LayerKind::Cut && line.closed && around % 2 == 0 ? 1 : 0;
+        if (line.layer == LayerKind::Cut && line.closed) {
+            cut.insert(line.id);
+        }
     }
-    return pieces;
+    return static_cast<int>(std::ranges::count_if(drawing.blocks, [&](const DrawnBlock& block) {
+        return cut.contains(drawing.paths[block.path].id);
+    }));
 }
 
 Error pltDiffers(const std::string& what, const std::string& how) {
@@ -77,7 +77,7 @@ ReadDrawing drawingOf(const std::vector<PltLine>& plot, const Drawing& drawing,
         found.points = turnedBack(line.points, drawing, options);
         found.closed = line.closed;
     }
-    read.pieces = countPieces(read.lines);
+    read.pieces = countPieces(read.lines, drawing);
     return read;
 }
 

@@ -165,6 +165,20 @@ TEST(WritePlt, HolesAreNoPiecesAndCutBeforeTheirOutline) {
     EXPECT_EQ(found->pieces, 1);
 }
 
+/// A person may lay a cuff on a sleeve: the file says nothing of which line is whose.
+TEST(WritePlt, PiecesThatLieOnEachOtherAreReadAsTwo) {
+    Drawing drawing = plotPanelDrawing(test::rectangle(10, 10, 200, 100));
+    drawing.edges.clear();
+    drawing.blocks[0].edgeCount = 0;
+    drawing.paths.push_back(
+        {"piece-cuff-cut", LayerKind::Cut, test::rectangle(50, 50, 20, 20), true});
+    drawing.blocks.push_back(drawing.blocks[0]);
+    drawing.blocks[1].path = 1;
+    const auto found = readBackPlt(writePlt(drawing), drawing, {});
+    ASSERT_TRUE(found) << sentence(found.error());
+    EXPECT_EQ(found->pieces, 2);
+}
+
 TEST(WritePlt, DifferencesAreFound) {
     const Drawing drawing = test::sewingDrawing();
     const std::string bytes = writePlt(drawing);
