@@ -92,9 +92,10 @@ void ActionRegistry::setPlain(bool plain) {
 }
 
 void ActionRegistry::showWanted() const {
+    const bool isOtherSolver = actions_.at(ActionId::SolverSlcp)->isChecked();
     for (const auto& [id, action] : actions_) {
-        // The usual way to the outline is always chosen, and none of a person's choices.
-        const bool isInUse = action->isChecked() && id != ActionId::SolverNewton;
+        // The usual way to the outline is as a rule nobody's choice; else it is the way back.
+        const bool isInUse = id == ActionId::SolverNewton ? isOtherSolver : action->isChecked();
         action->setVisible(!plain_ || !isForSpecialists(id) || isInUse);
     }
 }

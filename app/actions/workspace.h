@@ -236,7 +236,9 @@ private:
     void findCuts(const QString& text, bool isQuick,
                   std::function<Result<std::vector<UserCut>>(Progress&)> find,
                   std::function<void(std::vector<UserCut>)> found);
-    /// Takes cuts in, named, as one step.
+    /// What was searched for is of a garment that is no more.
+    void sayOvertaken();
+    /// Takes cuts in, named, as one step; those that cannot be made are refused.
     void takeCuts(const QString& text, std::vector<UserCut> cuts);
     std::function<void(SeamsFile&)> removalOf(std::vector<CutId> cuts) const;
 

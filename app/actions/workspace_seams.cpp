@@ -232,6 +232,7 @@ void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
     std::vector<UserCut> named = loading().seams.cuts;
     for (UserCut& cut : cuts) {
         cut.name = freeName(named, wordsOf(cut.kind).stem, true);
+        onTrial_.push_back({cut.name});
         for (Eigen::Vector3d& point : cut.points) {
             point = inFileSpace(point, loading().seams, *document_.garment());
         }
@@ -240,6 +241,12 @@ void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
     changeSeams(text, [cuts = std::move(cuts)](SeamsFile& seams) {
         seams.cuts.insert(seams.cuts.end(), cuts.begin(), cuts.end());
     });
+}
+
+void Workspace::sayOvertaken() {
+    if (document_.garment()) {
+        emit refused(tr("The garment was changed before the cut was found. Cut once more."));
+    }
 }
 
 void Workspace::cutOpen(const std::vector<int>& pieces) {
@@ -257,12 +264,17 @@ void Workspace::cutOpen(const std::vector<int>& pieces) {
     }
     const auto find = [chosen](Progress& progress) -> Result<std::vector<UserCut>> {
         std::vector<UserCut> all;
+        std::optional<Error> failed;
         for (const auto& [piece, isWhole] : chosen) {
-            const auto cuts = openingCuts(*piece, isWhole, progress);
-            if (!cuts) {
-                return cuts.error();
+            if (const auto cuts = openingCuts(*piece, isWhole, progress)) {
+                all.insert(all.end(), cuts->begin(), cuts->end());
+            } else {
+                failed = cuts.error();
             }
-            all.insert(all.end(), cuts->begin(), cuts->end());
+        }
+        // Those that can be opened are, as their findings then tell of the others.
+        if (failed && (all.empty() || progress.isCancelled())) {
+            return *failed;
         }
         return all;
     };
@@ -270,6 +282,8 @@ void Workspace::cutOpen(const std::vector<int>& pieces) {
              [this, garment](std::vector<UserCut> cuts) {
                  if (document_.garment() == garment && !opening_.isActive()) {
                      takeCuts(tr("Cut open"), std::move(cuts));
+                 } else {
+                     sayOvertaken();
                  }
              });
 }
@@ -280,20 +294,26 @@ void Workspace::cutAround(int piece, const SurfacePoint& place) {
         return;
     }
     const auto of = garment->pieces[static_cast<std::size_t>(piece)];
-    const auto find = [of, place](Progress& progress) -> Result<std::vector<UserCut>> {
-        constexpr int kPlaces = 8;
+    const bool isWhole = std::ranges::find(garment->uncut, of) != garment->uncut.end();
+    const auto find = [of, isWhole, place](Progress& progress) -> Result<std::vector<UserCut>> {
+        constexpr int kPlaces = 8, kPlacesBesideCuts = 64;  // a shortest way may run across those
         const SurfaceLinks links(of->mesh, of->table);
         const auto loop = loopAround(links, place, progress);
         if (!loop) {
             return loop.error();
         }
         return std::vector<UserCut>{
-            {{}, UserCut::Kind::Loop, placesAlong(of->mesh, *loop, kPlaces), false}};
+            {{},
+             UserCut::Kind::Loop,
+             placesAlong(of->mesh, *loop, isWhole ? kPlaces : kPlacesBesideCuts),
+             false}};
     };
     findCuts(tr("Closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
              [this, garment](std::vector<UserCut> cuts) {
                  if (document_.garment() == garment) {
                      addCut(std::move(cuts.front()));
+                 } else {
+                     sayOvertaken();
                  }
              });
 }

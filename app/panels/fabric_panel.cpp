@@ -23,6 +23,7 @@
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
 #include "core/layout/cloth_need.h"
+#include "core/project/place_pieces.h"
 
 namespace toile::app {
 
@@ -360,11 +361,9 @@ void FabricPanel::showNeed() {
     if (!pattern) {
         return;
     }
-    std::vector<std::optional<Placement>> placements;
-    for (const PieceSettings& settings : document_.settings()) {
-        placements.push_back(settings.placement);
-    }
-    for (const ClothNeed& need : clothNeeds(*pattern, placements, document_.fabric())) {
+    const LaidOutPattern laid =
+        laidOutAs(*pattern, document_.settings(), document_.state().materials);
+    for (const ClothNeed& need : clothNeeds(laid, document_.fabric())) {
         if (need.material == shown_) {
             need_->setText(
                 need.fits()

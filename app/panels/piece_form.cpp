@@ -30,6 +30,10 @@ namespace {
 bool isTypedIn(const QLineEdit& field) {
     return field.hasFocus() && field.isModified();
 }
+bool isTypedIn(const QAbstractSpinBox& field) {
+    const auto* line = field.findChild<const QLineEdit*>();
+    return field.hasFocus() && line && line->isModified();
+}
 
 }  // namespace
 
@@ -137,7 +141,7 @@ void PieceForm::refresh() {
     }
     showName(isOther);
     showMaterial(isOther);
-    showGrain();
+    showGrain(isOther);
     const auto said = [this](int piece) -> const PieceSettings& {
         return document_.settings()[std::size_t(piece)];
     };
@@ -145,7 +149,7 @@ void PieceForm::refresh() {
         sharedValue(pieces_, [&said](int piece) -> int { return said(piece).quantity; });
     const auto pair =
         sharedValue(pieces_, [&said](int piece) -> bool { return said(piece).mirroredPair; });
-    {
+    if (isOther || !isTypedIn(*quantity_)) {
         const QSignalBlocker quiet(quantity_);
         quantity_->setSpecialValueText(any ? variousText() : QStringLiteral(" "));
         quantity_->setValue(quantity.value_or(0));
@@ -227,7 +231,7 @@ void PieceForm::takeMaterial() {
     }
 }
 
-void PieceForm::showGrain() {
+void PieceForm::showGrain(bool isOther) {
     std::vector<double> directions;
     bool stated = true;
     for (const int piece : flat_) {
@@ -236,7 +240,9 @@ void PieceForm::showGrain() {
         stated = stated && said.grain.has_value();
     }
     grain_->setEnabled(!flat_.empty());
-    showAngle(*grain_, sharedAngle(directions), !flat_.empty());
+    if (isOther || !isTypedIn(*grain_)) {
+        showAngle(*grain_, sharedAngle(directions), !flat_.empty());
+    }
     // Without a selection the actions behind them are about the whole garment.
     grainButtons_->setVisible(!flat_.empty());
     grainNote_->setText(stated ? QStringLiteral(" ") : tr("grain not set"));  // as high, too

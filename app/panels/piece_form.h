@@ -37,7 +37,7 @@ private:
     /// @param isOther  other pieces are selected: what is being typed was about those before
     void showName(bool isOther);
     void showMaterial(bool isOther);
-    void showGrain();
+    void showGrain(bool isOther);
     /// Of the flat piece as it is cut, across and along its grain.
     QString sizeText(int piece) const;
     void takeName();

@@ -27,6 +27,7 @@ constexpr double kLeastWord = 0.05;  // mm: less is no difference that a tailor 
 constexpr double kFromLine = 8;      // pixels from the gap to its word
 constexpr double kLeastBand = 6;     // pixels: a smaller gap has a word only as its piece's widest
 constexpr double kBetweenWords = 140;  // pixels, at least, on one piece
+constexpr int kMostTries = 60;         // of words on one piece
 constexpr float kBandStrength = 0.3F;
 
 /// The outline of a piece as the pattern draws it; empty where it has none.
@@ -121,6 +122,10 @@ void ReferenceGaps::follow(const Document& document) {
         outlines_ = std::move(finder.outlines);
         gaps_ = std::move(finder.gaps);
     }
+    widestFirst_.resize(gaps_.size());
+    std::iota(widestFirst_.begin(), widestFirst_.end(), std::size_t{0});
+    std::ranges::stable_sort(widestFirst_, std::greater(),
+                             [this](std::size_t k) { return gaps_[k].distance; });
 }
 
 std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& style,
@@ -144,10 +149,6 @@ std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& s
     fill.setAlphaF(kBandStrength);
     painter.fillPath(band, fill);
 
-    std::vector<std::size_t> widestFirst(gaps_.size());
-    std::iota(widestFirst.begin(), widestFirst.end(), std::size_t{0});
-    std::ranges::stable_sort(widestFirst, std::greater(),
-                             [this](std::size_t k) { return gaps_[k].distance; });
     std::vector<QRectF> words;
     std::map<int, std::vector<QPointF>> worded;
     const auto isFree = [&](const QRectF& box) {
@@ -155,7 +156,8 @@ std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& s
         return view.contains(box) && std::ranges::none_of(taken, meets) &&
                std::ranges::none_of(words, meets);
     };
-    for (const std::size_t k : widestFirst) {
+    std::map<int, int> tries;
+    for (const std::size_t k : widestFirst_) {
         const Gap& gap = gaps_[k];
         const QLineF line(seen[k].ours, seen[k].theirs);
         auto& others = worded[gap.piece];
@@ -166,7 +168,7 @@ std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& s
             break;
         }
         if (placeOf(places, gap.piece).hidden || isNear || !view.contains(line.p2()) ||
-            (!others.empty() && line.length() < kLeastBand)) {
+            (!others.empty() && line.length() < kLeastBand) || ++tries[gap.piece] > kMostTries) {
             continue;
         }
         // Beyond the end that lies outside, along the gap.

@@ -53,6 +53,7 @@ private:
     std::shared_ptr<const ReferenceLines> lines_;
     std::map<int, Points2> outlines_;  ///< ours, of the pieces that have gaps
     std::vector<Gap> gaps_;
+    std::vector<std::size_t> widestFirst_;  ///< indices of the gaps
 };
 
 }  // namespace toile::app

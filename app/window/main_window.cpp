@@ -124,6 +124,9 @@ void MainWindow::connectParts() {
     actions_.on(ActionId::DartHere, this, [this, proposeDart] {
         if (const auto spot = contextMenus_->placeForDart()) {
             proposeDart(spot->piece, spot->flat);
+        } else {
+            emit workspace_.refused(
+                tr("Point at the place with the right button, or mark the worst spots first."));
         }
     });
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });

@@ -47,6 +47,22 @@ void followActions(QMenu& menu) {
     update();
 }
 
+/// A heading over entries of which none is seen is not seen either.
+void followBelow(const QMenu& menu, QAction& heading) {
+    QList<QAction*> below;
+    const QList<QAction*> all = menu.actions();
+    for (qsizetype k = all.indexOf(&heading) + 1; k < all.size() && !all[k]->isSeparator(); ++k) {
+        below << all[k];
+    }
+    const auto update = [&heading, below] {
+        heading.setVisible(std::ranges::any_of(below, &QAction::isVisible));
+    };
+    for (QAction* action : below) {
+        QObject::connect(action, &QAction::visibleChanged, &heading, update);
+    }
+    update();
+}
+
 /// Fills menus; those below others are made when they are come to.
 struct MenuMaker {
     const ActionRegistry& actions;
@@ -61,6 +77,11 @@ struct MenuMaker {
         }
         for (const MenuItem& item : spec.items) {
             std::visit([&](const auto& entry) { add(menu, entry); }, item);
+        }
+        for (QAction* entry : menu.actions()) {
+            if (entry->isSeparator() && !entry->text().isEmpty()) {
+                followBelow(menu, *entry);
+            }
         }
     }
 

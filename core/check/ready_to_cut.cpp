@@ -16,6 +16,7 @@
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/trueing.h"
 #include "core/project/piece_names.h"
+#include "core/project/place_pieces.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -258,12 +259,9 @@ private:
     }
 
     std::vector<ClothNeed> clothWanted() const {
-        std::vector<std::optional<Placement>> placements;
-        for (const PieceSettings& settings : plan_.settings) {
-            placements.push_back(settings.placement);
-        }
         return isOfGarment(plan_.pattern.get())
-                   ? clothNeeds(*plan_.pattern, placements, plan_.fabric)
+                   ? clothNeeds(laidOutAs(*plan_.pattern, plan_.settings, plan_.materials),
+                                plan_.fabric)
                    : std::vector<ClothNeed>();
     }
 

@@ -6,21 +6,19 @@
 #include <Eigen/Geometry>
 
 #include "core/base/text.h"
-#include "core/layout/marker.h"
 
 namespace toile {
 
-std::vector<ClothNeed> clothNeeds(const Pattern& pattern,
-                                  const std::vector<std::optional<Placement>>& placements,
-                                  const Fabric& own) {
+std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own) {
+    const Pattern& pattern = laid.pattern;
     std::map<std::string, Eigen::AlignedBox2d> boxes;
-    for (const PlacedCopy& copy : layOut(pattern, placements).copies) {
+    for (const PlacedCopy& copy : laid.marker.copies) {
         const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(copy.piece)];
         const Points2 line = turnedLine(edgeOf(piece), copy.placement);
-        const std::string cutFrom =
-            findMaterial(piece.material, pattern.materials) ? piece.material : std::string();
+        Eigen::AlignedBox2d& box =
+            boxes[findMaterial(piece.material, pattern.materials) ? piece.material : std::string()];
         for (Eigen::Index k = 0; k < line.rows(); ++k) {
-            boxes[cutFrom].extend(Eigen::Vector2d(line.row(k).transpose()) + copy.placement.offset);
+            box.extend(Eigen::Vector2d(line.row(k).transpose()) + copy.placement.offset);
         }
     }
     std::vector<ClothNeed> needs;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/pattern/pattern.h"
-#include "core/pattern/placement.h"
+#include "core/layout/marker.h"
 
 namespace toile {
 
@@ -21,13 +19,10 @@ struct ClothNeed {
     bool operator==(const ClothNeed&) const = default;
 };
 
-/// One for each cloth that flat pieces are cut from, the garment's own first, then by name; with
-/// allowances where there are some.
-/// @param placements  one per piece of the pattern, as for `layOut`, or none
-/// Cost: linear. Pure.
-std::vector<ClothNeed> clothNeeds(const Pattern& pattern,
-                                  const std::vector<std::optional<Placement>>& placements,
-                                  const Fabric& own);
+/// One for each cloth that drawn pieces are cut from, the garment's own first, then by name; with
+/// allowances where there are some. Cost: linear. Pure.
+/// @param laid  with the `Cutting` of each piece and the materials
+std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own);
 
 /// "1072 mm of cloth 1400 mm wide", "the pieces lie 1500 mm wide, wider than the cloth: 1400 mm".
 std::string sentence(const ClothNeed& need);

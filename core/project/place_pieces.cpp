@@ -314,18 +314,25 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
     return Placing(std::move(settings), results, pattern).run(motions);
 }
 
+LaidOutPattern laidOutAs(Pattern pattern, const std::vector<PieceSettings>& settings,
+                         const MaterialList& materials) {
+    std::vector<std::optional<Placement>> placements;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        static_cast<Cutting&>(pattern.pieces[i]) = settings[i];
+        placements.push_back(settings[i].placement);
+    }
+    pattern.materials = materials;
+    return laidOut(std::move(pattern), placements);
+}
+
 LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
                       const std::vector<PieceSettings>& settings, const PieceLabels& labels,
                       const LineSettings& lines, std::shared_ptr<const Symmetry> symmetry) {
     Pattern pattern = makePattern(garment, results, lines, std::move(symmetry));
-    std::vector<std::optional<Placement>> placements;
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        PatternPiece& piece = pattern.pieces[i];
-        static_cast<Cutting&>(piece) = settings[i];
-        piece.name = nameOf(labels, *garment.pieces[i]);
-        placements.push_back(settings[i].placement);
+        pattern.pieces[i].name = nameOf(labels, *garment.pieces[i]);
     }
-    return laidOut(std::move(pattern), placements);
+    return laidOutAs(std::move(pattern), settings, {});
 }
 
 }  // namespace toile

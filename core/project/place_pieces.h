@@ -45,6 +45,11 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const std::vector<std::optional<FlatMotion>>& motions,
                                           const Pattern* pattern = nullptr);
 
+/// The pattern as it is cut and laid out, as has been said of its pieces.
+/// @param settings  one per piece, or none  Cost: linear. Pure.
+LaidOutPattern laidOutAs(Pattern pattern, const std::vector<PieceSettings>& settings,
+                         const MaterialList& materials);
+
 /// The pattern as a person has it: called, cut and laid out as has been said.
 /// @param settings  one per piece, or none  @param lines, symmetry  as of `makePattern`
 /// Cost: that of `makePattern`. Pure.

@@ -5830,6 +5830,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Unsaved changes are not kept: %1</source>
         <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
     </message>
+    <message>
+        <source>Point at the place with the right button, or mark the worst spots first.</source>
+        <translation>Zeigen Sie mit der rechten Taste auf die Stelle, oder lassen Sie zuerst die schlimmsten Stellen markieren.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::MeasureTool</name>
@@ -7846,6 +7850,10 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>Closing slits</source>
         <translation>Schlitze schließen</translation>
+    </message>
+    <message>
+        <source>The garment was changed before the cut was found. Cut once more.</source>
+        <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
     </message>
 </context>
 </TS>

@@ -394,8 +394,11 @@ private slots:
 
         QVERIFY(!of.isHidden());
         of.setFocus();
+        const QString ofGarment = label("fabricNeed");
         QTest::keyClick(&of, Qt::Key_Down);
+        const QString own = label("fabricNeed");
         QCOMPARE(of.currentText(), QString("Lining"));
+        QVERIFY(own.contains("as the pieces lie") && own != ofGarment);
         QCOMPARE(preset().currentText(), QString("Woven"));
         preset().setFocus();
         QTest::keyClick(&preset(), Qt::Key_End);   // Custom: the limits stay

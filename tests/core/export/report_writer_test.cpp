@@ -54,7 +54,8 @@ TEST(WriteReport, SaysWhatPiecesAreOfAndWhatIsOnTheirLabels) {
                                                 {"fabric", "jersey"},
                                                 {"warp", {-0.05, 0.15}},
                                                 {"weft", {-0.08, 0.35}},
-                                                {"bias", {-0.06, 0.25}}}})));
+                                                {"bias", {-0.06, 0.25}},
+                                                {"width_mm", 1600.0}}})));
 }
 
 TEST(WriteReport, GivesTheFiguresOfAFlatPiece) {

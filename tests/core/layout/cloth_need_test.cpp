@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layout/cloth_need.h"
 
+#include <optional>
+
 #include <gtest/gtest.h>
 
 namespace toile {
@@ -26,8 +28,9 @@ TEST(ClothNeed, IsTheBoxOfWhatIsCutFromEachCloth) {
     pattern.materials = {{"Lining", *fabricPreset("jersey")}, {"Unused", {}}};
     pattern.pieces = {rectangle(300, 400, ""), rectangle(100, 200, "Lining"),
                       rectangle(300, 400, ""), PatternPiece{}};  // the last is not flat
-    const auto needs = clothNeeds(pattern, {at(0, 0), at(0, 5000), at(1250, 100), std::nullopt},
-                                  *fabricPreset("denim"));
+    const auto needs =
+        clothNeeds(laidOut(pattern, {at(0, 0), at(0, 5000), at(1250, 100), std::nullopt}),
+                   *fabricPreset("denim"));
     ASSERT_EQ(needs.size(), 2U);
     EXPECT_EQ(needs[0], (ClothNeed{"", 500, 1550, fabricPreset("denim")->width}));
     EXPECT_FALSE(needs[0].fits());
@@ -40,7 +43,7 @@ TEST(ClothNeed, GoesByTheLineThatIsCut) {
     pattern.pieces = {rectangle(300, 400, "")};
     pattern.pieces[0].cuttingLine.resize(4, 2);
     pattern.pieces[0].cuttingLine << -10, -30, 310, -30, 310, 410, -10, 410;
-    const auto needs = clothNeeds(pattern, {}, Fabric{});
+    const auto needs = clothNeeds(laidOut(pattern), Fabric{});
     ASSERT_EQ(needs.size(), 1U);
     EXPECT_DOUBLE_EQ(needs[0].length, 440);
     EXPECT_DOUBLE_EQ(needs[0].across, 320);
@@ -50,7 +53,7 @@ TEST(ClothNeed, GoesByTheLineThatIsCut) {
 TEST(ClothNeed, NothingFlatNeedsNothing) {
     Pattern pattern;
     pattern.pieces.resize(2);
-    EXPECT_TRUE(clothNeeds(pattern, {}, Fabric{}).empty());
+    EXPECT_TRUE(clothNeeds(laidOut(pattern), Fabric{}).empty());
 }
 
 }  // namespace
