@@ -22,6 +22,7 @@ std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own)
         }
     }
     std::vector<ClothNeed> needs;
+    needs.reserve(boxes.size());
     for (const auto& [material, box] : boxes) {
         needs.push_back({material, box.sizes().y(), box.sizes().x(),
                          fabricOf(material, pattern.materials, own).width});
