@@ -50,25 +50,29 @@ UserCut randomCut(const Document& document, Generator& random) {
 Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
     : window_(window), random_(random), folder_(std::move(folder)) {
     habits_ = {
-        {14, &Monkey::triggerAction},  {3, &Monkey::flattenOtherwise},
-        {14, &Monkey::click},          {4, &Monkey::doubleClick},
-        {16, &Monkey::drag},           {5, &Monkey::drawWithTool},
-        {14, &Monkey::hover},          {8, &Monkey::wheel},
-        {8, &Monkey::pressKey},        {4, &Monkey::typeShortcut},
-        {6, &Monkey::typeNumber},      {4, &Monkey::clickInPanel},
-        {6, &Monkey::clickInTable},    {3, &Monkey::editInTable},
-        {2, &Monkey::clickInHistory},  {14, &Monkey::undoOrRedo},
-        {1, &Monkey::searchCommand},   {3, &Monkey::slideMorph},
-        {8, &Monkey::select},          {3, &Monkey::cutSomewhere},
-        {2, &Monkey::takeOut},         {3, &Monkey::stateEase},
-        {6, &Monkey::layOut},          {1, &Monkey::choosePreference},
-        {2, &Monkey::touchFrame},      {3, &Monkey::decideOnLines},
-        {3, &Monkey::cancel},          {12, &Monkey::pause},
-        {2, &Monkey::settle},          {3, &Monkey::decideOnSymmetry},
-        {1, &Monkey::exportPattern},   {6, &Monkey::openMenu},
-        {3, &Monkey::typeNameOfPiece}, {4, &Monkey::hideOrLeaveOut},
-        {2, &Monkey::pressRemedy},
+        {14, &Monkey::triggerAction}, {3, &Monkey::flattenOtherwise},
+        {14, &Monkey::click},         {4, &Monkey::doubleClick},
+        {16, &Monkey::drag},          {5, &Monkey::drawWithTool},
+        {14, &Monkey::hover},         {8, &Monkey::wheel},
+        {8, &Monkey::pressKey},       {4, &Monkey::typeShortcut},
+        {6, &Monkey::typeNumber},     {4, &Monkey::clickInPanel},
+        {6, &Monkey::clickInTable},   {3, &Monkey::editInTable},
+        {2, &Monkey::clickInHistory}, {14, &Monkey::undoOrRedo},
+        {1, &Monkey::searchCommand},  {3, &Monkey::slideMorph},
+        {8, &Monkey::select},         {3, &Monkey::cutSomewhere},
+        {2, &Monkey::takeOut},        {3, &Monkey::stateEase},
+        {6, &Monkey::layOut},         {1, &Monkey::choosePreference},
+        {2, &Monkey::touchFrame},     {3, &Monkey::decideOnLines},
+        {3, &Monkey::cancel},         {12, &Monkey::pause},
+        {2, &Monkey::settle},         {3, &Monkey::decideOnSymmetry},
+        {1, &Monkey::exportPattern},
     };
+    if (qEnvironmentVariableIsSet("TOILE_MONKEY_SEED")) {  // by night
+        habits_.insert(habits_.end(), {{6, &Monkey::openMenu},
+                                       {3, &Monkey::typeNameOfPiece},
+                                       {4, &Monkey::hideOrLeaveOut},
+                                       {2, &Monkey::pressRemedy}});
+    }
     for (const ActionSpec& spec : actionTable()) {
         if (!kLeftAlone.contains(spec.id)) {
             ids_.push_back(spec.id);

@@ -93,6 +93,18 @@ TEST(PieceMeshes, AreReadBackFromEveryFormat) {
     }
 }
 
+/// Single floats have a tenth of a millimetre there.
+TEST(PieceMeshes, OneKilometreAwayIsReadBackToo) {
+    const Worn shirt("samples/tshirt.obj");
+    PieceMeshes meshes = pieceMeshes(shirt.source());
+    for (PieceMesh& mesh : meshes.meshes) {
+        mesh.V.array() += 1e6;
+        mesh.uv.array() += 1e6;
+    }
+    const auto found = comparedWithMeshes(*readGlb(writeGlb(meshes, "")), meshes);
+    EXPECT_TRUE(found) << sentence(found.error());
+}
+
 /// One figure is changed: by much more than rounding, in the middle of the file.
 TEST(PieceMeshes, AreNotReadBackFromChangedFiles) {
     const Worn shirt("samples/tshirt.obj");
