@@ -334,7 +334,9 @@ void Workspace::changeLoading(LoadingChange change) {
 
 bool Workspace::canExport() const {
     const PieceResults& results = document_.results();
-    return !results.empty() && std::ranges::find(results, nullptr) == results.end();
+    return std::ranges::find(results, nullptr) == results.end() &&
+           std::ranges::any_of(results,
+                               [](const auto& result) { return result->flat.has_value(); });
 }
 
 void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions& options,

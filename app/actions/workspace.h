@@ -159,7 +159,7 @@ public:
     bool autoFlatten() const { return recompute_.isAutomatic(); }
     /// How the pattern stands to what was edited since.
     PatternAge patternAge() const;
-    /// True where there are results to write.
+    /// True where there are results to write, and a flat piece among them.
     bool canExport() const;
     /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
     /// Requires canExport. The ending chooses the format.

@@ -98,6 +98,10 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
                               arguments.fabric.value_or(fabricPresets().front()));
     if (!arguments.outputs.empty()) {
+        if (std::ranges::none_of(
+                results, [](const auto& result) -> bool { return result->flat.has_value(); })) {
+            err << "toile: no piece lies flat: there is no pattern in what is written\n";
+        }
         for (const Wording& note : overlapNotes(laid.pattern, source.drawing())) {
             err << "toile: " << note << '\n';
         }

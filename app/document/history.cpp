@@ -43,16 +43,19 @@ void DerivedCache::keep(const Derived& derived) {
 }
 
 const Derived* DerivedCache::find(const DocumentState& state) {
+    const auto worth = [&state](const Derived& entry) {
+        return isFlattened(entry, state) ? 2 : isLeftOutOtherwise(entry, state) ? 0 : 1;
+    };
     auto found = kept_.end();
-    for (auto entry = kept_.begin(); entry != kept_.end(); ++entry) {
+    int best = -1;
+    for (auto entry = kept_.begin(); entry != kept_.end() && best < 2; ++entry) {
         if (!(entry->inputs == state.inputs)) {
             continue;
         }
-        if (isFlattened(*entry, state)) {
+        if (const int its = worth(*entry); its > best) {
             found = entry;
-            break;
+            best = its;
         }
-        found = found == kept_.end() ? entry : found;
     }
     if (found == kept_.end()) {
         return nullptr;

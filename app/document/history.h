@@ -39,8 +39,8 @@ public:
     /// Of scenes and results; what follows from several states counts once.
     void setMaxBytes(std::size_t bytes);
     void keep(const Derived& derived);
-    /// What follows from the state's inputs, flattened as it asks if that is there; else null.
-    /// Valid until the next call.
+    /// What follows from the state's inputs: flattened as it asks if that is there, else with the
+    /// pieces left out that it leaves out, else any; or null. Valid until the next call.
     const Derived* find(const DocumentState& state);
     void clear() { kept_.clear(); }
 

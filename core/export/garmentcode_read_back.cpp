@@ -101,6 +101,10 @@ private:
 }  // namespace
 
 Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pattern) {
+    if (std::ranges::all_of(pattern.pieces,
+                            [](const auto& piece) { return piece.outline.rows() == 0; })) {
+        return ReadBack{};  // a specification without a panel is none, and nobody could read it
+    }
     const auto code = readGarmentCode(bytes);
     if (!code) {
         return codeNotReadBack(pattern.name, sentence(code.error()));

@@ -215,6 +215,10 @@ private slots:
         QVERIFY(fixture_.waitUntilIdle());
         QVERIFY(bar.isVisible());
         QVERIFY(!svgOf().contains("back"));
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(document().patternPiece(1) && fixture_.workspace().canExport());
+        fixture_.action(ActionId::Redo).trigger();
+        QVERIFY(!document().patternPiece(1));
 
         // What is taken in is not flat until it is flattened, and no file goes without it.
         fixture_.action(ActionId::TakeIn).trigger();

@@ -97,18 +97,25 @@ TEST(ExportsPage, WhatIsReadBackIsWhatIsMeasured) {
     test::expectTableInDocs("exports.md", "read-back", table);
 }
 
+/// `arguments` with an output of every format that there is without the window.
+std::vector<std::string> intoEveryFormat(std::vector<std::string> arguments,
+                                         const test::TemporaryFolder& folder) {
+    for (const Format& format : formats()) {
+        if (format.id != FormatId::Png) {
+            arguments.push_back("-o");
+            arguments.push_back((folder / ("a" + std::string(format.endings.front()))).string());
+        }
+    }
+    return arguments;
+}
+
 TEST(Exports, WriteEveryFormatAtOnceAndSayWhatWasReadBack) {
     const test::TemporaryFolder folder;
-    std::vector<std::string> arguments{"flatten", kExportedShirt, "--pattern", "--dxf-rul",
-                                       "--obj-pieces"};
+    const std::vector<std::string> arguments = intoEveryFormat(
+        {"flatten", kExportedShirt, "--pattern", "--dxf-rul", "--obj-pieces"}, folder);
     int read = 0;
     for (const Format& format : formats()) {
-        if (format.id == FormatId::Png) {
-            continue;  // only with the window
-        }
-        arguments.push_back("-o");
-        arguments.push_back((folder / ("a" + std::string(format.endings.front()))).string());
-        read += format.readBack ? 1 : 0;
+        read += format.id != FormatId::Png && format.readBack ? 1 : 0;
     }
     const auto run = test::run(TOILE_PROGRAM, arguments);
     EXPECT_EQ(run.status, 0) << run.err;
@@ -120,6 +127,19 @@ TEST(Exports, WriteEveryFormatAtOnceAndSayWhatWasReadBack) {
     EXPECT_EQ(said, read) << run.out;
     for (const char* file : {"a.rul", "a-front.obj", "a-seams.csv", "a.specification.json"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
+    }
+}
+
+TEST(Exports, WithoutAFlatPieceAreWrittenAllTheSameAndItIsSaid) {
+    const test::TemporaryFolder folder;
+    const auto ball = folder.write("ball.obj", test::kBall);
+    const auto run = test::run(TOILE_PROGRAM, intoEveryFormat({"flatten", ball.string()}, folder));
+    EXPECT_EQ(run.status, 1) << run.err;
+    EXPECT_NE(run.err.find("no piece lies flat"), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("another program"), std::string::npos) << run.err;
+    for (const Format& format : formats()) {
+        const std::string name = "a" + std::string(format.endings.front());
+        EXPECT_EQ(std::filesystem::exists(folder / name), format.id != FormatId::Png) << name;
     }
 }
 
