@@ -24,19 +24,6 @@
 
 namespace toile::app {
 
-namespace {
-
-/// Whether a person is typing there, so that it must not be written over.
-bool isTypedIn(const QLineEdit& field) {
-    return field.hasFocus() && field.isModified();
-}
-bool isTypedIn(const QAbstractSpinBox& field) {
-    const auto* line = field.findChild<const QLineEdit*>();
-    return field.hasFocus() && line && line->isModified();
-}
-
-}  // namespace
-
 PieceForm::PieceForm(Document& document, const ActionRegistry& actions, QWidget* parent)
     : QWidget(parent),
       document_(document),

@@ -78,19 +78,28 @@ void PositionForm::makeLayout() {
 }
 
 void PositionForm::refresh() {
-    pieces_ = selectedFlat(document_);
+    const std::vector<int> before = std::exchange(pieces_, selectedFlat(document_));
     const bool any = !pieces_.empty();
+    const auto isFree = [isOther = pieces_ != before](const QAbstractSpinBox& field) -> bool {
+        return isOther || !isTypedIn(field);
+    };
     for (QWidget* field : std::initializer_list<QWidget*>{x_, y_, angle_, mirrored_}) {
         field->setEnabled(any);
     }
     const Eigen::AlignedBox2d box = boxOnSheet(document_, pieces_);
-    showPlace(*x_, any ? box.min().x() : 0, any);
-    showPlace(*y_, any ? box.min().y() : 0, any);
+    if (isFree(*x_)) {
+        showPlace(*x_, any ? box.min().x() : 0, any);
+    }
+    if (isFree(*y_)) {
+        showPlace(*y_, any ? box.min().y() : 0, any);
+    }
     std::vector<double> turns;
     for (const int piece : pieces_) {
         turns.push_back(placementOf(document_, piece).turn);
     }
-    showAngle(*angle_, sharedAngle(turns), any);
+    if (isFree(*angle_)) {
+        showAngle(*angle_, sharedAngle(turns), any);
+    }
     const auto isMirrored = [this](int piece) -> bool {
         return placementOf(document_, piece).mirrored;
     };

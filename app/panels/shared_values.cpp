@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/shared_values.h"
 
+#include <QAbstractSpinBox>
 #include <QCheckBox>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -42,6 +44,15 @@ void showChecked(QCheckBox& box, std::optional<bool> checked, bool any) {
     box.setCheckState(mixed                     ? Qt::PartiallyChecked
                       : checked.value_or(false) ? Qt::Checked
                                                 : Qt::Unchecked);
+}
+
+bool isTypedIn(const QLineEdit& field) {
+    return field.hasFocus() && field.isModified();
+}
+
+bool isTypedIn(const QAbstractSpinBox& field) {
+    const auto* line = field.findChild<const QLineEdit*>();
+    return field.hasFocus() && line && line->isModified();
 }
 
 }  // namespace toile::app

@@ -7,7 +7,9 @@
 
 #include "app/widgets/number_edits.h"
 
+class QAbstractSpinBox;
 class QCheckBox;
+class QLineEdit;
 
 namespace toile::app {
 
@@ -44,6 +46,10 @@ void dressAngle(AngleEdit& field);
 void showAngle(AngleEdit& field, std::optional<double> radians, bool any);
 /// @param any  there are pieces; else the box is empty
 void showChecked(QCheckBox& box, std::optional<bool> checked, bool any);
+
+/// Whether a person is typing there, so that it must not be written over.
+bool isTypedIn(const QLineEdit& field);
+bool isTypedIn(const QAbstractSpinBox& field);
 
 /// A field as the panels beside the views have them: as wide as numbers take, found by its name.
 template <class Field>

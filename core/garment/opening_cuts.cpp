@@ -14,17 +14,18 @@ namespace {
 /// Lines are the same where their lengths differ by no more, as a part.
 constexpr double kSameLine = 0.01;
 
-/// Which points of a line a cut keeps.
-enum class Kept { Ends, Bends, All };
+/// Which points of a line a cut keeps. The one in the middle says which piece is meant where two
+/// meet at both ends, as a lining does its shell.
+enum class Kept { EndsAndMiddle, Bends, All };
 
 UserCut cutAlongLine(const Piece& piece, const SurfaceLinks& links, const PathPolyline& line,
                      Kept kept) {
     UserCut cut;
     const std::size_t last = line.points.size() - 1;
     for (std::size_t i = 0; i <= last; ++i) {
-        const bool isEnd = i == 0 || i == last;
+        const bool isOne = i == 0 || i == last || i == (last + 1) / 2;
         const bool isAtVertex = links.carrierOf(line.points[i]).kind == Carrier::Kind::Vertex;
-        if (isEnd || kept == Kept::All || (kept == Kept::Bends && isAtVertex)) {
+        if (isOne || kept == Kept::All || (kept == Kept::Bends && isAtVertex)) {
             cut.points.push_back(positionOf(piece.mesh, line.points[i]));
         }
     }
@@ -63,7 +64,7 @@ Result<std::vector<UserCut>> openingCuts(const Piece& piece, bool isWhole,
     }
     const SurfaceLinks links(piece.mesh, piece.table);
     const auto alone = std::make_shared<const Piece>(piece);
-    for (const Kept kept : {Kept::Ends, Kept::Bends, Kept::All}) {
+    for (const Kept kept : {Kept::EndsAndMiddle, Kept::Bends, Kept::All}) {
         if (!isWhole && kept != Kept::All) {
             continue;
         }

@@ -81,6 +81,24 @@ private slots:
         QCOMPARE(pieceName(document(), 1), QString("back"));
     }
 
+    void whatIsTypedStaysWhenFlatteningEnds() {
+        document().setSelection({0});
+        for (const char* name : {"positionX", "positionY", "positionAngle"}) {
+            auto& field = fixture_.find<QDoubleSpinBox>(name);
+            field.setFocus();
+            field.selectAll();
+            QTest::keyClicks(&field, "17");
+            fixture_.workspace().setMethod(document().state().options.method == Method::Natural
+                                               ? Method::Curvature
+                                               : Method::Natural);
+            QVERIFY(fixture_.waitForResults());
+            QCOMPARE(field.text(), QString("17"));
+            QTest::keyClick(&field, Qt::Key_Return);
+            QCOMPARE(field.value(), 17.0);
+        }
+        QCOMPARE(lastStep(), QString("Turn front"));
+    }
+
     void howManyAreCutIsTyped() {
         document().setSelection({0, 1});
         QCOMPARE(quantity().text(), QString("1"));

@@ -26,12 +26,33 @@ TEST(OpeningCuts, OpenOnePieceAndLeaveTheOthers) {
     const auto cuts = openingCuts(*legs[0], true);
     ASSERT_TRUE(cuts);
     ASSERT_EQ(cuts->size(), 1U);
-    EXPECT_EQ(cuts->front().points.size(), 2U);
+    EXPECT_EQ(cuts->front().points.size(), 3U);
     const CutPieces made = cutPieces(legs, *cuts, false, Progress());
     ASSERT_EQ(made.pieces.size(), 2U);
     EXPECT_FALSE(made.pieces[0]->defect);
     EXPECT_EQ(made.pieces[1], legs[1]);
     EXPECT_EQ(made.cuts.front().author, CutAuthor::User);
+}
+
+TEST(OpeningCuts, OpenTheOneOfTwoThatMeetAtAllRims) {
+    MeshArrays shell = test::tube(24, 9);
+    const double middle = shell.V.col(1).mean(), half = shell.V.col(1).maxCoeff() - middle;
+    for (Eigen::Index v = 0; v < shell.V.rows(); ++v) {
+        const double height = (shell.V(v, 1) - middle) / half;
+        const double out = 1.2 - 0.2 * height * height;
+        shell.V(v, 0) *= out;
+        shell.V(v, 2) *= out;
+    }
+    const std::vector<std::shared_ptr<const Piece>> both{named(test::tube(24, 9), "lining"),
+                                                         named(std::move(shell), "shell")};
+    for (std::size_t opened = 0; opened < 2; ++opened) {
+        const auto cuts = openingCuts(*both[opened], true);
+        ASSERT_TRUE(cuts);
+        const CutPieces made = cutPieces(both, *cuts, false, Progress());
+        ASSERT_EQ(made.pieces.size(), 2U);
+        EXPECT_FALSE(made.pieces[opened]->defect);
+        EXPECT_EQ(made.pieces[1 - opened], both[1 - opened]);
+    }
 }
 
 TEST(OpeningCuts, OpenWhateverAutomaticCutsOpen) {
