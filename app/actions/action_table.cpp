@@ -337,7 +337,7 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::OverlayNone, "overlayNone", TR("Piece &colours"), "1",
          TR("Every piece in its own colour"), overlays(Overlay::None), "overlay-none", TR("Plain")},
         {ActionId::OverlayChecker, "overlayChecker", TR("Check&erboard"), "2",
-         TR("True-scale squares of 1 cm on the cloth"), overlays(Overlay::Checker),
+         TR("True-scale squares on the cloth"), overlays(Overlay::Checker),
          "overlay-checker", TR("Checker")},
         {ActionId::OverlayArea, "overlayArea", TR("&Area change"), "3",
          TR("How much area the cloth must gain by stretching, or has too much"),

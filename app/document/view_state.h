@@ -12,7 +12,7 @@ namespace toile::app {
 /// resources/shaders/surface.glsl.
 enum class Overlay {
     None,       ///< the piece's colour alone
-    Checker,    ///< true-scale 1 cm squares
+    Checker,    ///< true-scale squares
     Area,       ///< A3D / A2D - 1
     Angle,      ///< largest change of a corner angle
     Strain,     ///< L3D / L2D - 1 of the edges: what the cloth must do

@@ -196,6 +196,7 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     begin(program, frame);
     program.setUniformValue("faceTable", kFaceTableUnit);
     program.setUniformValue("overlay", static_cast<int>(overlay));
+    program.setUniformValue("squareSide", static_cast<float>(content_.squareSide));
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
     program.setUniformValue("overlayLimited", scale.limited);

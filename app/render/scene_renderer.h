@@ -33,6 +33,7 @@ struct SceneContent {
     std::optional<Feature> hover{};  ///< what the pointer is on; a vertex is left out
     /// Its limits end the colours of strain overlays.
     Fabric fabric = fabricPresets().front();
+    double squareSide = 10;  ///< of the checkerboard, mm
     /// The ends of the overlay's colours, for pictures that are to be compared; none: those of
     /// scene and fabric.
     std::optional<OverlayScale> scale{};

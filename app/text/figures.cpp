@@ -62,6 +62,11 @@ QString lengthUnit() {
     return QString::fromUtf8(symbol(LengthDisplay::instance().format().unit));
 }
 
+double checkerSquare() {
+    const bool inches = LengthDisplay::instance().format().unit == LengthUnit::Inch;
+    return inches ? millimetresPer(LengthUnit::Inch) / 2 : millimetresPer(LengthUnit::Centimetre);
+}
+
 QString fineLength(double millimetres) {
     return signedFineLength(millimetres).remove('+');
 }
@@ -174,7 +179,9 @@ OverlayWords overlayWords(Overlay overlay) {
         case Overlay::Checker:
             return {OverlayText::tr("Checkerboard"),
                     {},
-                    OverlayText::tr("squares of 1 cm on the flat cloth")};
+                    LengthDisplay::instance().format().unit == LengthUnit::Inch
+                        ? OverlayText::tr("squares of 1/2 in on the flat cloth")
+                        : OverlayText::tr("squares of 1 cm on the flat cloth")};
         case Overlay::Area:
             return {OverlayText::tr("Area change"), OverlayText::tr("%"),
                     OverlayText::tr("worn against flat: orange must stretch, blue has surplus")};

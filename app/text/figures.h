@@ -30,6 +30,8 @@ QString lengthWithUnit(double millimetres);
 QString saidLength(double millimetres);
 /// "mm", "cm", "in".
 QString lengthUnit();
+/// Side of the checkerboard's squares: 1 cm, or half an inch where inches are shown; mm.
+double checkerSquare();
 /// Differences too small for fractions of an inch, in decimals: "0.24" mm, "0.024" cm, "0.009" in.
 QString fineLength(double millimetres);
 /// With a sign, and none for what rounds to nothing: "+0.24", "−1.20", "0.00".

@@ -60,6 +60,7 @@ SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<Scen
     connect(&tools_, &ToolChoice::changed, this, &SceneView::updateCursor);
     connect(&tools_, &ToolChoice::chosen, this, &SceneView::endPress);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
+        renderer_->show(contentOf(document_));
         hover_.writeAgain();
         update();
     });

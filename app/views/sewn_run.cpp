@@ -7,6 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
+#include "app/text/figures.h"
 #include "app/views/reference_gaps.h"
 #include "core/seam/seam_measure.h"
 
@@ -171,7 +172,8 @@ SceneContent contentOf(const Document& document) {
             .seam = document.seam(),
             .marks = markedFeatures(document),
             .hover = document.hover(),
-            .fabric = document.fabric()};
+            .fabric = document.fabric(),
+            .squareSide = checkerSquare()};
 }
 
 }  // namespace toile::app

@@ -21,9 +21,6 @@ const int kPieceFlat = 2;
 // How much lighter the cloth of a selected piece is: its hue says which piece it is
 const float kSelectedLight = 0.3;
 
-// Side of a checkerboard square, mm
-const float kSquare = 10.0;
-
 // Hatching, in logical pixels, and how much of the colour it leaves
 const float kHatchPeriod = 7.0;
 const float kHatchWidth = 1.3;
@@ -33,6 +30,7 @@ const float kHatchStrength = 0.6;
 const int kFaceTableWidth = 2048;
 
 uniform int overlay;
+uniform float squareSide;     // of the checkerboard, mm
 uniform vec2 overlayRange;    // values at the two ends of the colour map
 uniform bool overlayLimited;  // the ends are the fabric's limits: hatching beyond the piece's
 uniform bool triangleTable;   // the triangles' own values are in faceTable
@@ -53,7 +51,7 @@ float filteredWave(float x, float window) {
 
 // 0 or 1 on the squares, the mean 0.5 where squares are smaller than a pixel.
 float checker(vec2 millimetres) {
-    vec2 p = millimetres / kSquare;
+    vec2 p = millimetres / squareSide;
     vec2 window = max(fwidth(p), vec2(1e-4));
     return 0.5 - 0.5 * filteredWave(p.x, window.x) * filteredWave(p.y, window.y);
 }

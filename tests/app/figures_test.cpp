@@ -41,6 +41,15 @@ private slots:
         LengthDisplay::instance().choose(LengthUnit::Millimetre);
     }
 
+    void theCheckerboardGoesWithTheUnit() {
+        QCOMPARE(checkerSquare(), 10.0);
+        QVERIFY(overlayWords(Overlay::Checker).meaning.contains("1 cm"));
+        LengthDisplay::instance().choose(LengthUnit::Inch);
+        QCOMPARE(checkerSquare(), 12.7);
+        QVERIFY(overlayWords(Overlay::Checker).meaning.contains("1/2 in"));
+        LengthDisplay::instance().choose(LengthUnit::Millimetre);
+    }
+
     void percentsCarryTheirSign() {
         QCOMPARE(signedPercent(0.0124), QString("+1.24"));
         QCOMPARE(signedPercent(-0.123), QString("−12.3"));
