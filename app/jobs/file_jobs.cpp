@@ -144,8 +144,11 @@ public:
             ofPieces.push_back(settings[piece->id]);
         }
         const Garment garment = named(*derived_.garment, labels_);
-        for (std::size_t i = 0; i < ofPieces.size() && !only_.empty(); ++i) {
-            ofPieces[i].leftOut = ofPieces[i].leftOut || !only_.contains(static_cast<int>(i));
+        for (std::size_t i = 0; i < ofPieces.size(); ++i) {
+            // What has just been taken in again is not flat yet: it is not in what is shown.
+            const bool isShown = !isLeftOut(*made.derived.results[i]) &&
+                                 (only_.empty() || only_.contains(static_cast<int>(i)));
+            ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
         }
         const PieceResults results =
             withoutLeftOut(resultsFor(garment, made.derived.results), garment, ofPieces);

@@ -220,8 +220,11 @@ private slots:
         fixture_.action(ActionId::Redo).trigger();
         QVERIFY(!document().patternPiece(1));
 
-        // What is taken in is not flat until it is flattened, and no file goes without it.
+        // What is taken in is not flat until it is flattened, and no file goes without it; until
+        // that is known, one is written as the pattern is shown.
+        document().cache().clear();
         fixture_.action(ActionId::TakeIn).trigger();
+        QVERIFY(fixture_.workspace().canExport() && !svgOf().contains("back"));
         QTRY_VERIFY_WITH_TIMEOUT(!fixture_.workspace().canExport(), test::kPatience);
         QVERIFY(fixture_.waitUntilIdle());
         QVERIFY(bar.isVisible() && !fixture_.action(ActionId::ExportPattern).isEnabled());
