@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/shell.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/mesh/weld.h"
+#include "core/prepare/shell_sides.h"
+
+namespace toile {
+namespace {
+
+/// Which shares make a file a shell: of its area the two surfaces, of the two surfaces what lies at
+/// one or two thicknesses.
+constexpr double kLeastSides = 0.6;
+constexpr double kLeastConstant = 0.85;
+/// Thickness, of the root of the outer surface's area: cloth that is thicker is a solid.
+constexpr double kThickestOfSize = 0.05;
+
+using ValueAndWeight = std::vector<std::pair<double, double>>;
+
+/// The value below which lies this share of the weight. Precondition: sorted, not empty.
+double areaQuantile(const ValueAndWeight& values, double share) {
+    double all = 0;
+    for (const auto& [value, weight] : values) {
+        all += weight;
+    }
+    double sum = 0;
+    for (const auto& [value, weight] : values) {
+        sum += weight;
+        if (sum >= share * all) {
+            return value;
+        }
+    }
+    return values.back().first;
+}
+
+}  // namespace
+
+std::optional<Shell> findShell(const FileSurface& surface, const Progress& progress) {
+    const MeshArrays& mesh = surface.mesh;
+    if (mesh.F.rows() < 2) {
+        return std::nullopt;
+    }
+    // Only where the file leaves surfaces open: panels that are closed each keep to themselves.
+    const std::vector<int> target = findWeld(mesh.F, mesh.V, {}).target;
+    Triangles F = mesh.F;
+    for (int& v : F.reshaped()) {
+        v = target[v];
+    }
+    const shell::Surface welded = shell::surfaceWith({mesh.V, std::move(F)}, surface.face);
+    std::optional<shell::Pairs> pairs = shell::findPairs(welded, progress);
+    if (!pairs) {
+        return std::nullopt;
+    }
+    shell::Sides sides = shell::findSides(welded, *pairs);
+
+    Shell shell;
+    shell.side = std::move(sides.side);
+    shell.turned = std::move(sides.turned);
+    const std::size_t count = shell.side.size();
+    shell.thickness.assign(count, 0);
+    ValueAndWeight thickness;
+    double outer = 0, both = 0, paired = 0;
+    for (std::size_t t = 0; t < count; ++t) {
+        const double area = welded.area[static_cast<Eigen::Index>(t)];
+        const bool isOuter = shell.side[t] == ShellSide::Outer;
+        if (!isOuter && shell.side[t] != ShellSide::Inner) {
+            continue;
+        }
+        both += area;
+        outer += isOuter ? area : 0;
+        if (pairs->opposite[t] >= 0) {
+            paired += area;
+            shell.thickness[t] = pairs->thickness[t];
+            thickness.emplace_back(pairs->thickness[t], area);
+        }
+    }
+    const double all = welded.area.sum();
+    if (!(paired > 0 && both >= kLeastSides * all &&
+          shell::shareInTwoSpans(thickness) * paired >= kLeastConstant * both)) {
+        return std::nullopt;
+    }
+    shell.median = areaQuantile(thickness, 0.5);
+    shell.thinnest = areaQuantile(thickness, 0.05);
+    shell.thickest = areaQuantile(thickness, 0.95);
+    shell.pairedShare = paired / all;
+    if (shell.median > kThickestOfSize * std::sqrt(outer)) {
+        return std::nullopt;
+    }
+    shell.partner.assign(target.size(), -1);
+    for (std::size_t v = 0; v < target.size(); ++v) {
+        shell.partner[v] = pairs->partner[target[v]];
+    }
+    return shell;
+}
+
+}  // namespace toile

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/shell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/prepare/thick_shapes.h"
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+using namespace test;
+
+std::optional<Shell> shellOf(const PolygonSoup& soup, double millimetres = 1) {
+    return findShell(surfaceOf(soup, millimetres), Progress());
+}
+
+PolygonSoup read(const std::filesystem::path& path) {
+    Progress progress;
+    return *readSoup(path, progress);
+}
+
+PolygonSoup sample() {
+    return read(sourceFile("resources/samples/tshirt.obj"));
+}
+
+PolygonSoup tubeSheet() {
+    return asSoup(tube(48, 20));
+}
+
+PolygonSoup withoutFaces(const PolygonSoup& soup, const std::vector<int>& gone) {
+    std::vector<int> kept;
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        if (std::find(gone.begin(), gone.end(), face) == gone.end()) {
+            kept.push_back(face);
+        }
+    }
+    return withFaces(soup, kept);
+}
+
+/// Runs every face the other way, those from `first` on.
+PolygonSoup turnedFrom(PolygonSoup soup, int first) {
+    for (int face = first; face < soup.faceCount(); ++face) {
+        std::reverse(soup.corners.begin() + soup.faceStart[face] + 1,
+                     soup.corners.begin() + soup.faceStart[face + 1]);
+    }
+    return soup;
+}
+
+double waves(const Eigen::Vector3d& position) {
+    return 1.5 * (1 + 0.2 * std::sin(position.y() / 60) * std::cos(position.x() / 80));
+}
+
+double collarAndBody(const Eigen::Vector3d& position) {
+    return position.y() > 300 ? 3.0 : 1.0;
+}
+
+struct ThickCase {
+    const char* name;
+    std::function<PolygonSoup()> sheet;
+    std::function<PolygonSoup(const PolygonSoup&)> thicken;
+};
+
+std::ostream& operator<<(std::ostream& out, const ThickCase& one) {
+    return out << one.name;
+}
+
+class ThickCopy : public testing::TestWithParam<ThickCase> {};
+
+/// The outer surface is the sheet that was thickened, face by face, names and map included.
+TEST_P(ThickCopy, GivesTheSheetBack) {
+    const PolygonSoup sheet = GetParam().sheet();
+    const PolygonSoup soup = GetParam().thicken(sheet);
+    const FileSurface surface = surfaceOf(soup, 1);
+    const std::optional<Shell> shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    EXPECT_GT(shell->pairedShare, 0.95);
+    const int count = sheet.faceCount();
+    for (std::size_t t = 0; t < shell->side.size(); ++t) {
+        const int face = surface.face[t];
+        const ShellSide expected = face < count       ? ShellSide::Outer
+                                   : face < 2 * count ? ShellSide::Inner
+                                                      : ShellSide::Rim;
+        ASSERT_EQ(shell->side[t], expected) << "face " << face << " of " << count;
+    }
+    const PolygonSoup outer = sheetOf(soup, surface, *shell, ShellSurface::Outer);
+    EXPECT_EQ(outer.faceCount(), count);
+    EXPECT_EQ(outer.cornerUvs, sheet.cornerUvs);
+    EXPECT_EQ(outer.faceObject, sheet.faceObject);
+    for (std::size_t corner = 0; corner < sheet.corners.size(); ++corner) {
+        ASSERT_EQ(outer.positions[outer.corners[corner]], sheet.positions[sheet.corners[corner]]);
+    }
+    // The inner one is seen from outside too: turned, it is the same sheet.
+    const PolygonSoup inner = sheetOf(soup, surface, *shell, ShellSurface::Inner);
+    ASSERT_EQ(inner.corners.size(), sheet.corners.size());
+    EXPECT_EQ(inner.cornerUvs, sheet.cornerUvs);
+    for (std::size_t corner = 0; corner < sheet.corners.size(); ++corner) {
+        ASSERT_LT((inner.positions[inner.corners[corner]] - outer.positions[outer.corners[corner]])
+                      .norm(),
+                  3.7);
+    }
+    const LeftOut left = leftOut(surface, *shell, ShellSurface::Outer);
+    EXPECT_EQ(std::ssize(left.other), count);
+    EXPECT_EQ(std::ssize(left.rims), soup.faceCount() - 2 * count);
+}
+
+PolygonSoup plainly(const PolygonSoup& sheet) {
+    return thickened(sheet);
+}
+
+PolygonSoup shirt() {
+    return withMap(sample());
+}
+
+PolygonSoup weldedShirt() {
+    return weldedSoup(withMap(sample()));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, ThickCopy,
+    testing::Values(
+        ThickCase{"tube", tubeSheet, plainly},
+        ThickCase{"panel", [] { return asSoup(bentPanel(20)); }, plainly},
+        ThickCase{"shirt_panel_by_panel", shirt, plainly},
+        ThickCase{"shirt_welded", weldedShirt, plainly},
+        ThickCase{"without_rims", tubeSheet,
+                  [](const auto& sheet) { return thickened(sheet, {.rims = false}); }},
+        ThickCase{"thickness_varies", weldedShirt,
+                  [](const auto& sheet) { return thickened(sheet, {.thickness = waves}); }},
+        ThickCase{"two_thicknesses", tubeSheet,
+                  [](const auto& sheet) { return thickened(sheet, {.thickness = collarAndBody}); }},
+        ThickCase{"loose_triangles", tubeSheet,
+                  [](const auto& sheet) { return looseSoup(thickened(sheet)); }},
+        ThickCase{"hole_through_both",
+                  [] {
+                      return withoutFaces(tubeSheet(), {300, 301});
+                  },
+                  [](const auto& sheet) { return thickened(sheet, {.rims = false}); }}),
+    [](const auto& given) { return given.param.name; });
+
+TEST(FindShell, SaysHowThick) {
+    const auto one = shellOf(thickened(tubeSheet()));
+    ASSERT_TRUE(one);
+    EXPECT_NEAR(one->median, 1.5, 0.01);
+    EXPECT_NEAR(one->thinnest, 1.5, 0.01);
+    EXPECT_NEAR(one->thickest, 1.5, 0.01);
+    const auto two = shellOf(thickened(tubeSheet(), {.thickness = collarAndBody}));
+    ASSERT_TRUE(two);
+    EXPECT_NEAR(two->thinnest, 1, 0.01);
+    EXPECT_NEAR(two->thickest, 3, 0.02);
+    const auto inCentimetres = shellOf(thickened(tubeSheet()), 10);
+    ASSERT_TRUE(inCentimetres);
+    EXPECT_NEAR(inCentimetres->median, 15, 0.1);
+}
+
+TEST(FindShell, KnowsEachVertexByItsCopy) {
+    const PolygonSoup sheet = tubeSheet();
+    const auto shell = shellOf(thickened(sheet));
+    ASSERT_TRUE(shell);
+    const int count = static_cast<int>(sheet.positions.size());
+    for (int v = 0; v < count; ++v) {
+        ASSERT_EQ(shell->partner[v], v + count);
+        ASSERT_EQ(shell->partner[v + count], v);
+    }
+}
+
+TEST(FindShell, StandsSurfacesThatLookTheOtherWay) {
+    const PolygonSoup sheet = tubeSheet();
+    const PolygonSoup soup = thickened(sheet, {.rims = false});
+    for (const PolygonSoup& turned : {turnedFrom(soup, 0), turnedFrom(soup, sheet.faceCount())}) {
+        const FileSurface surface = surfaceOf(turned, 1);
+        const auto shell = findShell(surface, Progress());
+        ASSERT_TRUE(shell);
+        EXPECT_EQ(sheetOf(turned, surface, *shell, ShellSurface::Outer).corners, sheet.corners);
+    }
+}
+
+TEST(FindShell, FollowsSurfacesThatAreDividedDifferently) {
+    const PolygonSoup soup = tubeInTube(100, 90, 98, 61);
+    const FileSurface surface = surfaceOf(soup, 1);
+    const auto shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    const int outer = 90 * 30 * 2, inner = 61 * 20 * 2;
+    for (int t = 0; t < std::ssize(shell->side); ++t) {
+        ASSERT_EQ(shell->side[t], t < outer           ? ShellSide::Outer
+                                  : t < outer + inner ? ShellSide::Inner
+                                                      : ShellSide::Rim)
+            << t;
+    }
+    EXPECT_NEAR(shell->median, 2, 0.15);
+}
+
+TEST(FindShell, BearsFacesThatAreMissing) {
+    const PolygonSoup sheet = tubeSheet();
+    const PolygonSoup whole = thickened(sheet);
+    const int count = sheet.faceCount();
+    // One of the outer surface, and elsewhere one of the inner.
+    const PolygonSoup soup = withoutFaces(whole, {400, count + 900});
+    const FileSurface surface = surfaceOf(soup, 1);
+    const auto shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Outer).corners,
+              withoutFaces(sheet, {400}).corners);
+    EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Inner).faceCount(), count - 1);
+}
+
+TEST(FindShell, KeepsASheetThatLiesBesideIt) {
+    PolygonSoup soup = thickened(tubeSheet());
+    const int vertices = static_cast<int>(soup.positions.size());
+    const PolygonSoup pocket = asSoup(planeGrid(10, 10, 20));
+    for (const Eigen::Vector3d& position : pocket.positions) {
+        soup.positions.emplace_back(position + Eigen::Vector3d(0, 0, 300));
+    }
+    for (int face = 0; face < pocket.faceCount(); ++face) {
+        for (int k = 0; k < 3; ++k) {
+            soup.corners.push_back(pocket.corners[pocket.faceStart[face] + k] + vertices);
+        }
+        soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
+    }
+    const FileSurface surface = surfaceOf(soup, 1);
+    const auto shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    EXPECT_EQ(std::count(shell->side.begin(), shell->side.end(), ShellSide::Single),
+              pocket.faceCount());
+    EXPECT_EQ(shell->side[surface.face.size() - 1], ShellSide::Single);
+    EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Inner).faceCount(),
+              tubeSheet().faceCount() + pocket.faceCount());
+}
+
+TEST(SheetOf, TheMiddleLiesHalfTheWay) {
+    const PolygonSoup sheet = tubeSheet();
+    for (const PolygonSoup& soup : {thickened(sheet), looseSoup(thickened(sheet))}) {
+        const FileSurface surface = surfaceOf(soup, 10);  // the soup's own unit is kept
+        const auto shell = findShell(surface, Progress());
+        ASSERT_TRUE(shell);
+        const PolygonSoup middle = sheetOf(soup, surface, *shell, ShellSurface::Middle);
+        for (const int corner : middle.corners) {
+            ASSERT_NEAR(middle.positions[corner].cwiseProduct(Eigen::Vector3d(1, 0, 1)).norm(),
+                        50 - 0.75, 1e-3);
+        }
+        // What was closed stays so.
+        std::set<std::array<double, 3>> places;
+        for (const int corner : middle.corners) {
+            const Eigen::Vector3d& at = middle.positions[corner];
+            places.insert({at.x(), at.y(), at.z()});
+        }
+        EXPECT_EQ(places.size(), sheet.positions.size());
+    }
+}
+
+TEST(SheetOf, TheMiddleOfSurfacesDividedDifferently) {
+    const PolygonSoup soup = tubeInTube(100, 90, 98, 61);
+    const FileSurface surface = surfaceOf(soup, 1);
+    const auto shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    const PolygonSoup middle = sheetOf(soup, surface, *shell, ShellSurface::Middle);
+    for (const int corner : middle.corners) {
+        ASSERT_NEAR(middle.positions[corner].head<2>().norm(), 99, 0.1);
+    }
+}
+
+}  // namespace
+}  // namespace toile
