@@ -81,14 +81,16 @@ Eigen::Vector3d wayToPartners(const MeshArrays& mesh, int triangle,
 Surface surfaceWith(MeshArrays mesh, std::vector<int> face) {
     Surface surface{std::move(mesh), std::move(face), {}, {}};
     const Eigen::Index count = surface.mesh.F.rows();
-    surface.normal.resize(count, 3);
+    surface.normal = Points3::Zero(count, 3);
     surface.area.resize(count);
     for (Eigen::Index t = 0; t < count; ++t) {
         const Eigen::Vector3d normal = doubleAreaNormal(surface.mesh, t);
         const double length = normal.norm();
-        surface.area[t] = length / 2;
-        surface.normal.row(t) = length > 0 ? Eigen::Vector3d(normal / length)
-                                           : Eigen::Vector3d(Eigen::Vector3d::Zero());
+        const bool hasArea = length > 0 && std::isfinite(length);
+        surface.area[t] = hasArea ? length / 2 : 0;
+        if (hasArea) {
+            surface.normal.row(t) = normal.transpose() / length;
+        }
     }
     return surface;
 }

@@ -13,16 +13,17 @@ namespace {
 constexpr double kFacing = 0.8;
 
 /// Where a half-line enters a box; infinite where it misses it.
+/// @param inverse  of its direction, number by number
 template <class Box>
-double entry(const Box& box, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+double entry(const Box& box, const Eigen::Vector3d& origin, const Eigen::Vector3d& inverse,
              double farthest) {
     double from = 0, to = farthest;
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
         // Not in order of size: a box with nothing in it begins behind its end, and is missed.
-        const bool isForward = !std::signbit(direction[k]);
-        const double a = ((isForward ? box.low : box.high)[at] - origin[k]) / direction[k];
-        const double b = ((isForward ? box.high : box.low)[at] - origin[k]) / direction[k];
+        const bool isForward = !std::signbit(inverse[k]);
+        const double a = ((isForward ? box.low : box.high)[at] - origin[k]) * inverse[k];
+        const double b = ((isForward ? box.high : box.low)[at] - origin[k]) * inverse[k];
         if (std::isnan(a) || std::isnan(b)) {
             continue;  // parallel and within the slab's plane
         }
@@ -46,10 +47,9 @@ Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double far
     const auto corner = [&](int t, int k) -> Eigen::Vector3d { return V.row(F(t, k)); };
     const Eigen::Vector3d origin =
         (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
+    const Eigen::Vector3d inverse = direction.cwiseInverse();
     Meeting met;
-    const auto distanceTo = [&](const auto& box) {
-        return entry(box, origin, direction, farthest);
-    };
+    const auto distanceTo = [&](const auto& box) { return entry(box, origin, inverse, farthest); };
     tree_.search(distanceTo, [&](std::uint32_t index) {
         const int other = static_cast<int>(index);
         if (other == triangle) {

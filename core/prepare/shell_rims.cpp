@@ -17,22 +17,105 @@ constexpr double kManyMeet = 2;
 constexpr std::size_t kMostAtEdge = 8;
 
 /// Of the length of a shell's edges: how much may lead from one surface to the other without a rim,
-/// and how much may be open where others have rims. Cloth that is folded flat does both.
+/// and how much may be openings around both surfaces. Cloth that is folded flat has either.
 constexpr double kMostContact = 0.1;
-constexpr double kMostMixed = 0.15;
+constexpr double kMostShared = 0.04;
+/// Of a file's area: how large an island may be that is taken for a mistake.
+constexpr double kIsland = 1e-3;
 /// How many times as wide as the cloth is thick a rim may be.
 constexpr double kWidestRim = 4;
 
 /// The edges of one shell's surfaces, by what lies beyond; lengths.
 struct Edging {
-    double open = 0, rim = 0, contact = 0;
+    double all = 0, contact = 0;
+    double shared = 0;  ///< of openings that run along both surfaces
 
-    bool isShells() const {
-        const double all = open + rim + contact;
-        const double lesser = std::min(open, rim + contact);
-        return contact <= kMostContact * all && lesser <= kMostMixed * all;
+    bool isShells() const { return contact <= kMostContact * all && shared <= kMostShared * all; }
+};
+
+bool isSide(ShellSide side) {
+    return side == ShellSide::Outer || side == ShellSide::Inner;
+}
+
+std::size_t numberOf(ShellSide side) {
+    return static_cast<std::size_t>(side);
+}
+
+/// Which openings run along which sides: open edges by their first vertex.
+struct Openings {
+    geometry::DisjointSets sets;
+    std::vector<std::array<bool, 4>> along;  ///< per root
+
+    bool areShared(int vertex) {
+        const auto& sides = along[sets.root(vertex)];
+        return sides[numberOf(ShellSide::Outer)] && sides[numberOf(ShellSide::Inner)];
     }
 };
+
+Openings openingsOf(const EdgeTable& table, int vertexCount, const Sides& sides) {
+    Openings openings{geometry::DisjointSets(vertexCount), {}};
+    openings.along.resize(static_cast<std::size_t>(vertexCount));
+    const auto eachOpen = [&table](const auto& visit) {
+        for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+            if (table.isBorder(e)) {
+                visit(e);
+            }
+        }
+    };
+    eachOpen([&](auto e) { openings.sets.join(table.edges(e, 0), table.edges(e, 1)); });
+    eachOpen([&](auto e) {
+        const ShellSide side = sides.side[table.usesOf(e)[0] / 3];
+        openings.along[openings.sets.root(table.edges(e, 0))][numberOf(side)] = true;
+    });
+    return openings;
+}
+
+/// Gives small islands of one surface in the other, or of neither, to what surrounds them.
+void takeOverIslands(const Surface& surface, const std::vector<Neighbours>& neighbours,
+                     TwoSided& sets, Sides& sides) {
+    const int count = static_cast<int>(sides.side.size());
+    geometry::DisjointSets islands(count);
+    for (const Neighbours& pair : neighbours) {
+        if (sides.side[pair.a] == sides.side[pair.b]) {
+            islands.join(pair.a, pair.b);
+        }
+    }
+    struct Island {
+        double area = 0, length = 0;
+        std::array<double, 4> beside{};  ///< lengths
+        std::array<int, 4> like{};       ///< one triangle there
+    };
+    std::vector<Island> all(static_cast<std::size_t>(count));
+    for (int t = 0; t < count; ++t) {
+        all[islands.root(t)].area += surface.area[t];
+    }
+    for (const Neighbours& pair : neighbours) {
+        for (const auto& [t, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
+            if (sides.side[t] != sides.side[other]) {
+                Island& island = all[islands.root(t)];
+                island.length += pair.length;
+                island.beside[numberOf(sides.side[other])] += pair.length;
+                island.like[numberOf(sides.side[other])] = other;
+            }
+        }
+    }
+    const std::vector<ShellSide> before = sides.side;
+    const double largest = kIsland * surface.area.sum();
+    for (int t = 0; t < count; ++t) {
+        const Island& island = all[islands.root(t)];
+        for (const ShellSide side : {ShellSide::Outer, ShellSide::Inner, ShellSide::Rim}) {
+            const double beside = island.beside[numberOf(side)];
+            const bool mayBe =
+                before[t] == ShellSide::Single || (isSide(before[t]) && side != ShellSide::Rim);
+            if (mayBe && island.area <= largest && beside > island.length / 2) {
+                const int like = island.like[numberOf(side)];
+                sides.side[t] = side;
+                sides.turned[t] = sides.turned[like];
+                sets.join(t, like, false);
+            }
+        }
+    }
+}
 
 }  // namespace
 
@@ -112,34 +195,33 @@ void fillIn(const Surface& surface, const Pairs& pairs, const std::vector<Neighb
             sets.join(t, patch.like[side], false);
         }
     }
+    takeOverIslands(surface, neighbours, sets, sides);
 }
 
 void dropFolded(const Surface& surface, const EdgeTable& table, TwoSided& sets, Sides& sides) {
     const int count = static_cast<int>(sides.side.size());
-    const auto isSide = [&](int t) {
-        return sides.side[t] == ShellSide::Outer || sides.side[t] == ShellSide::Inner;
-    };
+    const Points3& V = surface.mesh.V;
+    Openings openings = openingsOf(table, static_cast<int>(V.rows()), sides);
     std::vector<Edging> edgings(static_cast<std::size_t>(count));
     for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
         const auto uses = table.usesOf(e);
-        const double length =
-            (surface.mesh.V.row(table.edges(e, 0)) - surface.mesh.V.row(table.edges(e, 1))).norm();
+        const double length = (V.row(table.edges(e, 0)) - V.row(table.edges(e, 1))).norm();
         std::array<bool, 4> has{};
         for (const int use : uses) {
-            has[static_cast<std::size_t>(sides.side[use / 3])] = true;
+            has[numberOf(sides.side[use / 3])] = true;
         }
+        const bool isRim = has[numberOf(ShellSide::Rim)];
+        const bool isContact =
+            !isRim && has[numberOf(ShellSide::Outer)] && has[numberOf(ShellSide::Inner)];
+        const bool isOpen = uses.size() == 1;
+        const bool isShared = isOpen && openings.areShared(table.edges(e, 0));
         for (const int use : uses) {
-            if (!isSide(use / 3)) {
-                continue;
+            if (isSide(sides.side[use / 3])) {
+                Edging& edging = edgings[sets.find(use / 3).root];
+                edging.all += isRim || isContact || isOpen ? length : 0;
+                edging.contact += isContact ? length : 0;
+                edging.shared += isShared ? length : 0;
             }
-            Edging& edging = edgings[sets.find(use / 3).root];
-            edging.open += uses.size() == 1 ? length : 0;
-            const bool isRim = has[static_cast<std::size_t>(ShellSide::Rim)];
-            edging.rim += isRim ? length : 0;
-            edging.contact += !isRim && has[static_cast<std::size_t>(ShellSide::Outer)] &&
-                                      has[static_cast<std::size_t>(ShellSide::Inner)]
-                                  ? length
-                                  : 0;
         }
     }
     for (int t = 0; t < count; ++t) {

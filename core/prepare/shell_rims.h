@@ -23,7 +23,8 @@ struct Neighbours {
 std::vector<Neighbours> neighboursOf(const Surface& surface, const EdgeTable& table);
 
 /// Takes each patch of single triangles for what surrounds it: what it joins smoothly, or else all
-/// around. Between the two surfaces a narrow one is a rim.
+/// around; between the two surfaces a narrow one is a rim. Small islands of one surface in the
+/// other are the other.
 /// @param thickness  of the cloth, mm   @param sets  joined with what surrounds them
 void fillIn(const Surface& surface, const Pairs& pairs, const std::vector<Neighbours>& neighbours,
             double thickness, TwoSided& sets, Sides& sides);

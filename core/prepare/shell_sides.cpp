@@ -15,6 +15,7 @@ namespace {
 constexpr double kMostConflicts = 0.05;
 /// How much smaller the one surface may be than the other.
 constexpr double kLeastBalance = 0.6;
+
 /// What is said of which triangles, the surest first.
 struct Link {
     double doubt;

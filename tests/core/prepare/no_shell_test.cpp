@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -27,10 +29,8 @@ MeshArrays scaled(MeshArrays mesh, double x, double y, double z) {
     return mesh;
 }
 
-/// A ball of latitudes and longitudes.
 MeshArrays ball(double radius) {
-    MeshArrays mesh = sphericalCap(40, radius, 3.0);
-    return mesh;
+    return sphericalCap(40, radius, 3.0);
 }
 
 TEST(NoShell, OneSurfaceIsNone) {
@@ -53,6 +53,31 @@ TEST(NoShell, OneSurfaceIsNone) {
     for (const auto& [name, mesh] : shapes) {
         for (const double millimetres : {0.1, 1.0, 10.0}) {
             EXPECT_FALSE(isShell(asSoup(mesh), millimetres)) << name << " x " << millimetres;
+        }
+    }
+}
+
+/// A tube as it lies on a table: two layers a little apart, round or sharp where it is folded.
+PolygonSoup foldedFlat(double width, double gap, int foldPoints) {
+    MeshArrays mesh = tube(80 + 2 * foldPoints, 40);
+    const int around = 80 + 2 * foldPoints, half = around / 2;
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+        const int k = static_cast<int>(v) % around, onHalf = k % half;
+        const double sign = k < half ? 1 : -1;
+        const double turn = std::numbers::pi * (onHalf - 39.5) / (foldPoints + 1);
+        const bool isFlat = onHalf < 40;
+        mesh.V(v, 0) =
+            sign * (isFlat ? width * (onHalf / 39.0 - 0.5) : width / 2 + gap / 2 * std::sin(turn));
+        mesh.V(v, 2) = sign * (isFlat ? gap / 2 : gap / 2 * std::cos(turn));
+    }
+    return asSoup(mesh);
+}
+
+TEST(NoShell, ATubeThatLiesFlatIsNone) {
+    for (const int foldPoints : {0, 1, 2, 7}) {
+        for (const double width : {100.0, 500.0}) {
+            EXPECT_FALSE(isShell(foldedFlat(width, 4, foldPoints), 1))
+                << foldPoints << ", " << width;
         }
     }
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <ostream>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -64,6 +65,21 @@ double waves(const Eigen::Vector3d& position) {
 
 double collarAndBody(const Eigen::Vector3d& position) {
     return position.y() > 300 ? 3.0 : 1.0;
+}
+
+/// A skirt of quads whose hem is folded in, 4 mm from it.
+PolygonSoup hemmed() {
+    std::vector<Eigen::Vector2d> profile;
+    for (int i = 0; i < 20; ++i) {
+        profile.emplace_back(96, 60 - 3 * i);
+    }
+    for (const auto& [radius, height] : {std::pair(96.7, 1.5), {98.0, 0.7}, {99.3, 1.5}}) {
+        profile.emplace_back(radius, height);
+    }
+    for (int i = 0; i < 40; ++i) {
+        profile.emplace_back(100, 3 + 10 * i);
+    }
+    return revolved(profile, 60);
 }
 
 struct ThickCase {
@@ -142,6 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                   [](const auto& sheet) { return thickened(sheet, {.thickness = collarAndBody}); }},
         ThickCase{"loose_triangles", tubeSheet,
                   [](const auto& sheet) { return looseSoup(thickened(sheet)); }},
+        ThickCase{"hem_folded_in", hemmed, plainly},
         ThickCase{"hole_through_both",
                   [] {
                       return withoutFaces(tubeSheet(), {300, 301});
@@ -199,6 +216,18 @@ TEST(FindShell, FollowsSurfacesThatAreDividedDifferently) {
             << t;
     }
     EXPECT_NEAR(shell->median, 2, 0.15);
+}
+
+TEST(FindShell, FollowsAnInnerSurfaceThatIsFiner) {
+    for (const PolygonSoup& sheet : {tubeSheet(), asSoup(bentPanel(20)), weldedSoup(sample())}) {
+        const int count = sheet.faceCount();
+        const PolygonSoup soup = withDivided(thickened(sheet), count, 2 * count);
+        const FileSurface surface = surfaceOf(soup, 1);
+        const auto shell = findShell(surface, Progress());
+        ASSERT_TRUE(shell);
+        EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Outer).corners, sheet.corners);
+        EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Inner).faceCount(), 4 * count);
+    }
 }
 
 TEST(FindShell, BearsFacesThatAreMissing) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/prepare/thick_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -128,6 +129,69 @@ PolygonSoup thickened(const PolygonSoup& sheet, const Thickening& how) {
             for (const int face : rimOf) {
                 names->push_back((*names)[static_cast<std::size_t>(face)]);
             }
+        }
+    }
+    return soup;
+}
+
+PolygonSoup withDivided(const PolygonSoup& soup, int firstFace, int lastFace) {
+    PolygonSoup divided;
+    divided.positions = soup.positions;
+    std::map<std::pair<int, int>, int> middles;
+    const auto cornersOf = [&soup](int face) {
+        return std::vector<int>(soup.corners.begin() + soup.faceStart[face],
+                                soup.corners.begin() + soup.faceStart[face + 1]);
+    };
+    const auto middleOf = [&](int a, int b) {
+        const auto [entry, isNew] = middles.insert(
+            {{std::min(a, b), std::max(a, b)}, static_cast<int>(divided.positions.size())});
+        if (isNew) {
+            divided.positions.emplace_back((soup.positions[a] + soup.positions[b]) / 2);
+        }
+        return entry->second;
+    };
+    for (int face = firstFace; face < lastFace; ++face) {
+        const std::vector<int> c = cornersOf(face);
+        middleOf(c[0], c[1]);
+        middleOf(c[1], c[2]);
+        middleOf(c[2], c[0]);
+    }
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        std::vector<int> corners;
+        const std::vector<int> c = cornersOf(face);
+        for (std::size_t k = 0; k < c.size(); ++k) {
+            const int a = c[k], b = c[(k + 1) % c.size()];
+            corners.push_back(a);
+            if (const auto at = middles.find({std::min(a, b), std::max(a, b)});
+                at != middles.end()) {
+                corners.push_back(at->second);
+            }
+        }
+        if (face < firstFace || face >= lastFace) {
+            addFace(divided, corners);
+            continue;
+        }
+        for (std::size_t k = 0; k < 6; k += 2) {
+            addFace(divided, {corners[k], corners[k + 1], corners[(k + 5) % 6]});
+        }
+        addFace(divided, {corners[1], corners[3], corners[5]});
+    }
+    return divided;
+}
+
+PolygonSoup revolved(const std::vector<Eigen::Vector2d>& profile, int around) {
+    PolygonSoup soup;
+    for (const Eigen::Vector2d& point : profile) {
+        for (int k = 0; k < around; ++k) {
+            const double phi = 2 * std::numbers::pi * k / around;
+            soup.positions.emplace_back(point.x() * std::cos(phi), point.x() * std::sin(phi),
+                                        point.y());
+        }
+    }
+    for (int r = 0; r + 1 < std::ssize(profile); ++r) {
+        for (int k = 0; k < around; ++k) {
+            const int a = r * around + k, b = r * around + (k + 1) % around;
+            addFace(soup, {a, b, b + around, a + around});
         }
     }
     return soup;

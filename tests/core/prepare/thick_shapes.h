@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "core/io/soup.h"
 #include "core/mesh/mesh_arrays.h"
@@ -30,6 +31,14 @@ struct Thickening {
 /// As exporters do: the sheet's faces, then as many of a copy that lies against the normals and
 /// looks the other way, then rims of quads. Names and map are copied.
 PolygonSoup thickened(const PolygonSoup& sheet, const Thickening& how = {});
+
+/// A soup without map in which each of some triangles becomes four; the polygons that adjoin them
+/// get the new corners too.
+PolygonSoup withDivided(const PolygonSoup& soup, int firstFace, int lastFace);
+
+/// A profile of radius and height turned about z, in quads; seen from outside where it runs
+/// upwards.
+PolygonSoup revolved(const std::vector<Eigen::Vector2d>& profile, int around);
 
 /// A closed shell of revolution about z of two tubes that are divided differently.
 PolygonSoup tubeInTube(double outerRadius, int outerAround, double innerRadius, int innerAround);
