@@ -13,7 +13,7 @@ namespace {
 /// Which shares make a file a shell: of its area the two surfaces, of the two surfaces what lies at
 /// one or two thicknesses.
 constexpr double kLeastSides = 0.6;
-constexpr double kLeastConstant = 0.85;
+constexpr double kLeastConstant = 0.9;
 /// Thickness, of the root of the outer surface's area: cloth that is thicker is a solid.
 constexpr double kThickestOfSize = 0.05;
 

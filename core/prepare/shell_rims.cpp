@@ -16,21 +16,19 @@ constexpr double kManyMeet = 2;
 /// Triangles at one edge that are all taken for neighbours; of more, those next in the file.
 constexpr std::size_t kMostAtEdge = 8;
 
-/// Of the length of a shell's edges: how much may lead from one surface to the other without a rim,
-/// and how much may be openings around both surfaces. Cloth that is folded flat has either.
-constexpr double kMostContact = 0.1;
+/// Of the length of a shell's edges: how much may be openings around both surfaces.
 constexpr double kMostShared = 0.04;
 /// Of a file's area: how large an island may be that is taken for a mistake.
 constexpr double kIsland = 1e-3;
 /// How many times as wide as the cloth is thick a rim may be.
 constexpr double kWidestRim = 4;
 
-/// The edges of one shell's surfaces, by what lies beyond; lengths.
+/// The edges at which one shell's surfaces end, at a rim, at each other or open; lengths.
 struct Edging {
-    double all = 0, contact = 0;
+    double all = 0;
     double shared = 0;  ///< of openings that run along both surfaces
 
-    bool isShells() const { return contact <= kMostContact * all && shared <= kMostShared * all; }
+    bool isShells() const { return shared <= kMostShared * all; }
 };
 
 bool isSide(ShellSide side) {
@@ -210,16 +208,14 @@ void dropFolded(const Surface& surface, const EdgeTable& table, TwoSided& sets, 
         for (const int use : uses) {
             has[numberOf(sides.side[use / 3])] = true;
         }
-        const bool isRim = has[numberOf(ShellSide::Rim)];
-        const bool isContact =
-            !isRim && has[numberOf(ShellSide::Outer)] && has[numberOf(ShellSide::Inner)];
+        const bool isBetween = has[numberOf(ShellSide::Rim)] ||
+                               (has[numberOf(ShellSide::Outer)] && has[numberOf(ShellSide::Inner)]);
         const bool isOpen = uses.size() == 1;
         const bool isShared = isOpen && openings.areShared(table.edges(e, 0));
         for (const int use : uses) {
             if (isSide(sides.side[use / 3])) {
                 Edging& edging = edgings[sets.find(use / 3).root];
-                edging.all += isRim || isContact || isOpen ? length : 0;
-                edging.contact += isContact ? length : 0;
+                edging.all += isBetween || isOpen ? length : 0;
                 edging.shared += isShared ? length : 0;
             }
         }

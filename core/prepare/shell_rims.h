@@ -29,7 +29,8 @@ std::vector<Neighbours> neighboursOf(const Surface& surface, const EdgeTable& ta
 void fillIn(const Surface& surface, const Pairs& pairs, const std::vector<Neighbours>& neighbours,
             double thickness, TwoSided& sets, Sides& sides);
 
-/// Makes single again the shells that have not the edges of one: sheets folded flat.
+/// Makes single again what has not the edges of a shell: a sheet folded flat has openings that run
+/// along both of its layers.
 void dropFolded(const Surface& surface, const EdgeTable& table, TwoSided& sets, Sides& sides);
 
 }  // namespace toile::shell

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <ostream>
 #include <set>
@@ -230,6 +231,61 @@ TEST(FindShell, FollowsAnInnerSurfaceThatIsFiner) {
     }
 }
 
+/// A tube of cloth 3 mm thick with rims that are rounded off; its outline, once around.
+std::vector<Eigen::Vector2d> roundedOff(int rimPoints) {
+    constexpr double kRadius = 100, kHeight = 400, kHalf = 1.5;
+    std::vector<Eigen::Vector2d> outline;
+    const auto addRim = [&](double height, double sign) {
+        for (int i = 1; i <= rimPoints; ++i) {
+            const double turn = std::numbers::pi * i / (rimPoints + 1);
+            outline.emplace_back(kRadius - kHalf + sign * kHalf * std::cos(turn),
+                                 height + sign * kHalf * std::sin(turn));
+        }
+    };
+    for (int i = 0; i <= 40; ++i) {
+        outline.emplace_back(kRadius, kHeight * i / 40);
+    }
+    addRim(kHeight, 1);
+    for (int i = 0; i <= 31; ++i) {
+        outline.emplace_back(kRadius - 2 * kHalf, kHeight * (31 - i) / 31);
+    }
+    addRim(0, -1);
+    outline.push_back(outline.front());
+    return outline;
+}
+
+TEST(FindShell, StandsRimsThatAreRoundedOff) {
+    for (const int rimPoints : {0, 1, 2, 3, 6}) {
+        const PolygonSoup soup = revolved(roundedOff(rimPoints), 60);
+        const FileSurface surface = surfaceOf(soup, 1);
+        const auto shell = findShell(surface, Progress());
+        ASSERT_TRUE(shell) << rimPoints;
+        for (std::size_t t = 0; t < shell->side.size(); ++t) {
+            const int row = surface.face[t] / 60;
+            if (row < 40) {
+                ASSERT_EQ(shell->side[t], ShellSide::Outer) << rimPoints << ", row " << row;
+            } else if (row > 40 + rimPoints && row < 72 + rimPoints) {
+                ASSERT_EQ(shell->side[t], ShellSide::Inner) << rimPoints << ", row " << row;
+            }
+        }
+    }
+}
+
+TEST(FindShell, DoesNotMindTheOrderOfTheFile) {
+    const MeshArrays mesh = surfaceOf(thickened(tubeSheet()), 1).mesh;
+    const Renumbered other = renumber(mesh, 7);
+    const auto shell = shellOf(asSoup(mesh)), same = shellOf(asSoup(other.mesh));
+    ASSERT_TRUE(shell && same);
+    for (const ShellSide side : {ShellSide::Outer, ShellSide::Inner, ShellSide::Rim}) {
+        EXPECT_EQ(std::count(shell->side.begin(), shell->side.end(), side),
+                  std::count(same->side.begin(), same->side.end(), side));
+    }
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+        const int partner = shell->partner[static_cast<std::size_t>(v)];
+        ASSERT_EQ(same->partner[other.newIndex[v]], other.newIndex[partner]);
+    }
+}
+
 TEST(FindShell, BearsFacesThatAreMissing) {
     const PolygonSoup sheet = tubeSheet();
     const PolygonSoup whole = thickened(sheet);
@@ -244,19 +300,58 @@ TEST(FindShell, BearsFacesThatAreMissing) {
     EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Inner).faceCount(), count - 1);
 }
 
-TEST(FindShell, KeepsASheetThatLiesBesideIt) {
-    PolygonSoup soup = thickened(tubeSheet());
+/// Both in one file; neither has a map or names.
+PolygonSoup together(PolygonSoup soup, const PolygonSoup& other) {
     const int vertices = static_cast<int>(soup.positions.size());
-    const PolygonSoup pocket = asSoup(planeGrid(10, 10, 20));
-    for (const Eigen::Vector3d& position : pocket.positions) {
-        soup.positions.emplace_back(position + Eigen::Vector3d(0, 0, 300));
-    }
-    for (int face = 0; face < pocket.faceCount(); ++face) {
-        for (int k = 0; k < 3; ++k) {
-            soup.corners.push_back(pocket.corners[pocket.faceStart[face] + k] + vertices);
+    soup.positions.insert(soup.positions.end(), other.positions.begin(), other.positions.end());
+    for (int face = 0; face < other.faceCount(); ++face) {
+        for (int corner = other.faceStart[face]; corner < other.faceStart[face + 1]; ++corner) {
+            soup.corners.push_back(other.corners[corner] + vertices);
         }
         soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
     }
+    return soup;
+}
+
+PolygonSoup wide(PolygonSoup soup, double times) {
+    for (Eigen::Vector3d& position : soup.positions) {
+        position = position.cwiseProduct(Eigen::Vector3d(times, 1, times));
+    }
+    return soup;
+}
+
+TEST(FindShell, TakesALiningThatIsThickForAnotherShell) {
+    const PolygonSoup sheet = wide(tubeSheet(), 2), lining = wide(tubeSheet(), 1.9);
+    const PolygonSoup soup = together(thickened(sheet), thickened(lining));
+    const FileSurface surface = surfaceOf(soup, 1);
+    const auto shell = findShell(surface, Progress());
+    ASSERT_TRUE(shell);
+    const PolygonSoup outer = sheetOf(soup, surface, *shell, ShellSurface::Outer);
+    ASSERT_EQ(outer.faceCount(), 2 * sheet.faceCount());
+    for (std::size_t corner = 0; corner < lining.corners.size(); ++corner) {
+        ASSERT_EQ(outer.positions[outer.corners[sheet.corners.size() + corner]],
+                  lining.positions[lining.corners[corner]]);
+    }
+}
+
+TEST(FindShell, KeepsALiningThatIsASheet) {
+    const PolygonSoup sheet = wide(tubeSheet(), 2), lining = wide(tubeSheet(), 1.9);
+    for (const PolygonSoup& inside : {lining, turnedFrom(lining, 0)}) {
+        const PolygonSoup soup = together(thickened(sheet), inside);
+        const auto shell = shellOf(soup);
+        ASSERT_TRUE(shell);
+        EXPECT_EQ(std::count(shell->side.begin(), shell->side.end(), ShellSide::Single),
+                  lining.faceCount());
+        EXPECT_EQ(shell->side.back(), ShellSide::Single);
+    }
+}
+
+TEST(FindShell, KeepsASheetThatLiesBesideIt) {
+    PolygonSoup pocket = asSoup(planeGrid(10, 10, 20));
+    for (Eigen::Vector3d& position : pocket.positions) {
+        position.z() += 300;
+    }
+    const PolygonSoup soup = together(thickened(tubeSheet()), pocket);
     const FileSurface surface = surfaceOf(soup, 1);
     const auto shell = findShell(surface, Progress());
     ASSERT_TRUE(shell);
