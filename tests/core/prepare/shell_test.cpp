@@ -2,22 +2,15 @@
 #include "core/prepare/shell.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <functional>
 #include <numbers>
 #include <optional>
-#include <ostream>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "tests/core/prepare/thick_shapes.h"
 #include "tests/core/support/shapes.h"
-#include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
@@ -26,29 +19,6 @@ using namespace test;
 
 std::optional<Shell> shellOf(const PolygonSoup& soup, double millimetres = 1) {
     return findShell(surfaceOf(soup, millimetres), Progress());
-}
-
-PolygonSoup read(const std::filesystem::path& path) {
-    Progress progress;
-    return *readSoup(path, progress);
-}
-
-PolygonSoup sample() {
-    return read(sourceFile("resources/samples/tshirt.obj"));
-}
-
-PolygonSoup tubeSheet() {
-    return asSoup(tube(48, 20));
-}
-
-PolygonSoup withoutFaces(const PolygonSoup& soup, const std::vector<int>& gone) {
-    std::vector<int> kept;
-    for (int face = 0; face < soup.faceCount(); ++face) {
-        if (std::find(gone.begin(), gone.end(), face) == gone.end()) {
-            kept.push_back(face);
-        }
-    }
-    return withFaces(soup, kept);
 }
 
 /// Runs every face the other way, those from `first` on.
@@ -60,120 +30,16 @@ PolygonSoup turnedFrom(PolygonSoup soup, int first) {
     return soup;
 }
 
-double waves(const Eigen::Vector3d& position) {
-    return 1.5 * (1 + 0.2 * std::sin(position.y() / 60) * std::cos(position.x() / 80));
-}
-
-double collarAndBody(const Eigen::Vector3d& position) {
-    return position.y() > 300 ? 3.0 : 1.0;
-}
-
-/// A skirt of quads whose hem is folded in, 4 mm from it.
-PolygonSoup hemmed() {
-    std::vector<Eigen::Vector2d> profile;
-    for (int i = 0; i < 20; ++i) {
-        profile.emplace_back(96, 60 - 3 * i);
-    }
-    for (const auto& [radius, height] : {std::pair(96.7, 1.5), {98.0, 0.7}, {99.3, 1.5}}) {
-        profile.emplace_back(radius, height);
-    }
-    for (int i = 0; i < 40; ++i) {
-        profile.emplace_back(100, 3 + 10 * i);
-    }
-    return revolved(profile, 60);
-}
-
-struct ThickCase {
-    const char* name;
-    std::function<PolygonSoup()> sheet;
-    std::function<PolygonSoup(const PolygonSoup&)> thicken;
-};
-
-std::ostream& operator<<(std::ostream& out, const ThickCase& one) {
-    return out << one.name;
-}
-
-class ThickCopy : public testing::TestWithParam<ThickCase> {};
-
-/// The outer surface is the sheet that was thickened, face by face, names and map included.
-TEST_P(ThickCopy, GivesTheSheetBack) {
-    const PolygonSoup sheet = GetParam().sheet();
-    const PolygonSoup soup = GetParam().thicken(sheet);
-    const FileSurface surface = surfaceOf(soup, 1);
-    const std::optional<Shell> shell = findShell(surface, Progress());
-    ASSERT_TRUE(shell);
-    EXPECT_GT(shell->pairedShare, 0.95);
-    const int count = sheet.faceCount();
-    for (std::size_t t = 0; t < shell->side.size(); ++t) {
-        const int face = surface.face[t];
-        const ShellSide expected = face < count       ? ShellSide::Outer
-                                   : face < 2 * count ? ShellSide::Inner
-                                                      : ShellSide::Rim;
-        ASSERT_EQ(shell->side[t], expected) << "face " << face << " of " << count;
-    }
-    const PolygonSoup outer = sheetOf(soup, surface, *shell, ShellSurface::Outer);
-    EXPECT_EQ(outer.faceCount(), count);
-    EXPECT_EQ(outer.cornerUvs, sheet.cornerUvs);
-    EXPECT_EQ(outer.faceObject, sheet.faceObject);
-    for (std::size_t corner = 0; corner < sheet.corners.size(); ++corner) {
-        ASSERT_EQ(outer.positions[outer.corners[corner]], sheet.positions[sheet.corners[corner]]);
-    }
-    // The inner one is seen from outside too: turned, it is the same sheet.
-    const PolygonSoup inner = sheetOf(soup, surface, *shell, ShellSurface::Inner);
-    ASSERT_EQ(inner.corners.size(), sheet.corners.size());
-    EXPECT_EQ(inner.cornerUvs, sheet.cornerUvs);
-    for (std::size_t corner = 0; corner < sheet.corners.size(); ++corner) {
-        ASSERT_LT((inner.positions[inner.corners[corner]] - outer.positions[outer.corners[corner]])
-                      .norm(),
-                  3.7);
-    }
-    const LeftOut left = leftOut(surface, *shell, ShellSurface::Outer);
-    EXPECT_EQ(std::ssize(left.other), count);
-    EXPECT_EQ(std::ssize(left.rims), soup.faceCount() - 2 * count);
-}
-
-PolygonSoup plainly(const PolygonSoup& sheet) {
-    return thickened(sheet);
-}
-
-PolygonSoup shirt() {
-    return withMap(sample());
-}
-
-PolygonSoup weldedShirt() {
-    return weldedSoup(withMap(sample()));
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Shapes, ThickCopy,
-    testing::Values(
-        ThickCase{"tube", tubeSheet, plainly},
-        ThickCase{"panel", [] { return asSoup(bentPanel(20)); }, plainly},
-        ThickCase{"shirt_panel_by_panel", shirt, plainly},
-        ThickCase{"shirt_welded", weldedShirt, plainly},
-        ThickCase{"without_rims", tubeSheet,
-                  [](const auto& sheet) { return thickened(sheet, {.rims = false}); }},
-        ThickCase{"thickness_varies", weldedShirt,
-                  [](const auto& sheet) { return thickened(sheet, {.thickness = waves}); }},
-        ThickCase{"two_thicknesses", tubeSheet,
-                  [](const auto& sheet) { return thickened(sheet, {.thickness = collarAndBody}); }},
-        ThickCase{"loose_triangles", tubeSheet,
-                  [](const auto& sheet) { return looseSoup(thickened(sheet)); }},
-        ThickCase{"hem_folded_in", hemmed, plainly},
-        ThickCase{"hole_through_both",
-                  [] {
-                      return withoutFaces(tubeSheet(), {300, 301});
-                  },
-                  [](const auto& sheet) { return thickened(sheet, {.rims = false}); }}),
-    [](const auto& given) { return given.param.name; });
-
 TEST(FindShell, SaysHowThick) {
     const auto one = shellOf(thickened(tubeSheet()));
     ASSERT_TRUE(one);
     EXPECT_NEAR(one->median, 1.5, 0.01);
     EXPECT_NEAR(one->thinnest, 1.5, 0.01);
     EXPECT_NEAR(one->thickest, 1.5, 0.01);
-    const auto two = shellOf(thickened(tubeSheet(), {.thickness = collarAndBody}));
+    const auto collar = [](const Eigen::Vector3d& position) {
+        return position.y() > 300 ? 3.0 : 1.0;
+    };
+    const auto two = shellOf(thickened(tubeSheet(), {.thickness = collar}));
     ASSERT_TRUE(two);
     EXPECT_NEAR(two->thinnest, 1, 0.01);
     EXPECT_NEAR(two->thickest, 3, 0.02);
@@ -220,7 +86,8 @@ TEST(FindShell, FollowsSurfacesThatAreDividedDifferently) {
 }
 
 TEST(FindShell, FollowsAnInnerSurfaceThatIsFiner) {
-    for (const PolygonSoup& sheet : {tubeSheet(), asSoup(bentPanel(20)), weldedSoup(sample())}) {
+    for (const PolygonSoup& sheet :
+         {tubeSheet(), asSoup(bentPanel(20)), weldedSoup(shirtSample())}) {
         const int count = sheet.faceCount();
         const PolygonSoup soup = withDivided(thickened(sheet), count, 2 * count);
         const FileSurface surface = surfaceOf(soup, 1);
@@ -360,38 +227,6 @@ TEST(FindShell, KeepsASheetThatLiesBesideIt) {
     EXPECT_EQ(shell->side[surface.face.size() - 1], ShellSide::Single);
     EXPECT_EQ(sheetOf(soup, surface, *shell, ShellSurface::Inner).faceCount(),
               tubeSheet().faceCount() + pocket.faceCount());
-}
-
-TEST(SheetOf, TheMiddleLiesHalfTheWay) {
-    const PolygonSoup sheet = tubeSheet();
-    for (const PolygonSoup& soup : {thickened(sheet), looseSoup(thickened(sheet))}) {
-        const FileSurface surface = surfaceOf(soup, 10);  // the soup's own unit is kept
-        const auto shell = findShell(surface, Progress());
-        ASSERT_TRUE(shell);
-        const PolygonSoup middle = sheetOf(soup, surface, *shell, ShellSurface::Middle);
-        for (const int corner : middle.corners) {
-            ASSERT_NEAR(middle.positions[corner].cwiseProduct(Eigen::Vector3d(1, 0, 1)).norm(),
-                        50 - 0.75, 1e-3);
-        }
-        // What was closed stays so.
-        std::set<std::array<double, 3>> places;
-        for (const int corner : middle.corners) {
-            const Eigen::Vector3d& at = middle.positions[corner];
-            places.insert({at.x(), at.y(), at.z()});
-        }
-        EXPECT_EQ(places.size(), sheet.positions.size());
-    }
-}
-
-TEST(SheetOf, TheMiddleOfSurfacesDividedDifferently) {
-    const PolygonSoup soup = tubeInTube(100, 90, 98, 61);
-    const FileSurface surface = surfaceOf(soup, 1);
-    const auto shell = findShell(surface, Progress());
-    ASSERT_TRUE(shell);
-    const PolygonSoup middle = sheetOf(soup, surface, *shell, ShellSurface::Middle);
-    for (const int corner : middle.corners) {
-        ASSERT_NEAR(middle.positions[corner].head<2>().norm(), 99, 0.1);
-    }
 }
 
 }  // namespace

@@ -9,6 +9,9 @@
 #include <utility>
 
 #include "core/geometry/point_index.h"
+#include "core/prepare/file_surface.h"
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
 
 namespace toile::test {
 
@@ -37,6 +40,15 @@ std::vector<Eigen::Vector3d> normalsOf(const PolygonSoup& soup) {
 }
 
 }  // namespace
+
+PolygonSoup tubeSheet() {
+    return asSoup(tube(48, 20));
+}
+
+PolygonSoup shirtSample() {
+    Progress progress;
+    return *readSoup(sourceFile("resources/samples/tshirt.obj"), progress);
+}
 
 PolygonSoup asSoup(const MeshArrays& mesh) {
     PolygonSoup soup;
@@ -71,6 +83,16 @@ PolygonSoup weldedSoup(PolygonSoup soup) {
     soup.positions = std::move(places);
     soup.positionText.clear();
     return soup;
+}
+
+PolygonSoup withoutFaces(const PolygonSoup& soup, const std::vector<int>& gone) {
+    std::vector<int> kept;
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        if (std::find(gone.begin(), gone.end(), face) == gone.end()) {
+            kept.push_back(face);
+        }
+    }
+    return withFaces(soup, kept);
 }
 
 PolygonSoup looseSoup(const PolygonSoup& soup) {

@@ -9,6 +9,12 @@
 
 namespace toile::test {
 
+/// A tube of 100 mm across and 400 mm long.
+PolygonSoup tubeSheet();
+
+/// The T-shirt of our samples: panels that share no vertices.
+PolygonSoup shirtSample();
+
 /// Triangles as a file has them, without names or map.
 PolygonSoup asSoup(const MeshArrays& mesh);
 
@@ -17,6 +23,9 @@ PolygonSoup withMap(PolygonSoup soup);
 
 /// Equal positions become one, as in a file that a program has welded; the map stays.
 PolygonSoup weldedSoup(PolygonSoup soup);
+
+/// All faces but these.
+PolygonSoup withoutFaces(const PolygonSoup& soup, const std::vector<int>& gone);
 
 /// Every corner gets a position of its own, as in a file that repeats them.
 PolygonSoup looseSoup(const PolygonSoup& soup);
