@@ -65,7 +65,7 @@ std::optional<Shell> findShell(const FileSurface& surface, const Progress& progr
     for (std::size_t t = 0; t < count; ++t) {
         const double area = welded.area[static_cast<Eigen::Index>(t)];
         const bool isOuter = shell.side[t] == ShellSide::Outer;
-        if (!isOuter && shell.side[t] != ShellSide::Inner) {
+        if (!shell::isSide(shell.side[t])) {
             continue;
         }
         both += area;
@@ -88,9 +88,18 @@ std::optional<Shell> findShell(const FileSurface& surface, const Progress& progr
     if (shell.median > kThickestOfSize * std::sqrt(outer)) {
         return std::nullopt;
     }
+    std::vector<char> isOnSide(target.size(), 0);
+    for (std::size_t t = 0; t < count; ++t) {
+        for (const int v : welded.mesh.F.row(static_cast<Eigen::Index>(t))) {
+            isOnSide[v] |= shell::isSide(shell.side[t]) ? 1 : 0;
+        }
+    }
     shell.partner.assign(target.size(), -1);
     for (std::size_t v = 0; v < target.size(); ++v) {
-        shell.partner[v] = pairs->partner[target[v]];
+        const int partner = pairs->partner[target[v]];
+        if (partner >= 0 && isOnSide[target[v]] != 0 && isOnSide[partner] != 0) {
+            shell.partner[v] = partner;
+        }
     }
     return shell;
 }

@@ -2,7 +2,6 @@
 #include "core/prepare/shell_pairs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -76,6 +75,58 @@ Eigen::Vector3d wayToPartners(const MeshArrays& mesh, int triangle,
     return sum.transpose() / 3;
 }
 
+/// How two surfaces lie to each other.
+struct Reach {
+    Facing facing = Facing::Apart;
+    double nearest = 0, farthest = 0;  ///< distances at which one is looked for, mm
+    Sample sample;
+};
+
+/// None where a sample says that it is no shell.
+std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Progress& progress) {
+    Reach reach;
+    reach.farthest = std::min(kThickest, kThickestOfSize * std::sqrt(surface.area.sum()));
+    double area = 0, all = 0;
+    for (const Facing facing : {Facing::Apart, Facing::Towards, Facing::Alike}) {
+        const Sample first = sampleOf(surface, rays, facing, reach.farthest, kFirstSample);
+        all = first.all;
+        if (first.area > area) {
+            area = first.area;
+            reach.facing = facing;
+        }
+    }
+    if (area == 0 || area < kFirstShare * all || progress.isCancelled()) {
+        return std::nullopt;
+    }
+    Sample& sample = reach.sample;
+    sample = sampleOf(surface, rays, reach.facing, reach.farthest, kSample);
+    const double share = shareInTwoSpans(sample.distances);  // they are sorted now
+    if (sample.area == 0 || share * sample.area < kLeastShare * sample.all) {
+        return std::nullopt;
+    }
+    const std::size_t count = sample.distances.size();
+    reach.farthest =
+        std::min(reach.farthest, kBeyondSample * sample.distances[count * 9 / 10].first);
+    reach.nearest = sample.distances[count / 10].first / kBeyondSample;
+    return reach;
+}
+
+/// Where there are copies, these are what lies opposite, and what leads to them is a rim.
+void takeCopies(const Surface& surface, const Copies& copies, Pairs& pairs) {
+    for (int t = 0; t < std::ssize(pairs.opposite); ++t) {
+        if (copies.isPaired(t)) {
+            pairs.opposite[t] = copies.mateOf(t);
+            pairs.across.row(t) = wayToPartners(surface.mesh, t, pairs.partner);
+        } else if (copies.isRim(t)) {
+            pairs.isRim[t] = 1;
+            pairs.opposite[t] = -1;
+        }
+        if (pairs.opposite[t] >= 0) {
+            pairs.thickness[t] = std::abs(pairs.across.row(t).dot(surface.normal.row(t)));
+        }
+    }
+}
+
 }  // namespace
 
 Surface surfaceWith(MeshArrays mesh, std::vector<int> face) {
@@ -119,72 +170,40 @@ double shareInTwoSpans(std::vector<std::pair<double, double>>& valueAndWeight) {
 }
 
 std::optional<Pairs> findPairs(const Surface& surface, const Progress& progress) {
-    const MeshArrays& mesh = surface.mesh;
     const Rays rays(surface);
-    const double size = std::sqrt(surface.area.sum());
-    double farthest = std::min(kThickest, kThickestOfSize * size);
-    Sample first;
-    Facing facing = Facing::Apart;
-    for (int i = 0; i < kFacings; ++i) {
-        Sample other = sampleOf(surface, rays, static_cast<Facing>(i), farthest, kFirstSample);
-        if (other.area > first.area) {
-            first = std::move(other);
-            facing = static_cast<Facing>(i);
-        }
-    }
-    if (!(first.area > 0 && first.area >= kFirstShare * first.all) || progress.isCancelled()) {
+    std::optional<Reach> reach = reachOf(surface, rays, progress);
+    if (!reach) {
         return std::nullopt;
     }
-    Sample sample = sampleOf(surface, rays, facing, farthest, kSample);
-    if (!(sample.area > 0 &&
-          shareInTwoSpans(sample.distances) * sample.area >= kLeastShare * sample.all)) {
-        return std::nullopt;
-    }
-    const std::size_t most = sample.distances.size() * 9 / 10;
-    farthest = std::min(farthest, kBeyondSample * sample.distances[most].first);
-    const double nearest = sample.distances[sample.distances.size() / 10].first / kBeyondSample;
-
-    Copies copies(surface, facing, farthest);
-    for (const Copies::Seed& seed : seedsOf(copies, sample)) {
+    Copies copies(surface, reach->facing, reach->farthest);
+    for (const Copies::Seed& seed : seedsOf(copies, reach->sample)) {
         copies.follow(seed);
     }
-    const std::vector<int>& partner = copies.partners();
-    const int count = static_cast<int>(mesh.F.rows());
-    Pairs pairs;
-    pairs.opposite.assign(static_cast<std::size_t>(count), -1);
-    pairs.isRim.assign(static_cast<std::size_t>(count), 0);
-    pairs.thickness.assign(static_cast<std::size_t>(count), 0);
-    pairs.across = Points3::Zero(count, 3);
-    for (int t = 0; t < count; ++t) {
+    const auto count = static_cast<std::size_t>(surface.mesh.F.rows());
+    Pairs pairs{.partner = {},
+                .opposite = std::vector(count, -1),
+                .isRim = std::vector<char>(count, 0),
+                .across = Points3::Zero(surface.mesh.F.rows(), 3),
+                .thickness = std::vector(count, 0.0)};
+    for (int t = 0; t < std::ssize(pairs.opposite); ++t) {
         if (t % kRaysPerCancelCheck == 0 && progress.isCancelled()) {
             return std::nullopt;
         }
         if (copies.isPaired(t) || copies.isRim(t)) {
             continue;
         }
-        const Meeting met = rays.opposite(t, facing, farthest);
+        const Meeting met = rays.opposite(t, reach->facing, reach->farthest);
         const Copies::Seed seed = copies.seedOf(t, met);
         if (seed.slant <= kBelievedSlant) {
             copies.follow(seed);
         }
-        if (met.triangle >= 0 && met.way.norm() >= nearest) {
+        if (met.triangle >= 0 && met.way.norm() >= reach->nearest) {
             pairs.opposite[t] = met.triangle;
             pairs.across.row(t) = met.way;
         }
     }
-    for (int t = 0; t < count; ++t) {
-        if (copies.isPaired(t)) {
-            pairs.opposite[t] = copies.mateOf(t);
-            pairs.across.row(t) = wayToPartners(mesh, t, partner);
-        } else if (copies.isRim(t)) {
-            pairs.isRim[t] = 1;
-            pairs.opposite[t] = -1;
-        }
-        if (pairs.opposite[t] >= 0) {
-            pairs.thickness[t] = std::abs(pairs.across.row(t).dot(surface.normal.row(t)));
-        }
-    }
-    pairs.partner = partner;
+    pairs.partner = copies.partners();
+    takeCopies(surface, copies, pairs);
     return pairs;
 }
 

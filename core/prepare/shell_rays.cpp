@@ -43,8 +43,10 @@ Rays::Rays(const Surface& surface)
       same_(1e-7 * std::sqrt(surface.area.sum())) {}
 
 Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const {
-    const auto& [V, F] = surface_.mesh;
-    const auto corner = [&](int t, int k) -> Eigen::Vector3d { return V.row(F(t, k)); };
+    const MeshArrays& mesh = surface_.mesh;
+    const auto corner = [&mesh](int t, int k) -> Eigen::Vector3d {
+        return mesh.V.row(mesh.F(t, k));
+    };
     const Eigen::Vector3d origin =
         (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
     const Eigen::Vector3d inverse = direction.cwiseInverse();

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
-
 #include "core/geometry/triangle_tree.h"
 #include "core/prepare/shell_pairs.h"
 
@@ -14,8 +12,6 @@ enum class Facing {
     Towards,  ///< a solid inside out
     Alike,    ///< a copy that looks the same way
 };
-
-inline constexpr int kFacings = 3;
 
 /// What a ray meets.
 struct Meeting {

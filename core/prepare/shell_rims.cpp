@@ -31,10 +31,6 @@ struct Edging {
     bool isShells() const { return shared <= kMostShared * all; }
 };
 
-bool isSide(ShellSide side) {
-    return side == ShellSide::Outer || side == ShellSide::Inner;
-}
-
 std::size_t numberOf(ShellSide side) {
     return static_cast<std::size_t>(side);
 }

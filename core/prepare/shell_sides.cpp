@@ -85,7 +85,7 @@ Sides findSides(const Surface& surface, const Pairs& pairs) {
         }
         const auto [root, isFlipped] = sets.find(t);
         const auto opposite = sets.find(pairs.opposite[t]);
-        const auto side = static_cast<std::size_t>(isFlipped);
+        const std::size_t side = isFlipped ? 1 : 0;
         const double area = surface.area[t];
         const Eigen::Vector3d across = pairs.across.row(t).normalized();
         Sums& shell = sums[root];
@@ -104,10 +104,10 @@ Sides findSides(const Surface& surface, const Pairs& pairs) {
         if (pairs.opposite[t] < 0 || !shell.isShell()) {
             continue;
         }
-        const bool isOuter = (shell.outwards >= 0) == (isFlipped == 0);
-        const double facing = shell.facing[static_cast<std::size_t>(isFlipped)];
+        const bool isOuter = (shell.outwards >= 0) == !isFlipped;
+        const double facing = shell.facing[isFlipped ? 1 : 0];
         sides.side[t] = isOuter ? ShellSide::Outer : ShellSide::Inner;
-        sides.turned[t] = static_cast<char>(isOuter ? facing > 0 : facing < 0);
+        sides.turned[t] = (isOuter ? facing > 0 : facing < 0) ? 1 : 0;
         area += surface.area[t];
         volume += surface.area[t] * pairs.thickness[t];
     }

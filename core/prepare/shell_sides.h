@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "core/prepare/shell.h"
@@ -14,6 +13,11 @@ struct Sides {
     std::vector<ShellSide> side;  ///< per triangle
     std::vector<char> turned;     ///< per triangle: runs clockwise, seen from outside
 };
+
+/// Whether it is one of the two surfaces.
+inline bool isSide(ShellSide side) {
+    return side == ShellSide::Outer || side == ShellSide::Inner;
+}
 
 /// Parts the triangles into the two surfaces: what joins smoothly is one surface, what lies
 /// opposite the other. Where both are said of the same triangles they are no shell's, and single.

@@ -18,21 +18,21 @@ public:
 
     struct Place {
         int root;
-        char isFlipped;  ///< on the other side than the root
+        bool isFlipped;  ///< on the other side than the root
     };
 
     Place find(int x) {
         int root = x;
-        char isFlipped = 0;
+        bool isFlipped = false;
         while (parent_[root] != root) {
-            isFlipped ^= flipped_[root];
+            isFlipped ^= flipped_[root] != 0;
             root = parent_[root];
         }
         const Place place{root, isFlipped};
         while (parent_[x] != root && x != root) {
             const int next = std::exchange(parent_[x], root);
-            const char step = std::exchange(flipped_[x], isFlipped);
-            isFlipped ^= step;
+            const char step = std::exchange(flipped_[x], isFlipped ? 1 : 0);
+            isFlipped ^= step != 0;
             x = next;
         }
         return place;
@@ -44,7 +44,7 @@ public:
         if (at.root != to.root) {
             const auto [low, high] = std::minmax(at.root, to.root);
             parent_[high] = low;
-            flipped_[high] = static_cast<char>(at.isFlipped ^ to.isFlipped ^ (areApart ? 1 : 0));
+            flipped_[high] = (at.isFlipped != to.isFlipped) != areApart ? 1 : 0;
         }
     }
 
