@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/smooth.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/geometry/buckets.h"
+#include "core/mesh/edge_table.h"
+#include "core/mesh/repair.h"
+
+namespace toile {
+namespace {
+
+constexpr int kDirectionPasses = 10;
+constexpr int kVertexPasses = 15;
+// Directions that differ by 20 degrees smooth each other by 0.6, those of a right angle not at all.
+constexpr double kFeature = 0.35;
+constexpr int kCancelCheck = 4096;  // a millisecond or so
+
+using Directions = Points3;  // unit vectors, of triangles or of rim edges
+
+double likeness(const Directions& N, int a, int b) {
+    return std::exp((N.row(a) - N.row(b)).squaredNorm() / (-2 * kFeature * kFeature));
+}
+
+/// A vertex on the rim, and the rim's edges before and behind it: each is named by its tail.
+struct RimVertex {
+    int before = -1;
+    int after = -1;
+};
+
+/// Rims as lines in space: what normals are to a surface, directions are to these.
+class RimLines {
+public:
+    RimLines(const MeshArrays& mesh, const EdgeTable& table)
+        : at_(static_cast<std::size_t>(mesh.V.rows())), direction_(mesh.V.rows(), 3) {
+        direction_.setZero();
+        length_.setZero(mesh.V.rows());
+        for (int e = 0; e < table.edges.rows(); ++e) {
+            if (table.isBorder(e)) {
+                const int side = table.usesOf(e).front();
+                const int tail = tailOf(mesh.F, side), head = headOf(mesh.F, side);
+                at_[tail].after = head;
+                at_[head].before = tail;
+                length_[tail] = (mesh.V.row(head) - mesh.V.row(tail)).norm();
+                direction_.row(tail) = (mesh.V.row(head) - mesh.V.row(tail)).normalized();
+                vertices_.push_back(tail);
+            }
+        }
+    }
+
+    bool has(int vertex) const { return at_[vertex].after >= 0; }
+
+    void filter() {
+        Directions filtered = direction_;
+        for (const int v : vertices_) {
+            Eigen::RowVector3d sum = length_[v] * direction_.row(v);
+            for (const int other : {at_[v].before, at_[v].after}) {
+                sum += length_[other] * likeness(direction_, v, other) * direction_.row(other);
+            }
+            filtered.row(v) = sum.normalized();
+        }
+        direction_ = std::move(filtered);
+    }
+
+    /// Where a vertex lies across the lines of its two edges, in the middle.
+    Eigen::RowVector3d pull(const Points3& V, int v) const {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const auto& [edge, other] :
+             {std::pair(at_[v].before, at_[v].before), std::pair(v, at_[v].after)}) {
+            const Eigen::RowVector3d way = (V.row(other) - V.row(v)) / 2;
+            sum += way - way.dot(direction_.row(edge)) * direction_.row(edge);
+        }
+        return sum / 2;
+    }
+
+private:
+    std::vector<int> vertices_;
+    std::vector<RimVertex> at_;
+    Directions direction_;  ///< per tail
+    Eigen::VectorXd length_;
+};
+
+class Smoother {
+public:
+    Smoother(const MeshArrays& mesh, double strength, const Progress& progress)
+        : mesh_(mesh),
+          strength_(strength),
+          progress_(progress),
+          rims_(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()))),
+          around_(static_cast<int>(mesh.V.rows()),
+                  [&mesh](auto&& add) {
+                      for (int f = 0; f < mesh.F.rows(); ++f) {
+                          for (int k = 0; k < 3; ++k) {
+                              add(mesh.F(f, k), f);
+                          }
+                      }
+                  }),
+          normal_(mesh.F.rows(), 3),
+          area_(mesh.F.rows()) {
+        for (int f = 0; f < mesh.F.rows(); ++f) {
+            const Eigen::Vector3d doubled = doubleAreaNormal(mesh, f);
+            area_[f] = doubled.norm();
+            normal_.row(f) = doubled.transpose() / area_[f];
+        }
+    }
+
+    std::optional<Points3> run() {
+        for (int pass = 0; pass < kDirectionPasses; ++pass) {
+            if (!filterNormals()) {
+                return std::nullopt;
+            }
+            rims_.filter();
+            progress_.report(0.7 * (pass + 1) / kDirectionPasses);
+        }
+        Points3 V = mesh_.V;
+        for (int pass = 0; pass < kVertexPasses; ++pass) {
+            if (!moveVertices(V)) {
+                return std::nullopt;
+            }
+            progress_.report(0.7 + 0.25 * (pass + 1) / kVertexPasses);
+        }
+        while (takeBack(V)) {
+            if (progress_.isCancelled()) {
+                return std::nullopt;
+            }
+        }
+        return V;
+    }
+
+private:
+    bool cancelledAt(int item) const { return item % kCancelCheck == 0 && progress_.isCancelled(); }
+
+    bool filterNormals() {
+        Directions filtered(normal_.rows(), 3);
+        for (int f = 0; f < mesh_.F.rows(); ++f) {
+            if (cancelledAt(f)) {
+                return false;
+            }
+            Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+            for (int k = 0; k < 3; ++k) {  // across an edge a neighbour counts twice
+                for (const int other : around_[mesh_.F(f, k)]) {
+                    sum += area_[other] * likeness(normal_, f, other) * normal_.row(other);
+                }
+            }
+            filtered.row(f) = sum.normalized();
+        }
+        normal_ = std::move(filtered);
+        return true;
+    }
+
+    bool moveVertices(Points3& V) const {
+        Points3 moved = V;
+        for (int v = 0; v < V.rows(); ++v) {
+            if (cancelledAt(v)) {
+                return false;
+            }
+            Eigen::RowVector3d pull = Eigen::RowVector3d::Zero();
+            if (rims_.has(v)) {
+                pull = rims_.pull(V, v);
+            } else if (!around_[v].empty()) {
+                for (const int f : around_[v]) {
+                    const Eigen::RowVector3d middle =
+                        (V.row(mesh_.F(f, 0)) + V.row(mesh_.F(f, 1)) + V.row(mesh_.F(f, 2))) / 3;
+                    pull += normal_.row(f).dot(middle - V.row(v)) * normal_.row(f);
+                }
+                pull /= static_cast<double>(around_[v].size());
+            }
+            Eigen::RowVector3d way = V.row(v) + pull - mesh_.V.row(v);
+            const double length = way.norm();
+            if (length > strength_) {
+                way *= strength_ / length;
+            }
+            moved.row(v) = mesh_.V.row(v) + way;
+        }
+        V = std::move(moved);
+        return true;
+    }
+
+    /// Puts corners of triangles that have turned over or gone flat back; whether there were any.
+    bool takeBack(Points3& V) const {
+        const MeshArrays now{V, mesh_.F};
+        bool any = false;
+        for (int f = 0; f < mesh_.F.rows(); ++f) {
+            if (shapeOf(now, f).flat ||
+                doubleAreaNormal(now, f).dot(doubleAreaNormal(mesh_, f)) <= 0) {
+                for (int k = 0; k < 3; ++k) {
+                    const int v = mesh_.F(f, k);
+                    any = any || V.row(v) != mesh_.V.row(v);
+                    V.row(v) = mesh_.V.row(v);
+                }
+            }
+        }
+        return any;
+    }
+
+    const MeshArrays& mesh_;
+    double strength_;
+    const Progress& progress_;
+    RimLines rims_;
+    geometry::Buckets<> around_;  ///< triangles, per vertex
+    Directions normal_;           ///< per triangle
+    Eigen::VectorXd area_;        ///< per triangle, of the mesh as it was; doubled
+};
+
+}  // namespace
+
+Points3 smoothed(const MeshArrays& mesh, double strength, const Progress& progress) {
+    if (strength <= 0 || mesh.F.rows() == 0) {
+        return mesh.V;
+    }
+    return Smoother(mesh, strength, progress).run().value_or(mesh.V);
+}
+
+}  // namespace toile
