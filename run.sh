@@ -13,7 +13,7 @@ cd "$(dirname "$0")"
 
 packages=(
     g++ cmake ninja-build ccache
-    libeigen3-dev libopenmesh-dev libsuitesparse-dev
+    libeigen3-dev libopenmesh-dev libsuitesparse-dev libcgal-dev
     libopenblas-pthread-dev # by name: Debian's default BLAS is the slow reference one
     nlohmann-json3-dev libpugixml-dev libcli11-dev libxxhash-dev libpolyclipping-dev
     libfreetype-dev libharfbuzz-dev libfontconfig1-dev zlib1g-dev

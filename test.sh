@@ -34,7 +34,7 @@ case ${1:-} in
         ;;
     --nightly)
         ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" \
-            libbenchmark-dev libcgal-dev python3-ezdxf librsvg2-bin
+            libbenchmark-dev python3-ezdxf librsvg2-bin
         exec tests/nightly.sh
         ;;
     "") ;;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile {
@@ -24,6 +25,24 @@ struct Fragment {
 
     double size() const { return box.isEmpty() ? 0 : box.diagonal().norm(); }
 };
+
+/// Label of the part of each face that hangs together by shared edges, numbered by first face: what
+/// touches in a vertex alone is no one cloth.
+std::vector<int> edgeComponents(const MeshArrays& mesh) {
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    geometry::DisjointSets sets(static_cast<int>(mesh.F.rows()));
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        for (const int side : table.usesOf(e)) {
+            sets.join(table.usesOf(e).front() / 3, side / 3);
+        }
+    }
+    std::vector<int> label(static_cast<std::size_t>(mesh.F.rows()));
+    int count = 0;
+    for (int f = 0; f < mesh.F.rows(); ++f) {  // the root is the first face
+        label[f] = sets.root(f) == f ? count++ : label[sets.root(f)];
+    }
+    return label;
+}
 
 std::vector<Fragment> measured(const MeshArrays& mesh, const std::vector<int>& component) {
     std::vector<Fragment> fragments;
@@ -62,7 +81,7 @@ void keepKinds(std::vector<Fragment*>& small) {
 }  // namespace
 
 Debris findDebris(const MeshArrays& mesh) {
-    const std::vector<int> component = faceComponents(mesh.F, static_cast<int>(mesh.V.rows()));
+    const std::vector<int> component = edgeComponents(mesh);
     std::vector<Fragment> fragments = measured(mesh, component);
     if (fragments.size() < 2) {
         return {};

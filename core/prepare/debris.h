@@ -14,7 +14,7 @@ struct Debris {
     double area = 0;  ///< mm2
 };
 
-/// Finds the fragments that no pattern piece could be: connected parts (by shared vertices) with
+/// Finds the fragments that no pattern piece could be: parts that hang together by edges, with
 /// less than a thousandth of the area of the largest and less than a fifth of its size. What a
 /// person may want stays: a belt or a cuff is larger, belt loops and buttons come as several of a
 /// kind, and where fragments are a good part of all cloth, they are cloth in pieces and no debris.

@@ -23,7 +23,7 @@ enum class ShellSurface { Outer, Inner, Middle };
 /// What is done with a scan; lengths in mm, 0: not done.
 struct ScanSteps {
     bool dropDebris = true;    ///< fragments that are small and no part of the garment
-    double largestHole = 150;  ///< perimeter up to which holes are closed
+    double largestHole = 300;  ///< perimeter up to which holes are closed
     double smoothing = 1;      ///< how far noise may move a point, features kept
     double edgeLength = 0;     ///< of the triangles that it is made anew of
 

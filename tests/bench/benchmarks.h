@@ -29,7 +29,7 @@ void registerResolve(const Scope& scope);     ///< resolveDart/panel/45000/curva
 void registerOutline(const Scope& scope);  ///< outline/isometric/200000, by vertices of the outline
 void registerAllowances(const Scope& scope);  ///< allowance/line/3000, by points of the outline
 void registerFairing(const Scope& scope);     ///< fair/line/1500, by millimetres of the outline
-void registerPeers(const Scope& scope);       ///< cgalLscm/panel/45000; nothing without CGAL
+void registerPeers(const Scope& scope);       ///< cgalLscm/panel/45000
 
 /// Single benchmarks of those families, for the guard.
 /// @param losers  with the candidates that never win at this size

@@ -50,9 +50,7 @@ int main(int argc, char** argv) {
     registerOutline(scope);
     registerFairing(scope);
     registerAllowances(scope);
-#ifdef TOILE_PEERS
     registerPeers(scope);
-#endif
     KeepingReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     std::printf("\n");

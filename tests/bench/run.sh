@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Measures speed and writes docs/performance.md with its plot from what this one run measured.
-# Needs libbenchmark-dev; libcgal-dev for the peers. Leave the machine alone meanwhile.
+# Needs libbenchmark-dev. Leave the machine alone meanwhile.
 #
 #   tests/bench/run.sh            everything; about twelve minutes on two cores
 #   tests/bench/run.sh --quick    up to 45 000 triangles, without most peers

@@ -3,18 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/core/support/shapes.h"
+#include "tests/core/prepare/scan_shapes.h"
 
 namespace toile {
 namespace {
 
-/// Puts the second beside the first, moved.
-MeshArrays beside(const MeshArrays& a, const MeshArrays& b, const Eigen::RowVector3d& way) {
-    MeshArrays both{Points3(a.V.rows() + b.V.rows(), 3), Triangles(a.F.rows() + b.F.rows(), 3)};
-    both.V << a.V, b.V.rowwise() + way;
-    both.F << a.F, b.F.array() + static_cast<int>(a.V.rows());
-    return both;
-}
+using test::beside;
 
 MeshArrays shirt() {
     return test::planeGrid(30, 30, 30);  // 900 mm square
