@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/weld.h"
 #include "core/prepare/debris.h"
@@ -57,6 +58,12 @@ public:
         part_ = std::move(result.part);
         effect_.repairs.insert(effect_.repairs.end(), result.repairs.begin(), result.repairs.end());
         hasChanged_ = hasChanged_ || !result.repairs.empty();
+    }
+
+    /// Whether holes, noise and triangles can be seen to.
+    bool isSurface() {
+        effect_.isSurface = isValidSurface(part_.mesh, edges());
+        return effect_.isSurface;
     }
 
     void closeHoles(double largest, const Progress& progress) {
@@ -150,38 +157,42 @@ Result<PreparedScan> prepareScan(const PolygonSoup& soup, double millimetres,
         progress.report(fraction);
         return progress.isCancelled();
     };
+    const Error cancelled{ErrorCode::Cancelled};
     if (steps.dropDebris) {
         scan.dropDebris();
     }
     if (isOver(0.1)) {
-        return Error{ErrorCode::Cancelled};
+        return cancelled;
     }
-    if (steps.largestHole > 0 || steps.smoothing > 0 || steps.edgeLength > 0) {
+    bool goesOn = steps.largestHole > 0 || steps.smoothing > 0 || steps.edgeLength > 0;
+    if (goesOn) {
         scan.makeSurface();
         if (steps.dropDebris) {
             scan.dropDebris();  // what hung on by an edge of three triangles
         }
+        goesOn = scan.isSurface();
     }
     if (isOver(0.2)) {
-        return Error{ErrorCode::Cancelled};
+        return cancelled;
     }
-    if (steps.largestHole > 0) {
+    if (goesOn && steps.largestHole > 0) {
         scan.closeHoles(steps.largestHole, Progress(progress, 0.2));
+        goesOn = scan.isSurface();
     }
     if (isOver(0.4)) {
-        return Error{ErrorCode::Cancelled};
+        return cancelled;
     }
-    if (steps.smoothing > 0) {
+    if (goesOn && steps.smoothing > 0) {
         scan.smooth(steps.smoothing, Progress(progress, 0.2));
     }
     if (isOver(0.6)) {
-        return Error{ErrorCode::Cancelled};
+        return cancelled;
     }
-    if (steps.edgeLength > 0) {
+    if (goesOn && steps.edgeLength > 0) {
         scan.remesh(steps.edgeLength, Progress(progress, 0.4));
     }
     if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled};
+        return cancelled;
     }
     PreparedScan prepared = std::move(scan).finish();
     progress.report(1);

@@ -15,6 +15,7 @@ struct ScanEffect {
     int fragments = 0;        ///< that went as debris
     double debrisArea = 0;    ///< mm2
     Problems repairs;         ///< that make an oriented manifold of the triangles; see `repair`
+    bool isSurface = true;    ///< false: one-sided, or flat beyond repair: then that was all
     int holes = 0;            ///< that were closed
     double patchArea = 0;     ///< mm2
     int openings = 0;         ///< rims that are left

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/scan.h"
 
+#include <filesystem>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
 #include "core/prepare/file_surface.h"
 #include "tests/core/prepare/scan_shapes.h"
@@ -146,6 +149,68 @@ TEST(Scan, NothingGivesNothing) {
     soup.corners = {0, 1, 2};
     soup.faceStart = {0, 3};
     EXPECT_EQ(prepared(soup, steps).soup.faceCount(), 0);
+}
+
+/// Whatever came, what comes is a file's soup: of numbers, and of names that there are.
+void expectSound(const PreparedScan& result) {
+    const PolygonSoup& soup = result.soup;
+    ASSERT_EQ(soup.faceStart.size(), static_cast<std::size_t>(soup.faceCount()) + 1);
+    ASSERT_EQ(soup.faceStart.back(), static_cast<int>(soup.corners.size()));
+    for (const int v : soup.corners) {
+        ASSERT_TRUE(v >= 0 && v < static_cast<int>(soup.positions.size()));
+        EXPECT_TRUE(soup.positions[static_cast<std::size_t>(v)].allFinite());
+    }
+    for (const auto* perFace : {&soup.faceObject, &soup.faceGroup, &soup.faceMaterial}) {
+        EXPECT_TRUE(perFace->empty() ||
+                    perFace->size() == static_cast<std::size_t>(soup.faceCount()));
+    }
+    EXPECT_TRUE(soup.cornerUvs.empty() || soup.cornerUvs.size() == soup.corners.size());
+    const MeshArrays sheet = surfaceOf(soup, 10).mesh;
+    EXPECT_EQ(isValidSurface(sheet, test::edgesOf(sheet)), result.effect.isSurface);
+}
+
+TEST(Scan, OfAnyFileIsSound) {
+    const auto folder = test::sharedFile("nasty");
+    TOILE_NEEDS_SHARED(folder);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        SCOPED_TRACE(entry.path().filename());
+        Progress progress;
+        const Result<PolygonSoup> soup = readSoup(entry.path(), progress);
+        if (!soup) {
+            continue;
+        }
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& position : soup->positions) {
+            if (position.allFinite()) {
+                box.extend(position);
+            }
+        }
+        const double size = 10 * box.diagonal().norm();
+        for (const double edge : {0.0, size / 40}) {
+            const PreparedScan result = prepared(*soup, {true, size, size / 1000, edge});
+            expectSound(result);
+            EXPECT_EQ(result.effect.isSurface, entry.path().filename() != "moebius.obj");
+        }
+    }
+}
+
+TEST(Scan, OfTrianglesAtRandomIsSound) {
+    std::mt19937 random(23);
+    for (int round = 0; round < 40; ++round) {
+        PolygonSoup soup;
+        for (int v = 0; v < 12; ++v) {  // many in one place, many in one line
+            soup.positions.emplace_back(random() % 3, random() % 3, random() % 2);
+        }
+        for (int f = 0; f < 30; ++f) {
+            for (int k = 0; k < 3; ++k) {
+                soup.corners.push_back(static_cast<int>(random() % 12));
+            }
+            soup.faceStart.push_back(3 * (f + 1));
+        }
+        for (const double edge : {0.0, 4.0}) {
+            expectSound(prepared(soup, {true, 100, 2, edge}));
+        }
+    }
 }
 
 TEST(Scan, OfTheDressIsOneSheetWithNeckAndHem) {
