@@ -2,6 +2,8 @@
 // The only file of the core that includes CGAL, and slow to compile: 30 seconds.
 #include "core/prepare/remesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iterator>
 #include <tuple>
@@ -33,6 +35,8 @@ using Vertex = Surface::Vertex_index;
 constexpr std::size_t kMostHoleEdges = 400;
 constexpr double kFarthestPatch = 0.25;  // of the perimeter, from the box around a hole
 constexpr double kRimLoss = 0.003;       // of length
+constexpr int kMostAround = 400;         // triangles at a vertex, whose third power CGAL takes
+constexpr double kMostTriangles = 5e6;
 constexpr int kRemeshings = 3;
 constexpr int kRelaxations = 2;
 
@@ -123,6 +127,24 @@ std::size_t closeHole(Surface& surface, const RimLoop& hole) {
     return faces.size();
 }
 
+/// Whether CGAL can make triangles anew in bounded time.
+bool isFeasible(const MeshArrays& mesh, const EdgeTable& table, double edgeLength) {
+    std::vector<int> around(static_cast<std::size_t>(mesh.V.rows()), 0);
+    double area = 0, divisions = 0;  // long thin triangles are divided often
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        area += doubleAreaNormal(mesh, f).norm() / 2;
+    }
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        const int a = table.edges(e, 0), b = table.edges(e, 1);
+        if (++around[a] > kMostAround || ++around[b] > kMostAround) {
+            return false;
+        }
+        divisions += (mesh.V.row(b) - mesh.V.row(a)).norm() / edgeLength;
+    }
+    const double equilateral = std::sqrt(3) / 4 * edgeLength * edgeLength;
+    return std::max(area / equilateral, divisions) < kMostTriangles;  // false for no number
+}
+
 struct Cancellation : std::exception {};
 
 /// Which vertices stay, as CGAL asks it; it asks so often that this is where to hear of a cancel.
@@ -190,13 +212,16 @@ PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> hole
 
 std::optional<MeshArrays> remeshed(const MeshArrays& mesh, double edgeLength,
                                    const Progress& progress) {
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    if (!isFeasible(mesh, table, edgeLength)) {
+        return std::nullopt;
+    }
     Surface surface = toSurface(mesh);
     if (static_cast<Eigen::Index>(surface.number_of_faces()) != mesh.F.rows()) {
         return std::nullopt;
     }
     KeptVertices kept{surface.add_property_map<Vertex, bool>("v:kept", false).first, &progress};
-    for (const RimLoop& rim :
-         rimsOf(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows())))) {
+    for (const RimLoop& rim : rimsOf(mesh, table)) {
         keepShape(mesh.V, rim, edgeLength, kept);
     }
     try {

@@ -30,7 +30,8 @@ PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> hole
 /// The surface anew of nearly equilateral triangles ([BK04]). Rims keep their corners, and their
 /// lengths to 0.3 %; edges along them may be shorter than wanted where they are crooked.
 /// @param edgeLength  mm, > 0
-/// @return none where it was cancelled or CGAL gave up; else mostly, but not for sure, a valid
+/// @return none where it was cancelled or CGAL gave up, where it would be millions of triangles, or
+///         where more than 400 meet in a vertex; else mostly, but not for sure, a valid
 ///         surface: see `repair`
 /// Cost: n log n, two seconds for 60 000 triangles. Pure.
 std::optional<MeshArrays> remeshed(const MeshArrays& mesh, double edgeLength,

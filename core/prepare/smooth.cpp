@@ -16,7 +16,8 @@ constexpr int kDirectionPasses = 10;
 constexpr int kVertexPasses = 15;
 // Directions that differ by 20 degrees smooth each other by 0.6, those of a right angle not at all.
 constexpr double kFeature = 0.35;
-constexpr int kCancelCheck = 4096;  // a millisecond or so
+constexpr std::size_t kLargestFan = 64;  // to which each triangle at a vertex looks
+constexpr int kCancelCheck = 4096;       // a millisecond or so
 
 using Directions = Points3;  // unit vectors, of triangles or of rim edges
 
@@ -140,11 +141,14 @@ private:
             }
             Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
             for (int k = 0; k < 3; ++k) {  // across an edge a neighbour counts twice
+                if (around_[mesh_.F(f, k)].size() > kLargestFan) {
+                    continue;  // the neighbours there are those at the other corners, too
+                }
                 for (const int other : around_[mesh_.F(f, k)]) {
                     sum += area_[other] * likeness(normal_, f, other) * normal_.row(other);
                 }
             }
-            filtered.row(f) = sum.normalized();
+            filtered.row(f) = sum.isZero(0) ? normal_.row(f) : sum.normalized();
         }
         normal_ = std::move(filtered);
         return true;

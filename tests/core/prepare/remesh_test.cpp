@@ -76,6 +76,19 @@ TEST(Remesh, CornersOfAnOutlineStay) {
     EXPECT_NEAR(test::perimeters(*fresh).at(0), 800, 1e-6);
 }
 
+TEST(Remesh, WhatWouldTakeForEverIsNotBegun) {
+    EXPECT_FALSE(remeshed(test::skirt(), 0.05, Progress()));
+    constexpr int kRim = 500;  // a disk, all of whose triangles meet in its middle
+    MeshArrays fan{Points3(kRim + 1, 3), Triangles(kRim, 3)};
+    fan.V.row(kRim).setZero();
+    for (int v = 0; v < kRim; ++v) {
+        const double angle = 2 * std::numbers::pi * v / kRim;
+        fan.V.row(v) << std::cos(angle), std::sin(angle), 0;
+        fan.F.row(v) << v, (v + 1) % kRim, kRim;
+    }
+    EXPECT_FALSE(remeshed(fan, 0.1, Progress()));
+}
+
 TEST(Remesh, ACancelIsHeard) {
     Progress progress;
     progress.cancel();
