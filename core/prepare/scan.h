@@ -40,7 +40,7 @@ struct PreparedScan {
 /// stays where no triangle is new. Remeshed, there are neither names nor map, and pieces are told
 /// apart by whether they hang together.
 /// @param millimetres  per unit of the file
-/// Errors: Cancelled, within 50 ms; but a patch of many edges runs out.
+/// Errors: Cancelled, heard between steps, and many times within smoothing and remeshing.
 /// Cost: n log n; a second for 60 000 triangles, two more where they are made anew. Same input,
 /// same output. Pure.
 Result<PreparedScan> prepareScan(const PolygonSoup& soup, double millimetres,

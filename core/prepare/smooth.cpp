@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/smooth.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -14,15 +15,45 @@ namespace {
 
 constexpr int kDirectionPasses = 10;
 constexpr int kVertexPasses = 15;
-// Directions that differ by 20 degrees smooth each other by 0.6, those of a right angle not at all.
-constexpr double kFeature = 0.35;
+// Directions that differ by this many times the noise smooth each other by 0.6, those of a feature
+// not at all; at most 20 degrees, so that right angles stay in whatever noise.
+constexpr double kFeaturePerNoise = 4;
+constexpr double kLargestFeature = 0.35;
 constexpr std::size_t kLargestFan = 64;  // to which each triangle at a vertex looks
 constexpr int kCancelCheck = 4096;       // a millisecond or so
 
 using Directions = Points3;  // unit vectors, of triangles or of rim edges
 
-double likeness(const Directions& N, int a, int b) {
-    return std::exp((N.row(a) - N.row(b)).squaredNorm() / (-2 * kFeature * kFeature));
+double likeness(const Directions& N, int a, int b, double feature) {
+    return std::exp((N.row(a) - N.row(b)).squaredNorm() / (-2 * feature * feature));
+}
+
+/// How noisy normals are: by how much each differs from the mean of its neighbours, which a surface
+/// that bends evenly does not; the median.
+double noiseOf(const Triangles& F, const EdgeTable& table, const Directions& normal) {
+    std::vector<double> differences;
+    for (int f = 0; f < F.rows(); ++f) {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        bool isInner = true;
+        for (int k = 0; k < 3; ++k) {
+            const int edge = table.faceEdges(f, k);
+            isInner = isInner && !table.isBorder(edge);
+            for (const int side : table.usesOf(edge)) {
+                if (side / 3 != f) {
+                    sum += normal.row(side / 3);
+                }
+            }
+        }
+        if (isInner) {
+            differences.push_back((normal.row(f) - sum.normalized()).norm());
+        }
+    }
+    if (differences.empty()) {
+        return kLargestFeature;
+    }
+    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+    std::ranges::nth_element(differences, middle);
+    return *middle;
 }
 
 /// A vertex on the rim, and the rim's edges before and behind it: each is named by its tail.
@@ -53,12 +84,13 @@ public:
 
     bool has(int vertex) const { return at_[vertex].after >= 0; }
 
-    void filter() {
+    void filter(double feature) {
         Directions filtered = direction_;
         for (const int v : vertices_) {
             Eigen::RowVector3d sum = length_[v] * direction_.row(v);
             for (const int other : {at_[v].before, at_[v].after}) {
-                sum += length_[other] * likeness(direction_, v, other) * direction_.row(other);
+                sum += length_[other] * likeness(direction_, v, other, feature) *
+                       direction_.row(other);
             }
             filtered.row(v) = sum.normalized();
         }
@@ -85,11 +117,12 @@ private:
 
 class Smoother {
 public:
-    Smoother(const MeshArrays& mesh, double strength, const Progress& progress)
+    Smoother(const MeshArrays& mesh, const EdgeTable& table, double strength,
+             const Progress& progress)
         : mesh_(mesh),
           strength_(strength),
           progress_(progress),
-          rims_(mesh, buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()))),
+          rims_(mesh, table),
           around_(static_cast<int>(mesh.V.rows()),
                   [&mesh](auto&& add) {
                       for (int f = 0; f < mesh.F.rows(); ++f) {
@@ -105,6 +138,8 @@ public:
             area_[f] = doubled.norm();
             normal_.row(f) = doubled.transpose() / area_[f];
         }
+        feature_ =
+            std::clamp(kFeaturePerNoise * noiseOf(mesh.F, table, normal_), 1e-6, kLargestFeature);
     }
 
     std::optional<Points3> run() {
@@ -112,7 +147,7 @@ public:
             if (!filterNormals()) {
                 return std::nullopt;
             }
-            rims_.filter();
+            rims_.filter(kLargestFeature);
             progress_.report(0.7 * (pass + 1) / kDirectionPasses);
         }
         Points3 V = mesh_.V;
@@ -145,7 +180,8 @@ private:
                     continue;  // the neighbours there are those at the other corners, too
                 }
                 for (const int other : around_[mesh_.F(f, k)]) {
-                    sum += area_[other] * likeness(normal_, f, other) * normal_.row(other);
+                    sum +=
+                        area_[other] * likeness(normal_, f, other, feature_) * normal_.row(other);
                 }
             }
             filtered.row(f) = sum.isZero(0) ? normal_.row(f) : sum.normalized();
@@ -201,6 +237,7 @@ private:
 
     const MeshArrays& mesh_;
     double strength_;
+    double feature_;  ///< how much directions differ that hardly smooth each other
     const Progress& progress_;
     RimLines rims_;
     geometry::Buckets<> around_;  ///< triangles, per vertex
@@ -214,7 +251,8 @@ Points3 smoothed(const MeshArrays& mesh, double strength, const Progress& progre
     if (strength <= 0 || mesh.F.rows() == 0) {
         return mesh.V;
     }
-    return Smoother(mesh, strength, progress).run().value_or(mesh.V);
+    const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+    return Smoother(mesh, table, strength, progress).run().value_or(mesh.V);
 }
 
 }  // namespace toile

@@ -69,6 +69,12 @@ TEST(Smooth, LeavesAFoldWithoutNoiseAsItIs) {
     EXPECT_LT((V - mesh.V).rowwise().norm().maxCoeff(), 0.05);
 }
 
+TEST(Smooth, LeavesABowlNearlyAsItIs) {
+    const MeshArrays mesh = test::sphericalCap(30, 200, 1.2);
+    const Points3 V = smoothed(mesh, 2, Progress());
+    EXPECT_LT((V - mesh.V).rowwise().norm().mean(), 0.1);
+}
+
 TEST(Smooth, MovesNoPointFartherThanItsStrength) {
     const MeshArrays mesh = noisy(fold(), 3);
     for (const double strength : {0.1, 0.5, 2.0}) {
