@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/complete_half.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/mesh/edge_table.h"
+#include "core/mesh/repair.h"
+#include "core/mesh/weld.h"
+#include "core/prepare/file_surface.h"
+
+namespace toile {
+namespace {
+
+/// Per position: whether it is on the border, by itself or by another one in the same place.
+std::vector<char> onBorder(const MeshArrays& mesh) {
+    const Weld weld = findWeld(mesh.F, mesh.V, {});
+    Triangles F = mesh.F;
+    for (int& v : cornersOf(F)) {
+        v = weld.target[v];
+    }
+    const EdgeTable table = buildEdgeTable(F, static_cast<int>(mesh.V.rows()));
+    std::vector<char> border(static_cast<std::size_t>(mesh.V.rows()), 0);
+    for (int e = 0; e < table.edges.rows(); ++e) {
+        if (table.isBorder(e)) {
+            border[table.edges(e, 0)] = border[table.edges(e, 1)] = 1;
+        }
+    }
+    for (int v = 0; v < mesh.V.rows(); ++v) {
+        border[v] = border[weld.target[v]];
+    }
+    return border;
+}
+
+template <class T>
+void repeat(std::vector<T>& list) {
+    const std::vector<T> before = list;
+    list.insert(list.end(), before.begin(), before.end());
+}
+
+}  // namespace
+
+std::optional<CompletedHalf> completeHalf(const PolygonSoup& half,
+                                          const Eigen::Hyperplane<double, 3>& plane,
+                                          double tolerance, double millimetres) {
+    const FileSurface surface = surfaceOf(half, millimetres);
+    const std::vector<char> border = onBorder(surface.mesh);
+    const std::vector<char> used = usedVertices(surface.mesh.F, surface.mesh.V.rows());
+    CompletedHalf whole{half, 0};
+    PolygonSoup& soup = whole.soup;
+    double least = 0, most = 0;
+    std::vector<int> image(half.positions.size());  // itself on the plane
+    for (std::size_t v = 0; v < half.positions.size(); ++v) {
+        image[v] = static_cast<int>(soup.positions.size());
+        if (!half.positions[v].allFinite()) {
+            soup.positions.push_back(half.positions[v]);
+            continue;
+        }
+        const Eigen::Vector3d here = millimetres * half.positions[v];
+        const double distance = plane.signedDistance(here);
+        const Eigen::Vector3d foot = plane.projection(here) / millimetres;
+        if (used[v] != 0) {
+            least = std::min(least, distance);
+            most = std::max(most, distance);
+        }
+        if (border[v] != 0 && used[v] != 0 && std::abs(distance) <= tolerance) {
+            image[v] = static_cast<int>(v);
+            whole.joined += 1;
+            if (foot != half.positions[v] && !soup.positionText.empty()) {
+                soup.positionText[v] = {};  // it has moved
+            }
+            soup.positions[v] = foot;
+        } else {
+            soup.positions.push_back(2 * foot - half.positions[v]);
+        }
+    }
+    if (whole.joined == 0 || std::min(-least, most) > tolerance) {
+        return std::nullopt;
+    }
+    if (!soup.positionText.empty()) {
+        soup.positionText.resize(soup.positions.size());
+    }
+    for (int face = 0; face < half.faceCount(); ++face) {
+        for (int corner = half.faceStart[face + 1] - 1; corner >= half.faceStart[face]; --corner) {
+            soup.corners.push_back(image[half.corners[corner]]);
+            if (!half.cornerUvs.empty()) {
+                soup.cornerUvs.push_back(half.cornerUvs[corner]);
+            }
+        }
+        soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
+    }
+    repeat(soup.faceObject);
+    repeat(soup.faceGroup);
+    repeat(soup.faceMaterial);
+    return whole;
+}
+
+}  // namespace toile
