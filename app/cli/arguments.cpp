@@ -34,6 +34,7 @@ constexpr Word<ViewsShown> kViewWords[] = {
     {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
 
 constexpr Word<bool> kNotchesWords[] = {{true, "auto"}, {false, "none"}};
+constexpr Word<bool> kFailOnWords[] = {{false, "fault"}, {true, "doubt"}};
 constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 
 constexpr Word<Panel> kPanelWords[] = {
@@ -91,8 +92,9 @@ CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command com
     CLI::App& added = *app.add_subcommand(word, help);
     added.callback([&arguments, command] { arguments.command = command; });
     added
-        .add_option("INPUT", arguments.inputs,
-                    "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
+        .add_option(
+            "INPUT", arguments.inputs,
+            "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
         ->required()
         ->type_name("FILE...");
     return added;
@@ -128,6 +130,13 @@ void addReading(CLI::App& command, Arguments& arguments) {
                      "Sew shut the slits inside pieces, as texture maps have them");
     command.add_flag("--strict", load.strict,
                      "Refuse a file in which anything has to be left out or repaired");
+}
+
+/// From when on the exit status is that of a failure.
+void addFailOn(CLI::App& command, Arguments& arguments) {
+    addChoice(command, "--fail-on", arguments.failOnDoubt, kFailOnWords,
+              "doubt: exit status 1 also where the pattern is in doubt (docs/ready-to-cut.md)")
+        ->default_str("fault");
 }
 
 /// By which method, and how it goes about it, each option for the methods that have the choice: the
@@ -287,6 +296,7 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
                      "that mirror each other, to be cut as a pair; asks for --mirror auto");
     addReading(flatten, arguments);
+    addFailOn(flatten, arguments);
     addExporting(flatten, typed);
     flatten.add_flag("--ledger", arguments.ledger,
                      "Print every seam with the lengths of its two sides");
@@ -375,6 +385,7 @@ void addCheck(CLI::App& app, Arguments& arguments) {
     addLineOptions(check, arguments.stated);
     addPatternOptions(check, arguments.stated);
     addReading(check, arguments);
+    addFailOn(check, arguments);
     check.add_flag("--json", arguments.json, "Print as JSON");
 }
 
@@ -467,8 +478,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.set_version_flag("--version", "toile " + std::string(version()));
     app.footer(
         "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "isometric flipped triangles, check found faults or walk unequal lengths, 2 wrong usage,\n"
-        "3 a file cannot be read or written.");
+        "isometric flipped triangles, check found faults or walk unequal lengths, or with\n"
+        "--fail-on doubt the pattern is in doubt; 2 wrong usage, 3 a file cannot be read or\n"
+        "written.");
     app.require_subcommand(0, 1);
 
     Typed typed;

@@ -39,6 +39,7 @@ struct Arguments {
     bool perPiece = false;             ///< compare: a table per piece too
     std::filesystem::path pattern{};   ///< compare: with this pattern from a file
     bool ledger = false;               ///< flatten: print the seams
+    bool failOnDoubt = false;          ///< flatten, check: status 1 where there is a doubt
     ExportOptions exporting{};         ///< flatten: of the files to write
     StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
     FlattenOptions options;            ///< the same, with what holds where nothing was typed

@@ -77,7 +77,8 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         }
     }
     out.flush();
-    const bool isReady = readiness.count(Severity::Fault) == 0;
+    const bool isReady = readiness.count(Severity::Fault) == 0 &&
+                         !(arguments.failOnDoubt && readiness.count(Severity::Doubt) > 0);
     return !out ? kExitUnreadable : isReady ? kExitDone : kExitSomeFailed;
 }
 

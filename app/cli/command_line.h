@@ -10,8 +10,8 @@
 namespace toile::app {
 
 /// The commands that need no display. Exit status: 0 all pieces done, 1 some piece failed (the rest
-/// is written) or a check or a walk found faults, 2 wrong usage, 3 input unreadable or output
-/// unwritable.
+/// is written) or a check or a walk found faults, or doubts where that was asked for, 2 wrong
+/// usage, 3 input unreadable or output unwritable.
 enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnreadable = 3 };
 
 struct Arguments;

@@ -9,6 +9,7 @@
 #include "app/cli/input.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/diagnose/doubt.h"
 #include "core/export/drawing_notes.h"
 #include "core/export/export_file.h"
 #include "core/export/report_tables.h"
@@ -93,6 +94,10 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
             return result->error && result->error->code == ErrorCode::OutOfMemory;
         });
         status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
+    }
+    for (const Doubt& doubt : findDoubts(*garment, results)) {
+        err << "toile: doubt: " << sentence(doubt) << '\n';
+        status = arguments.failOnDoubt ? std::max<int>(status, kExitSomeFailed) : status;
     }
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
     const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,

@@ -42,6 +42,8 @@ std::optional<Overlay> overlayFor(FindingKind kind) {
             return Overlay::Weft;
         case FindingKind::StrainBias:
             return Overlay::Bias;
+        case FindingKind::StrainBeyondCloth:
+            return Overlay::Strain;
         case FindingKind::FlippedTriangles:
             return Overlay::Area;  // what is flipped has lost more than all of its area
         default:

@@ -10,6 +10,7 @@
 #include "core/base/version.h"
 #include "core/base/words.h"
 #include "core/check/ready_to_cut.h"
+#include "core/diagnose/doubt.h"
 #include "core/export/json.h"
 
 namespace toile {
@@ -21,6 +22,12 @@ namespace {
 constexpr Word<Severity> kSeverities[] = {
     {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
 
+/// What is the matter is told by the doubt itself.
+constexpr FindingWords doubtRow(DoubtKind kind) {
+    const DoubtWords& words = kDoubtWords[static_cast<std::size_t>(kind)];
+    return {words.name, words.title, "%0", words.advice};
+}
+
 constexpr FindingWords kWords[] = {
     {"not-flattened", TR("Not flattened"),
      TR("the pattern does not show the garment as it is now (%1 of %2 pieces)"), TR("Flatten it")},
@@ -29,6 +36,9 @@ constexpr FindingWords kWords[] = {
     {"flipped-triangles", TR("Flipped cloth"),
      TR("triangles are flipped in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
+    doubtRow(DoubtKind::StrainBeyondCloth),
+    doubtRow(DoubtKind::ManyScraps),
+    doubtRow(DoubtKind::LongCuts),
     {"seam-lengths", TR("Seams that do not match"),
      TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
      TR("Choose a method that keeps seam lengths, or state the ease that is meant")},

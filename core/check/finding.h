@@ -22,23 +22,26 @@ enum class Severity {
 /// What was found. In the order in which a person would put it right: what hides the rest comes
 /// first.
 enum class FindingKind {
-    NotFlattened,      ///< the pattern is not made, or older than the last change
-    NotFlat,           ///< a piece could not be flattened
-    OutlineCrosses,    ///< a flat outline crosses itself
-    FlippedTriangles,  ///< cloth is flipped in the pattern
-    SeamLengths,       ///< two flat sides of a seam do not fit, the ease taken out
-    StrainWarp,        ///< strain beyond the fabric's limits along the grain,
-    StrainWeft,        ///< across it,
-    StrainBias,        ///< at 45 degrees to it
-    SeamKink,          ///< lines that run on into each other over a seam make a corner there
-    NotSymmetric,      ///< a piece is to be cut by half, and is not drawn as a mirror image
-    NoFacing,          ///< a facing has no room along its edge
-    PiecesOverlap,     ///< two pieces lie on each other on the sheet
-    UnlikelySize,      ///< no garment is as small or as large
-    UnitInDoubt,       ///< the file's unit was guessed, and another is as likely
-    UpAxisInDoubt,     ///< likewise the axis that points up
-    GrainMissing,      ///< the grain is unset
-    Message,           ///< what reading, cutting or flattening had to say: `Finding::error`
+    NotFlattened,       ///< the pattern is not made, or older than the last change
+    NotFlat,            ///< a piece could not be flattened
+    OutlineCrosses,     ///< a flat outline crosses itself
+    FlippedTriangles,   ///< cloth is flipped in the pattern
+    StrainBeyondCloth,  ///< no fabric takes the strain (core/diagnose/doubt.h),
+    ManyScraps,         ///< there are more scraps than pieces,
+    LongCuts,           ///< cuts found by Toile are longer than the outline
+    SeamLengths,        ///< two flat sides of a seam do not fit, the ease taken out
+    StrainWarp,         ///< strain beyond the fabric's limits along the grain,
+    StrainWeft,         ///< across it,
+    StrainBias,         ///< at 45 degrees to it
+    SeamKink,           ///< lines that run on into each other over a seam make a corner there
+    NotSymmetric,       ///< a piece is to be cut by half, and is not drawn as a mirror image
+    NoFacing,           ///< a facing has no room along its edge
+    PiecesOverlap,      ///< two pieces lie on each other on the sheet
+    UnlikelySize,       ///< no garment is as small or as large
+    UnitInDoubt,        ///< the file's unit was guessed, and another is as likely
+    UpAxisInDoubt,      ///< likewise the axis that points up
+    GrainMissing,       ///< the grain is unset
+    Message,            ///< what reading, cutting or flattening had to say: `Finding::error`
 };
 
 /// One past the last kind; kinds are contiguous from 0.
@@ -82,7 +85,7 @@ struct Finding {
     std::optional<FindingPlace> place{};  ///< on the first piece: of the worst
     /// What was measured, the telling number first; `findingWords` say where each goes.
     std::vector<Figure> figures{};
-    Wording reason{};              ///< why something was guessed; the fabric's name; or empty
+    Wording reason{};  ///< why something was guessed or is in doubt; the fabric's name; or empty
     std::optional<Error> error{};  ///< that says it all: of NotFlat, OutlineCrosses and Message
 };
 

@@ -9,6 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/check/piece_check.h"
+#include "core/diagnose/doubt.h"
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
 #include "core/layout/cloth_need.h"
@@ -45,6 +46,7 @@ public:
             }
         }
         if (!progress_.isCancelled()) {
+            checkDoubts();
             checkSeams();
             checkSeamEnds();
             checkHalves();
@@ -148,6 +150,34 @@ private:
             finding.figures = {count(missing), count(static_cast<double>(garment_.pieces.size()))};
             found_.add(std::move(finding));
         }
+    }
+
+    void checkDoubts() {
+        for (const Doubt& doubt : findDoubts(garment_, plan_.results)) {
+            Finding finding;
+            finding.kind = kindOf(doubt.kind);
+            finding.severity = Severity::Doubt;
+            finding.subject = doubt.subject;
+            finding.reason = doubt.what;
+            finding.pieces = piecesOf(doubt.subject);
+            if (doubt.face >= 0) {
+                const PieceResult& result = *resultOf(doubt.piece);
+                finding.place = placeInTriangle(*result.piece, result.flat->Q, doubt.face);
+            }
+            found_.add(std::move(finding), doubt.badness);
+        }
+    }
+
+    static FindingKind kindOf(DoubtKind kind) {
+        switch (kind) {
+            case DoubtKind::StrainBeyondCloth:
+                return FindingKind::StrainBeyondCloth;
+            case DoubtKind::ManyScraps:
+                return FindingKind::ManyScraps;
+            case DoubtKind::LongCuts:
+                break;
+        }
+        return FindingKind::LongCuts;
     }
 
     void checkSeams() {

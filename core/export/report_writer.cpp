@@ -3,6 +3,7 @@
 
 #include "core/base/file.h"
 #include "core/base/version.h"
+#include "core/diagnose/doubt.h"
 #include "core/export/json.h"
 #include "core/export/writers.h"
 #include "core/quality/measures.h"
@@ -177,6 +178,16 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     return json;
 }
 
+Json doubtsJson(const Garment& garment, const PieceResults& results) {
+    Json doubts = Json::array();
+    for (const Doubt& doubt : findDoubts(garment, results)) {
+        doubts.push_back({{"code", text(doubtWords(doubt.kind).name)},
+                          {"piece", textOrNull(doubt.subject.name)},
+                          {"message", sentence(doubt)}});
+    }
+    return doubts;
+}
+
 }  // namespace
 
 std::string writeReport(const Garment& garment, const PieceResults& results,
@@ -200,6 +211,7 @@ std::string writeReport(const Garment& garment, const PieceResults& results,
         report["symmetry"] = symmetryJson(garment, results, *pattern.symmetry);
     }
     report["problems"] = problemsJson(garment);
+    report["doubts"] = doubtsJson(garment, results);
     return jsonText(report);
 }
 

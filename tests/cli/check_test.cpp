@@ -6,6 +6,7 @@
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/project_pieces.h"
+#include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
@@ -74,6 +75,59 @@ TEST(Check, JsonNamesKindSeverityAndPlace) {
         EXPECT_TRUE(finding["message"].is_string());
     }
     EXPECT_TRUE(anySeam);
+}
+
+/// A pyramid without a base, as high as eight times its foot: flat, it cannot keep its lengths.
+constexpr const char* kSpike =
+    "v 0 0 0\nv 100 0 0\nv 100 100 0\nv 0 100 0\nv 50 50 400\no spike\n"
+    "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+
+TEST(Check, FailsOnDoubtWhereThatIsAskedFor) {
+    const test::TemporaryFolder folder;
+    const std::string spike = folder.write("spike.obj", kSpike).string();
+    for (const char* command : {"check", "flatten"}) {
+        const auto lenient = test::toileRun({command, spike, "--unit", "mm"});
+        EXPECT_EQ(lenient.status, 0) << lenient.out << lenient.err;
+        EXPECT_NE((lenient.out + lenient.err).find("doubt: spike: strain is beyond 25 %"),
+                  std::string::npos)
+            << lenient.out << lenient.err;
+        const auto fault = test::toileRun({command, spike, "--unit", "mm", "--fail-on", "fault"});
+        EXPECT_EQ(fault.status, 0);
+        const auto strict = test::toileRun({command, spike, "--unit", "mm", "--fail-on", "doubt"});
+        EXPECT_EQ(strict.status, 1) << strict.out << strict.err;
+        EXPECT_EQ(strict.out.substr(0, 9), lenient.out.substr(0, 9));
+    }
+    EXPECT_EQ(test::toileRun({"flatten", spike, "--fail-on", "rain"}).status, 2);
+}
+
+TEST(Check, AFlatPieceIsInNoDoubtThatFlattenFailsOn) {
+    const test::TemporaryFolder folder;
+    const std::string flap = folder.write("flap.obj", test::kPanel).string();
+    const auto run = test::toileRun({"flatten", flap, "--unit", "mm", "--fail-on", "doubt"});
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+}
+
+TEST(Check, TheReportListsDoubts) {
+    const test::TemporaryFolder folder;
+    const std::string spike = folder.write("spike.obj", kSpike).string();
+    const std::string report = (folder / "out.json").string();
+    EXPECT_EQ(test::toileRun({"flatten", spike, "--unit", "mm", "-o", report}).status, 0);
+    const auto json = nlohmann::json::parse(folder.read("out.json"));
+    ASSERT_EQ(json["doubts"].size(), 1U);
+    EXPECT_EQ(json["doubts"][0]["code"], "strain-beyond-cloth");
+    EXPECT_EQ(json["doubts"][0]["piece"], "spike");
+}
+
+TEST(Check, ThickShellsAndScansAreInDoubtHoweverTheyAreCut) {
+    for (const char* name : {"thick/tee_sim_thick.obj", "scans/dress_scan.obj"}) {
+        const auto file = test::sharedFile(name);
+        TOILE_NEEDS_SHARED(file);
+        const auto run =
+            test::toileRun({"flatten", file.string(), "--auto-cut", "--fail-on", "doubt"});
+        EXPECT_EQ(run.status, 1) << name;
+        EXPECT_NE(run.err.find("toile: doubt: "), std::string::npos) << run.err;
+    }
 }
 
 TEST(Check, SaysHowMuchClothThePatternTakes) {
