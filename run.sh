@@ -16,6 +16,7 @@ packages=(
     libeigen3-dev libopenmesh-dev libsuitesparse-dev libcgal-dev
     libopenblas-pthread-dev # by name: Debian's default BLAS is the slow reference one
     nlohmann-json3-dev libpugixml-dev libcli11-dev libxxhash-dev libpolyclipping-dev
+    libassimp-dev libzip-dev
     libfreetype-dev libharfbuzz-dev libfontconfig1-dev zlib1g-dev
     qt6-base-dev libqt6opengl6-dev qt6-svg-dev libglm-dev libgl-dev libegl-dev libepoxy-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools # translations

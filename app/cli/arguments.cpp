@@ -94,7 +94,8 @@ CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command com
     added
         .add_option(
             "INPUT", arguments.inputs,
-            "Garment mesh: .obj, .off, .ply or .stl; or a project: .toile")
+            "Garment mesh: .obj, .off, .ply, .stl, .usda, .glb, .gltf, .fbx, .dae or .3mf; a "
+            ".zip with one of the first five; or a project: .toile")
         ->required()
         ->type_name("FILE...");
     return added;

@@ -7,13 +7,26 @@
 #include "app/cli/input.h"
 #include "app/cli/pattern_info.h"
 #include "core/base/characters.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/export/writers.h"
 #include "core/garment/slits.h"
+#include "core/io/assimp_reader.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {
 namespace {
+
+/// Where coordinates have passed through floats and it shows: far from the origin, or in a small
+/// unit.
+void printPrecision(const SourceFile& file, std::ostream& out) {
+    constexpr double kTelling = 0.001;  // mm
+    const double precision = file.unit.millimetres() * precisionOfFloats(*file.soup);
+    if (isForAssimp(pathText(file.path.extension())) && precision > kTelling) {
+        out << "coordinates have a float's precision, here " << fixed(precision, 3)
+            << " mm; prefer OBJ, or move the garment to the origin\n";
+    }
+}
 
 void printFile(const SourceFile& file, std::ostream& out) {
     out << shownText(file.path.string(), kMaxOfPlace) << ": "
@@ -34,6 +47,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
         out << " (" << file.split.reason << ")";
     }
     out << '\n';
+    printPrecision(file, out);
     if (const auto& better = file.betterSplit) {
         out << better->flat << " of " << counted(better->pieces, "piece")
             << " could lie flat as they are with --split " << name(better->mode) << '\n';

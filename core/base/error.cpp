@@ -31,7 +31,7 @@ constexpr Words kWords[] = {
     {FileUnwritable, "file-unwritable", TR("the file cannot be written"),
      TR("Check that the folder exists, is writable and has room")},
     {UnknownFormat, "unknown-format", TR("the file's ending names no format Toile knows"),
-     TR("Read .obj, .off, .ply or .stl"), false, "toile flatten --help lists what can be written"},
+     TR("Export the garment as .obj"), false, "toile flatten --help lists what can be written"},
     {FormatNotBuilt, "format-not-built", TR("this build of Toile does not write the format"),
      TR("Use one that has the window")},
     {NotReadBack, "not-read-back", TR("the file made says something else than the pattern"),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/assimp_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "core/base/text.h"
 #include "core/geometry/point_index.h"
 #include "core/io/soup_builder.h"
+#include "core/io/tried_apart.h"
 
 namespace toile {
 namespace {
@@ -222,13 +224,52 @@ private:
     io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
 };
 
+/// Of processor time: no garment takes this long, and some damaged files never end.
+constexpr int kMostSeconds = 120;
+
+const aiScene* importFile(Assimp::Importer& importer, const std::filesystem::path& path) {
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
+    return importer.ReadFile(path.string(), 0);
+}
+
+constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+
 }  // namespace
+
+std::span<const std::string_view> assimpEndings() {
+    return kEndings;
+}
+
+bool isForAssimp(std::string_view ending) {
+    return std::ranges::any_of(
+        kEndings, [ending](std::string_view known) { return equalsIgnoringCase(ending, known); });
+}
+
+double precisionOfFloats(const PolygonSoup& soup) {
+    double largest = 0;
+    for (const Vector3d& position : soup.positions) {
+        largest =
+            position.allFinite() ? std::max(largest, position.cwiseAbs().maxCoeff()) : largest;
+    }
+    return largest * static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
+}
 
 Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std::string& name,
                                    Progress& progress) {
+    const auto trial = io::triedApart(
+        [&path] {
+            Assimp::Importer importer;
+            importFile(importer, path);
+        },
+        kMostSeconds, progress);
+    if (trial != io::Trial::Returns) {
+        return trial == io::Trial::Cancelled
+                   ? Error{ErrorCode::Cancelled, Subject::file(name)}
+                   : Error{ErrorCode::MalformedFile, Subject::file(name),
+                           worded("the library that reads this format does not survive it")};
+    }
     Assimp::Importer importer;
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
-    const aiScene* scene = importer.ReadFile(path.string(), 0);
+    const aiScene* scene = importFile(importer, path);
     if (scene == nullptr) {
         // Assimp does not say whether the file or its bytes are at fault.
         const Result<std::string> bytes = readFile(path);

@@ -9,9 +9,9 @@
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
-#ifdef TOILE_ASSIMP
 #include "core/io/assimp_reader.h"
-#endif
+#include "core/io/usda_reader.h"
+#include "core/io/zip_reader.h"
 
 namespace toile {
 namespace {
@@ -20,8 +20,9 @@ using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const
                                        Progress&);
 
 constexpr std::pair<std::string_view, Reader> kOwn[] = {
-    {".obj", readObj}, {".ply", readPly}, {".off", readOff}, {".stl", readStl}};
-constexpr std::string_view kForAssimp[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+    {".obj", readObj}, {".ply", readPly}, {".off", readOff}, {".stl", readStl}, {".usda", readUsd}};
+constexpr std::string_view kInZip[] = {".obj", ".ply", ".off", ".stl", ".usda"};
+constexpr std::string_view kZip = ".zip", kBinaryUsd[] = {".usd", ".usdc", ".usdz"};
 
 Reader readerFor(std::string_view ending) {
     const auto known = std::ranges::find_if(
@@ -29,9 +30,29 @@ Reader readerFor(std::string_view ending) {
     return known == std::end(kOwn) ? nullptr : known->second;
 }
 
-bool isForAssimp(std::string_view ending) {
-    return std::ranges::any_of(
-        kForAssimp, [ending](std::string_view known) { return equalsIgnoringCase(ending, known); });
+/// Why a file with this ending is not read.
+Error unknownEnding(const std::string& name, const std::string& ending) {
+    const bool isUsd = std::ranges::any_of(
+        kBinaryUsd, [&](std::string_view known) { return equalsIgnoringCase(ending, known); });
+    return {ErrorCode::UnknownFormat, Subject::file(name),
+            isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(ending)})
+            : ending.empty() ? Wording("the name has no ending")
+                             : Wording("\"" + ending + "\"")};
+}
+
+/// By one of our own readers. @param name  the file, or the archive it was in, for messages
+Result<PolygonSoup> readOwn(std::shared_ptr<const std::string> bytes, const std::string& name,
+                            std::string_view ending, Progress& progress) {
+    return readerFor(ending)(std::move(bytes), name, progress);
+}
+
+Result<PolygonSoup> readZipped(const std::string& archive, const std::string& name,
+                               Progress& progress) {
+    const auto mesh = io::meshInZip(archive, name, kInZip, progress);
+    if (!mesh) {
+        return mesh.error();
+    }
+    return readOwn(mesh->bytes, name, mesh->name.substr(mesh->name.rfind('.')), progress);
 }
 
 }  // namespace
@@ -41,40 +62,28 @@ std::vector<std::string> readableEndings() {
     for (const auto& own : kOwn) {
         endings.emplace_back(own.first);
     }
-#ifdef TOILE_ASSIMP
-    endings.insert(endings.end(), std::begin(kForAssimp), std::end(kForAssimp));
-#endif
+    endings.insert(endings.end(), assimpEndings().begin(), assimpEndings().end());
+    endings.emplace_back(kZip);
     return endings;
 }
 
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress) {
     const std::string name = readableName(pathText(path.filename()));
     const std::string ending = readableName(pathText(path.extension()));
-    if (isForAssimp(ending)) {
-#ifdef TOILE_ASSIMP
-        Result<PolygonSoup> soup = readWithAssimp(path, name, progress);
-        if (const auto bytes = soup ? readFile(path) : Result<std::string>(soup.error()); bytes) {
-            soup->contentHash = contentHash(*bytes);
-        }
-        return soup;
-#else
-        return Error{ErrorCode::UnknownFormat, Subject::file(name),
-                     worded("this copy of Toile was built without %1; export the garment as OBJ",
-                            {Wording(ending)})};
-#endif
-    }
-    const Reader reader = readerFor(ending);
-    if (reader == nullptr) {
-        return Error{ErrorCode::UnknownFormat, Subject::file(name),
-                     ending.empty() ? "the name has no ending" : "\"" + ending + "\""};
+    const bool isZip = equalsIgnoringCase(ending, kZip);
+    if (!isForAssimp(ending) && !isZip && readerFor(ending) == nullptr) {
+        return unknownEnding(name, ending);
     }
     Result<std::string> bytes = readFile(path);
     if (!bytes) {
         return bytes.error();
     }
     const std::uint64_t hash = contentHash(*bytes);
-    Result<PolygonSoup> soup =
-        reader(std::make_shared<const std::string>(std::move(*bytes)), name, progress);
+    Result<PolygonSoup> soup = isForAssimp(ending) ? readWithAssimp(path, name, progress)
+                               : isZip
+                                   ? readZipped(*bytes, name, progress)
+                                   : readOwn(std::make_shared<const std::string>(std::move(*bytes)),
+                                             name, ending, progress);
     if (soup) {
         soup->contentHash = hash;
     }

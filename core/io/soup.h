@@ -67,7 +67,7 @@ std::vector<std::string> readableEndings();
 
 /// Reads OBJ, OFF, PLY (ASCII, binary) or STL (ASCII, binary) by the file's ending; STL, whose
 /// triangles repeat their corners, gets equal positions merged. Positions are read as doubles.
-/// Where Toile is built with TOILE_ASSIMP also glTF, FBX, Collada and 3MF, see `readWithAssimp`.
+/// glTF, FBX, Collada and 3MF by `readWithAssimp`, USD text by `readUsd`, .zip by `readZipped`.
 /// Errors: FileUnreadable, UnknownFormat, MalformedFile, NoGeometry, Cancelled.
 /// Cost: linear, one pass. Re-entrant.
 Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progress);

@@ -1832,10 +1832,6 @@ veraltet</translation>
         <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
     </message>
     <message>
-        <source>Read .obj, .off, .ply or .stl</source>
-        <translation>Gelesen werden .obj, .off, .ply und .stl</translation>
-    </message>
-    <message>
         <source>this build of Toile does not write the format</source>
         <translation>dieses Toile schreibt das Format nicht</translation>
     </message>
@@ -2300,10 +2296,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>größte Ausdehnung %1, gelesen als Dezimeter: %2 mm</translation>
     </message>
     <message>
-        <source>this copy of Toile was built without %1; export the garment as OBJ</source>
-        <translation>dieses Toile wurde ohne %1 gebaut; exportieren Sie das Kleidungsstück als OBJ</translation>
-    </message>
-    <message>
         <source>the piece is a tube with %1 openings, and lies flat only when it is cut open</source>
         <translation>das Schnittteil ist ein Schlauch mit %1 Öffnungen und liegt erst flach, wenn es aufgeschnitten ist</translation>
     </message>
@@ -2326,6 +2318,69 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>no cuts were found that open it</source>
         <translation>es wurden keine Einschnitte gefunden, die es öffnen</translation>
+    </message>
+    <message>
+        <source>Export the garment as .obj</source>
+        <translation>Exportieren Sie das Kleidungsstück als .obj</translation>
+    </message>
+    <message>
+        <source>strain is beyond %1 % on %2 % of the area, which no cloth takes</source>
+        <translation>auf %2 % der Fläche liegt die Dehnung über %1 %, was kein Stoff mitmacht</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pieces are smaller than 1 cm²</source>
+        <translation>%1 von %2 Teilen sind kleiner als 1 cm²</translation>
+    </message>
+    <message>
+        <source>its cuts are %1 mm long, longer than its outline of %2 mm</source>
+        <translation>seine Schnitte sind %1 mm lang, länger als sein Umriss von %2 mm</translation>
+    </message>
+    <message>
+        <source>Strain beyond any cloth</source>
+        <translation>Dehnung, die kein Stoff mitmacht</translation>
+    </message>
+    <message>
+        <source>Cut the piece where it curves most; if the file is a thick shell or a scan, make one sheet of it first</source>
+        <translation>Schneiden Sie das Teil dort, wo es am stärksten gewölbt ist; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
+    </message>
+    <message>
+        <source>Scraps instead of pieces</source>
+        <translation>Schnipsel statt Teile</translation>
+    </message>
+    <message>
+        <source>State the unit if the garment is too small; else leave the scraps out, or divide the file by something else; if it is a scan, make one sheet of it first</source>
+        <translation>Geben Sie die Einheit an, wenn das Kleidungsstück zu klein ist; sonst lassen Sie die Schnipsel weg, oder teilen Sie die Datei nach etwas anderem; ist sie ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
+    </message>
+    <message>
+        <source>Cuts longer than the outline</source>
+        <translation>Schnitte, die länger sind als der Umriss</translation>
+    </message>
+    <message>
+        <source>Divide the garment by its own seams, or draw the cuts where seams are to be; if the file is a thick shell or a scan, make one sheet of it first</source>
+        <translation>Teilen Sie das Kleidungsstück nach seinen eigenen Nähten, oder zeichnen Sie die Schnitte, wo Nähte sein sollen; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
+    </message>
+    <message>
+        <source>%1 is USD in binary form; save it as .usda</source>
+        <translation>%1 ist USD in binärer Form; speichern Sie die Datei als .usda</translation>
+    </message>
+    <message>
+        <source>the library that reads this format does not survive it</source>
+        <translation>die Bibliothek, die dieses Format liest, übersteht sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>toile::StageReader</name>
+    <message>
+        <source>USD files that state no unit are in cm</source>
+        <translation>USD-Dateien ohne Angabe einer Einheit sind in cm</translation>
+    </message>
+    <message>
+        <source>stated in the USD file</source>
+        <translation>in der USD-Datei angegeben</translation>
+    </message>
+    <message>
+        <source>the USD file&apos;s own unit is %1 m</source>
+        <translation>die eigene Einheit der USD-Datei ist %1 m</translation>
     </message>
 </context>
 <context>
@@ -7854,6 +7909,56 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>The garment was changed before the cut was found. Cut once more.</source>
         <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::io</name>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>it is no USD text</source>
+        <translation>es ist kein USD-Text</translation>
+    </message>
+    <message>
+        <source>it cannot be understood</source>
+        <translation>das ist nicht zu verstehen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::io::ZipReader</name>
+    <message>
+        <source>it holds %1 files; unpack it and open the mesh</source>
+        <translation>es enthält %1 Dateien; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>none of its %1 files is one of %2</source>
+        <translation>keine seiner %1 Dateien ist eine von %2</translation>
+    </message>
+    <message>
+        <source>it holds several meshes, %1; unpack it and open those of one garment together</source>
+        <translation>es enthält mehrere Netze, %1; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted; unpack it and open the mesh</source>
+        <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>%1 in it is too large: %2 MB unpacked</source>
+        <translation>%1 darin ist zu groß: %2 MB entpackt</translation>
+    </message>
+    <message>
+        <source>%1 in it cannot be unpacked: %2</source>
+        <translation>%1 darin lässt sich nicht entpacken: %2</translation>
+    </message>
+    <message>
+        <source>the archive is damaged</source>
+        <translation>das Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is no .zip archive: %1</source>
+        <translation>es ist kein .zip-Archiv: %1</translation>
     </message>
 </context>
 </TS>

@@ -19,7 +19,7 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl project seams dxf svg garmentcode pdf plt glb usda garment}; do
+for format in ${FORMATS:-obj off ply stl usdmesh project seams dxf svg garmentcode pdf plt glb usda garment}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
@@ -27,6 +27,7 @@ for format in ${FORMATS:-obj off ply stl project seams dxf svg garmentcode pdf p
         garment) words=off ;; # the whole pipeline starts from an OFF file
         project | seams) words=json ;;
         glb) words=garmentcode ;; # its JSON
+        usdmesh) words=usda ;;
         *) words=$format ;;
     esac
     # Seconds for one input and megabytes in all are findings too.

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/io/usda_reader.h"
 #include "tests/fuzz/check_documents.h"
 #include "tests/fuzz/check_garment.h"
 #include "tests/fuzz/check_patterns.h"
@@ -17,10 +18,11 @@ std::string whatBreaksIn(std::string bytes) {
     return whatBreaks(reader, std::move(bytes));
 }
 
-constexpr std::array<Target, 14> kTargets = {{{"obj", whatBreaksIn<readObj>},
+constexpr std::array<Target, 15> kTargets = {{{"obj", whatBreaksIn<readObj>},
                                               {"off", whatBreaksIn<readOff>},
                                               {"ply", whatBreaksIn<readPly>},
                                               {"stl", whatBreaksIn<readStl>},
+                                              {"usdmesh", whatBreaksIn<readUsd>},
                                               {"project", whatBreaksInProject},
                                               {"seams", whatBreaksInSeams},
                                               {"dxf", whatBreaksInDxf},

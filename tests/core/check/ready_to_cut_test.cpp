@@ -187,10 +187,24 @@ TEST(ReadyToCut, StrainBeyondTheFabricNamesDirectionShareAndPlace) {
               Severity::Fault);
 }
 
+TEST(ReadyToCut, StrainBeyondAnyClothIsInDoubtWhateverTheFabric) {
+    CutPlan plan = readyPlan({"front"});
+    plan.fabric = CutPlan{}.fabric;
+    auto stretched = copyOfResult(plan, 0);
+    stretched->flat->Q /= 2;
+    plan.results = {stretched};
+    const Finding finding = onlyFinding(plan, FindingKind::StrainBeyondCloth);
+    EXPECT_EQ(finding.severity, Severity::Doubt);
+    EXPECT_EQ(finding.pieces, std::vector<int>{0});
+    EXPECT_TRUE(finding.place);
+    EXPECT_TRUE(sentence(finding).starts_with("front: strain is beyond 25 % on 100.0 %"))
+        << sentence(finding);
+}
+
 TEST(ReadyToCut, NothingIsSaidOfStrainWhileNoFabricIsStated) {
     CutPlan plan = readyPlan({"front"});
     auto stretched = copyOfResult(plan, 0);
-    stretched->flat->Q /= 2;
+    stretched->flat->Q /= 1.2;  // which some cloth takes
     plan.results = {stretched};
     EXPECT_EQ(readyToCut(plan).findings.size(), 3U);
     plan.fabric = CutPlan{}.fabric;

@@ -5,6 +5,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "tests/core/io/soup_checks.h"
+#include "tests/core/io/zip_archive.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile::test {
@@ -153,6 +154,17 @@ TEST_F(AssimpReader, FbxStatesItsUnitInCentimetres) {
     ASSERT_TRUE(feet);
     EXPECT_EQ(feet.value().statedUnit->unit, LengthUnit::Centimetre);
     EXPECT_NEAR(feet.value().positions[2].x(), 304.8, 1e-4);
+}
+
+TEST_F(AssimpReader, SurvivesWhatItsLibraryDoesNot) {
+    std::string noCount = kCollada;
+    noCount.replace(noCount.find("count=\"12\""), 5, "c    ");
+    EXPECT_FALSE(readAs("a.dae", noCount));
+    // An entry that is not as long as the archive says.
+    std::string archive =
+        zipOf({{"_rels/.rels", "<Relationships/>"}, {"3D/3dmodel.model", "<m/>"}});
+    archive[archive.find("<m/>") + 1] = 'n';
+    EXPECT_FALSE(readAs("a.3mf", archive));
 }
 
 TEST_F(AssimpReader, RefusesWithAReason) {

@@ -54,20 +54,6 @@ TEST_F(ReadSoup, RefusesOtherEndings) {
     }
 }
 
-#ifndef TOILE_ASSIMP
-TEST_F(ReadSoup, SaysHowToReadWhatNeedsAssimp) {
-    for (const char* fileName : {"a.glb", "a.gltf", "a.FBX", "a.dae", "a.3mf"}) {
-        const Result<PolygonSoup> soup = readAs(fileName, "");
-        ASSERT_FALSE(soup) << fileName;
-        EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
-    }
-    EXPECT_EQ(sentence(readAs("skirt.glb", "").error()),
-              "skirt.glb: the file's ending names no format Toile knows (this copy of Toile "
-              "was built without .glb; export the garment as OBJ); read .obj, .off, .ply or .stl "
-              "(toile flatten --help lists what can be written).");
-}
-#endif
-
 TEST_F(ReadSoup, RefusesWhatCannotBeRead) {
     Progress progress;
     const Result<PolygonSoup> soup = readSoup(folder_ / "missing.obj", progress);

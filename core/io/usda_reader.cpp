@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/usda_reader.h"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "core/geometry/point_index.h"
+#include "core/io/soup_builder.h"
+#include "core/io/usd_placement.h"
+#include "core/io/usd_text.h"
+
+namespace toile {
+namespace {
+
+using Eigen::Matrix4d;
+using Eigen::Vector3d;
+using io::UsdPrim;
+
+constexpr std::size_t kMostCorners = std::numeric_limits<int>::max();
+
+/// The last name of a path: </Shirt/Looks/Denim>.
+std::string_view lastName(std::string_view path) {
+    path.remove_prefix(path.rfind('/') + 1);
+    return path.substr(0, path.find('>'));
+}
+
+bool says(const UsdPrim& prim, std::string_view attribute, std::string_view value) {
+    const std::string* said = prim.find(attribute);
+    return said && *said == value;
+}
+
+bool isShown(const UsdPrim& prim) {
+    return prim.specifier == "def" && !says(prim, "visibility", "invisible") &&
+           !says(prim, "purpose", "guide") && !says(prim, "purpose", "proxy");
+}
+
+/// Numbers of an attribute; of one that moves, at the first moment it has.
+std::optional<std::vector<double>> numbersOf(const UsdPrim& prim, const std::string& attribute) {
+    if (prim.find(attribute)) {
+        return io::usdNumbers(prim.find(attribute));
+    }
+    const std::string* samples = prim.find(attribute + ".timeSamples");
+    const std::size_t from = samples ? samples->find('[') : std::string::npos;
+    const std::size_t to = samples ? samples->find(']', from) : std::string::npos;
+    if (from == std::string::npos || to == std::string::npos) {
+        return {};
+    }
+    const std::string first = samples->substr(from, to - from + 1);
+    return io::usdNumbers(&first);
+}
+
+/// Whole numbers that fit an int.
+std::optional<std::vector<int>> countsOf(const UsdPrim& prim, const std::string& attribute) {
+    const auto numbers = numbersOf(prim, attribute);
+    if (!numbers) {
+        return {};
+    }
+    std::vector<int> counts;
+    counts.reserve(numbers->size());
+    for (const double number : *numbers) {
+        if (number != std::floor(number) || std::abs(number) > std::numeric_limits<int>::max()) {
+            return {};
+        }
+        counts.push_back(static_cast<int>(number));
+    }
+    return counts;
+}
+
+/// Texture coordinates by corner or by point.
+struct Texture {
+    std::vector<double> st;
+    std::vector<int> indices;  ///< into pairs of `st`; empty: as they come
+    bool byPoint = false;
+
+    /// Null where there is none.
+    const double* at(std::size_t corner, int point) const {
+        std::size_t k = byPoint ? static_cast<std::size_t>(point) : corner;
+        if (!indices.empty()) {
+            if (k >= indices.size() || indices[k] < 0) {
+                return nullptr;
+            }
+            k = static_cast<std::size_t>(indices[k]);
+        }
+        return k < st.size() / 2 ? &st[2 * k] : nullptr;
+    }
+};
+
+Texture textureOf(const UsdPrim& prim, std::size_t points, std::size_t corners) {
+    for (const char* attribute : {"primvars:st", "primvars:UVMap", "primvars:map1"}) {
+        auto st = numbersOf(prim, attribute);
+        if (!st || st->empty() || st->size() % 2 != 0) {
+            continue;
+        }
+        Texture texture{
+            std::move(*st),
+            countsOf(prim, attribute + std::string(":indices")).value_or(std::vector<int>())};
+        const std::size_t values =
+            texture.indices.empty() ? texture.st.size() / 2 : texture.indices.size();
+        const auto metadata = prim.metadata.find(attribute);
+        const bool isFaceVarying = metadata != prim.metadata.end() &&
+                                   metadata->second.find("faceVarying") != std::string::npos;
+        texture.byPoint = values == points && !(isFaceVarying && values == corners);
+        return texture.byPoint || values == corners ? texture : Texture();
+    }
+    return {};
+}
+
+class StageReader {
+public:
+    StageReader(const io::UsdStage& stage, const std::string& name)
+        : stage_(stage), builder_(name, "face"), soup_(builder_.soup()) {
+        takeUnit();
+    }
+
+    Result<PolygonSoup> read(const Progress& progress) {
+        const auto up = stage_.metadata.find("upAxis");
+        Matrix4d world = Matrix4d::Identity();
+        if (up != stage_.metadata.end() && up->second == "Z") {
+            world.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+        }
+        if (const char* wrong = readAll(stage_.prims, world, {}, false, progress)) {
+            return builder_.malformed(wrong);
+        }
+        return progress.isCancelled() ? builder_.cancelled() : builder_.finish();
+    }
+
+private:
+    void takeUnit() {
+        constexpr double kUsual = 0.01, kSame = 1e-6, kMillimetresPerMetre = 1000;
+        double metres = kUsual;
+        const auto stated = stage_.metadata.find("metersPerUnit");
+        if (stated != stage_.metadata.end()) {
+            const auto numbers = io::usdNumbers(&stated->second);
+            if (numbers && numbers->size() == 1 && numbers->front() > 0) {
+                metres = numbers->front();
+            }
+        }
+        for (const LengthUnit unit : kLengthUnits) {
+            if (std::abs(metres * kMillimetresPerMetre / millimetresPer(unit) - 1) < kSame) {
+                soup_.statedUnit = {unit, stated == stage_.metadata.end()
+                                              ? worded("USD files that state no unit are in cm")
+                                              : worded("stated in the USD file")};
+                return;
+            }
+        }
+        scale_ = metres;
+        soup_.statedUnit = {LengthUnit::Metre,
+                            worded("the USD file's own unit is %1 m", {figure(metres, 6)})};
+    }
+
+    /// What is wrong; null where nothing is. No deeper than the text may be.
+    const char* readAll(const std::vector<UsdPrim>& prims, const Matrix4d& parent,
+                        std::string_view material, bool isOurs, const Progress& progress) {
+        for (const UsdPrim& prim : prims) {
+            if (!isShown(prim) || (isOurs && prim.name == "pattern")) {
+                continue;
+            }
+            if (progress.isCancelled()) {
+                return nullptr;
+            }
+            const auto placement = io::usdPlacement(prim, parent);
+            if (!placement) {
+                return "a transform cannot be understood";
+            }
+            const std::string* bound = prim.find("material:binding");
+            const std::string_view own = bound ? lastName(*bound) : material;
+            const char* wrong = prim.type == "Mesh" ? readMesh(prim, *placement, own) : nullptr;
+            wrong = wrong ? wrong
+                          : readAll(prim.children, *placement, own, prim.name == "Toile", progress);
+            if (wrong) {
+                return wrong;
+            }
+        }
+        return nullptr;
+    }
+
+    /// The material of each face, where subsets say it; else empty.
+    static std::vector<std::string_view> subsetMaterials(const UsdPrim& mesh, std::size_t faces,
+                                                         std::string_view material) {
+        std::vector<std::string_view> ofFaces;
+        for (const UsdPrim& subset : mesh.children) {
+            const std::string* bound = subset.find("material:binding");
+            const auto indices = countsOf(subset, "indices");
+            if (subset.type != "GeomSubset" || !bound || !indices) {
+                continue;
+            }
+            ofFaces.resize(faces, material);
+            for (const int face : *indices) {
+                if (face >= 0 && static_cast<std::size_t>(face) < faces) {
+                    ofFaces[static_cast<std::size_t>(face)] = lastName(*bound);
+                }
+            }
+        }
+        return ofFaces;
+    }
+
+    const char* readMesh(const UsdPrim& prim, const Matrix4d& placement,
+                         std::string_view material) {
+        const auto points = numbersOf(prim, "points");
+        const auto counts = countsOf(prim, "faceVertexCounts");
+        const auto corners = countsOf(prim, "faceVertexIndices");
+        if (!points || points->size() % 3 != 0 || !counts || !corners) {
+            return "a mesh has no points, or faces that cannot be understood";
+        }
+        std::size_t sum = 0;
+        for (const int count : *counts) {
+            sum += count < 0 ? kMostCorners : static_cast<std::size_t>(count);
+            if (sum > corners->size()) {
+                break;
+            }
+        }
+        const std::size_t pointCount = points->size() / 3;
+        if (sum != corners->size() || sum > kMostCorners - soup_.corners.size() ||
+            pointCount > kMostCorners - soup_.positions.size()) {
+            return "a mesh's faces have other corners than it lists";
+        }
+        const std::string* called = prim.find("toile:name");
+        objects_.change(called ? *called : prim.name, soup_.faceCount());
+        const int first = static_cast<int>(soup_.positions.size());
+        for (std::size_t k = 0; k < pointCount; ++k) {
+            const Vector3d point((*points)[3 * k], (*points)[3 * k + 1], (*points)[3 * k + 2]);
+            builder_.addPosition(scale_ * (placement * point.homogeneous()).head<3>(),
+                                 soup_.faceCount() + 1);
+        }
+        const bool isTurned = (placement.topLeftCorner<3, 3>().determinant() < 0) !=
+                              says(prim, "orientation", "leftHanded");
+        const Texture texture = textureOf(prim, pointCount, corners->size());
+        const auto materials = subsetMaterials(prim, counts->size(), material);
+        std::size_t at = 0;
+        for (std::size_t f = 0; f < counts->size(); ++f) {
+            materials_.change(materials.empty() ? material : materials[f], soup_.faceCount());
+            const auto count = static_cast<std::size_t>((*counts)[f]);
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::size_t corner = at + (isTurned ? count - 1 - k : k);
+                addCorner((*corners)[corner], corner, first, pointCount, texture);
+            }
+            at += count;
+            if (builder_.endFace(soup_.faceCount() + 1)) {
+                objects_.addFace();
+                materials_.addFace();
+            }
+        }
+        return nullptr;
+    }
+
+    void addCorner(int point, std::size_t corner, int first, std::size_t points,
+                   const Texture& texture) {
+        const bool isThere = point >= 0 && static_cast<std::size_t>(point) < points;
+        const int position = isThere ? first + point : io::kNoSuchPosition;
+        const double* st = isThere ? texture.at(corner, point) : nullptr;
+        soup_.corners.push_back(position);
+        soup_.cornerUvs.push_back(
+            st ? uvIndex_.insert({static_cast<double>(position), st[0], st[1]}).first : io::kNoUv);
+        if (uvs_.size() > soup_.uvs.size()) {
+            soup_.uvs.emplace_back(st[0], st[1]);
+        }
+    }
+
+    const io::UsdStage& stage_;
+    io::SoupBuilder builder_;
+    PolygonSoup& soup_;
+    double scale_ = 1;
+    std::vector<Vector3d> uvs_;  ///< position index, u, v
+    geometry::PointIndex uvIndex_{uvs_};
+    io::FaceNames objects_{soup_.objects, soup_.faceObject};
+    io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
+};
+
+}  // namespace
+
+Result<PolygonSoup> readUsd(std::shared_ptr<const std::string> text, const std::string& name,
+                            Progress& progress) {
+    const Result<io::UsdStage> stage = io::parseUsd(*text);
+    if (!stage) {
+        return Error{stage.error().code, Subject::file(name), stage.error().detail};
+    }
+    return StageReader(*stage, name).read(progress);
+}
+
+}  // namespace toile

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/io/zip_reader.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <zip.h>
+
+#include "core/base/characters.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+
+namespace toile::io {
+namespace {
+
+constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates nothing
+constexpr std::size_t kNamed = 3;        // of meshes to choose from
+
+struct Discard {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+};
+
+struct Close {
+    void operator()(zip_file_t* file) const { zip_fclose(file); }
+};
+
+using Archive = std::unique_ptr<zip_t, Discard>;
+
+struct Entry {
+    zip_uint64_t index;
+    std::string name;
+    long long size, packed;
+    bool encrypted;
+};
+
+class ZipReader {
+public:
+    ZipReader(std::string_view bytes, const std::string& name) : name_(name) {
+        zip_error_t error;
+        zip_error_init(&error);
+        zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+        archive_.reset(source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr);
+        if (!archive_) {
+            zip_source_free(source);
+            why_ = zip_error_strerror(&error);
+        }
+        zip_error_fini(&error);
+    }
+
+    Result<UnzippedFile> read(std::span<const std::string_view> endings,
+                              const Progress& progress) const {
+        if (!archive_) {
+            return malformed();
+        }
+        const long long count = zip_get_num_entries(archive_.get(), 0);
+        if (count > kMostZipEntries) {
+            return refused(worded("it holds %1 files; unpack it and open the mesh",
+                                  {figure(static_cast<double>(count))}));
+        }
+        std::vector<Entry> meshes = meshesIn(count, endings);
+        if (meshes.empty()) {
+            std::string listed;
+            for (const std::string_view ending : endings) {
+                listed += (listed.empty() ? "" : ", ") + std::string(ending);
+            }
+            return Error{ErrorCode::NoGeometry, Subject::file(name_),
+                         worded("none of its %1 files is one of %2",
+                                {figure(static_cast<double>(count)), Wording(listed)})};
+        }
+        const auto isObj = [](const Entry& entry) { return hasEnding(entry.name, ".obj"); };
+        if (std::ranges::count_if(meshes, isObj) == 1) {
+            std::erase_if(meshes, [&isObj](const Entry& entry) { return !isObj(entry); });
+        }
+        if (meshes.size() > 1) {
+            std::vector<std::string> names;
+            for (const Entry& entry : meshes) {
+                names.push_back(readableName(entry.name));
+            }
+            return refused(
+                worded("it holds several meshes, %1; unpack it and open those of one "
+                       "garment together",
+                       {Wording(quotedList(names, kNamed))}));
+        }
+        return unpacked(meshes.front(), progress);
+    }
+
+private:
+    static bool hasEnding(std::string_view name, std::string_view ending) {
+        return name.size() > ending.size() &&
+               equalsIgnoringCase(name.substr(name.size() - ending.size()), ending);
+    }
+
+    static bool isHidden(std::string_view name) {
+        return name.starts_with("__MACOSX/") || name.substr(name.rfind('/') + 1).starts_with('.');
+    }
+
+    std::vector<Entry> meshesIn(long long count, std::span<const std::string_view> endings) const {
+        std::vector<Entry> found;
+        for (long long i = 0; i < count; ++i) {
+            zip_stat_t stat;
+            zip_stat_init(&stat);
+            const auto index = static_cast<zip_uint64_t>(i);
+            constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
+            if (zip_stat_index(archive_.get(), index, ZIP_FL_ENC_GUESS, &stat) != 0 ||
+                (stat.valid & kNeeded) != kNeeded || isHidden(stat.name)) {
+                continue;
+            }
+            if (std::ranges::any_of(endings, [&stat](std::string_view ending) {
+                    return hasEnding(stat.name, ending);
+                })) {
+                const bool encrypted = (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
+                                       stat.encryption_method != ZIP_EM_NONE;
+                constexpr zip_uint64_t kMost = std::numeric_limits<long long>::max();
+                found.push_back(
+                    {index, stat.name, static_cast<long long>(std::min(stat.size, kMost)),
+                     static_cast<long long>(std::min(stat.comp_size, kMost)), encrypted});
+            }
+        }
+        return found;
+    }
+
+    Result<UnzippedFile> unpacked(const Entry& entry, const Progress& progress) const {
+        const Wording called(readableName(entry.name));
+        if (entry.encrypted) {
+            return refused(worded("%1 in it is encrypted; unpack it and open the mesh", {called}));
+        }
+        const bool isTight =
+            entry.size > kSmallUnzippedBytes && entry.size / kTightestPacking > entry.packed;
+        if (entry.size > kMostUnzippedBytes || isTight) {
+            return refused(worded("%1 in it is too large: %2 MB unpacked",
+                                  {called, figure(static_cast<double>(entry.size) / 1e6)}));
+        }
+        const std::unique_ptr<zip_file_t, Close> file(
+            zip_fopen_index(archive_.get(), entry.index, 0));
+        if (!file) {
+            return refused(worded("%1 in it cannot be unpacked: %2",
+                                  {called, Wording(zip_strerror(archive_.get()))}));
+        }
+        auto bytes = std::make_shared<std::string>();
+        const auto size = static_cast<std::size_t>(entry.size);
+        for (zip_int64_t more = 1; more > 0;) {
+            if (progress.isCancelled()) {
+                return Error{ErrorCode::Cancelled, Subject::file(name_)};
+            }
+            const std::size_t at = bytes->size();
+            bytes->resize(at + kChunk);
+            more = zip_fread(file.get(), bytes->data() + at, kChunk);
+            bytes->resize(at + static_cast<std::size_t>(std::max<zip_int64_t>(more, 0)));
+            if (more < 0 || bytes->size() > size) {
+                return malformed();
+            }
+        }
+        return bytes->size() == size ? Result<UnzippedFile>(UnzippedFile{entry.name, bytes})
+                                     : malformed();
+    }
+
+    Error malformed() const {
+        return {ErrorCode::MalformedFile, Subject::file(name_),
+                why_.empty() ? worded("the archive is damaged")
+                             : worded("it is no .zip archive: %1", {Wording(why_)})};
+    }
+
+    Error refused(Wording detail) const {
+        return {ErrorCode::FileUnreadable, Subject::file(name_), std::move(detail)};
+    }
+
+    std::string name_;
+    Archive archive_;
+    std::string why_;  ///< it could not be opened
+};
+
+}  // namespace
+
+Result<UnzippedFile> meshInZip(std::string_view archive, const std::string& name,
+                               std::span<const std::string_view> endings,
+                               const Progress& progress) {
+    return ZipReader(archive, name).read(endings, progress);
+}
+
+}  // namespace toile::io
