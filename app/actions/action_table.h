@@ -94,6 +94,12 @@ enum class ActionId {
     UpAuto,
     UpY,
     UpZ,
+    ReadAuto,
+    ReadSheet,
+    ReadOuter,
+    ReadInner,
+    ReadMiddle,
+    ReadScan,
     SplitAuto,
     SplitComponents,
     SplitObjects,
@@ -179,6 +185,7 @@ enum class ActionGroup {
     Solver,
     Unit,
     UpAxis,
+    ReadAs,
     Split
 };
 

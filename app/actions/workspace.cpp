@@ -286,6 +286,10 @@ void Workspace::setUpAxis(std::optional<UpAxis> up) {
     setLoadingField(tr("Up axis"), &LoadOptions::up, up);
 }
 
+void Workspace::setPreparing(Preparation preparing) {
+    setLoadingField(tr("Reading"), &LoadOptions::preparing, preparing);
+}
+
 void Workspace::setSplit(SplitMode split) {
     setLoadingField(tr("Division"), &LoadOptions::split, split);
 }

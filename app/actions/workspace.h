@@ -86,6 +86,8 @@ public:
     void setUnit(std::optional<FileUnit> unit);
     /// The axis that points up in the files; none: guessed. As setUnit.
     void setUpAxis(std::optional<UpAxis> up);
+    /// What the files are, and what is done with them before. As setUnit.
+    void setPreparing(Preparation preparing);
     /// By what files are divided. As setUnit.
     void setSplit(SplitMode split);
     /// Whether pieces that are no disks are cut open. As setUnit.

@@ -101,6 +101,34 @@ CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command com
     return added;
 }
 
+/// What files are, and what is done with them before they are divided.
+void addPreparing(CLI::App& command, Preparation& preparing) {
+    CLI::Option* as = addChoice(command, "--as", preparing.as, kFileKindWords,
+                                "What the files are, if that is not seen rightly (docs/input.md)");
+    addChoice(command, "--surface", preparing.surface, kShellSurfaceWords,
+              "Which surface of a thick shell is the sheet")
+        ->default_str("outer");
+    ScanSteps& scan = preparing.scan;
+    const auto addLength = [&](const char* option, double& length, const char* help) {
+        command.add_option(option, length, help)
+            ->type_name("MM")
+            ->check(CLI::Range(0.0, kMaxPreparedLength))
+            ->needs(as);
+    };
+    command
+        .add_flag_callback(
+            "--keep-debris", [&scan] { scan.dropDebris = false; },
+            "Of a scan: keep fragments that are no part of the garment")
+        ->needs(as);
+    addLength("--close-holes", scan.largestHole,
+              "Of a scan: close holes up to this perimeter; 0: none");
+    addLength("--smooth", scan.smoothing, "Of a scan: smooth noise up to this height; 0: none");
+    addLength("--remesh", scan.edgeLength,
+              "Of a scan: make its triangles anew, with edges of this length; 0: not");
+    addLength("--weld-within", preparing.weldDistance,
+              "Of a soup: join vertices up to this distance; 0: a thousandth of an edge");
+}
+
 /// How files are read, divided and cut: the commands and the window alike.
 void addReading(CLI::App& command, Arguments& arguments) {
     LoadOptions& load = arguments.load;
@@ -127,6 +155,7 @@ void addReading(CLI::App& command, Arguments& arguments) {
         ->type_name("FILE.json");
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
+    addPreparing(command, load.preparing);
     command.add_flag("--close-slits", load.closeSlits,
                      "Sew shut the slits inside pieces, as texture maps have them");
     command.add_flag("--strict", load.strict,

@@ -28,6 +28,26 @@ void printPrecision(const SourceFile& file, std::ostream& out) {
     }
 }
 
+/// As what a file was read: "a thick shell (two surfaces 1.5 mm apart)".
+void printReading(const FileReading& reading, std::ostream& out) {
+    static constexpr Word<FileKind> kShown[] = {
+        {FileKind::Sheet, "a plain sheet"},
+        {FileKind::Shell, "a thick shell"},
+        {FileKind::Scan, "a scan"},
+        {FileKind::Layers, "layers of cloth"},
+        {FileKind::Solid, "a solid, to be covered"},
+        {FileKind::Soup, "a soup of triangles, joined"},
+    };
+    out << (reading.isStated ? "read as " : "taken for ") << wordOf(kShown, reading.kind);
+    if (!reading.evidence.empty()) {
+        out << " (" << reading.evidence << ")";
+    }
+    if (reading.leftOut.F.rows() > 0) {
+        out << ", " << counted(reading.leftOut.F.rows(), "triangle") << " left out";
+    }
+    out << '\n';
+}
+
 void printFile(const SourceFile& file, std::ostream& out) {
     out << shownText(file.path.string(), kMaxOfPlace) << ": "
         << counted(file.soup->faceCount(), "face") << ", "
@@ -47,6 +67,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
         out << " (" << file.split.reason << ")";
     }
     out << '\n';
+    printReading(file.reading, out);
     printPrecision(file, out);
     if (const auto& better = file.betterSplit) {
         out << better->flat << " of " << counted(better->pieces, "piece")

@@ -119,6 +119,55 @@ CardQuestion askUpAxis(const SourceFile& file, Workspace& workspace) {
              {tr("z up"), !isY, [&workspace] { workspace.setUpAxis(UpAxis::Z); }}}};
 }
 
+QString kindText(const FileReading& reading) {
+    switch (reading.kind) {
+        case FileKind::Sheet:
+            return tr("a plain sheet");
+        case FileKind::Shell:
+            return tr("a thick shell");
+        case FileKind::Scan:
+            return tr("a scan");
+        case FileKind::Layers:
+            return tr("layers of cloth");
+        case FileKind::Solid:
+            return tr("a solid");
+        case FileKind::Soup:
+            return tr("loose triangles, joined");
+    }
+    return {};
+}
+
+/// Nothing where the file is a plain sheet, or has been said to be something.
+CardQuestion askReading(const SourceFile& file, Workspace& workspace) {
+    const FileReading& reading = file.reading;
+    const auto choice = [&workspace](const QString& text, bool present, Preparation preparing) {
+        return CardChoice{text, present,
+                          [&workspace, preparing] { workspace.setPreparing(preparing); }};
+    };
+    if (reading.isStated) {
+        return {};
+    }
+    const QString evidence = wordingText(reading.evidence);
+    if (reading.kind == FileKind::Shell) {
+        return {
+            tr("The file is cloth with a thickness: %1. Its outer surface was taken. "
+               "Is that right?")
+                .arg(evidence),
+            {choice(tr("Outer"), true, {}),
+             choice(tr("Inner"), false, {.as = FileKind::Shell, .surface = ShellSurface::Inner}),
+             choice(tr("Middle"), false, {.as = FileKind::Shell, .surface = ShellSurface::Middle}),
+             choice(tr("As it is"), false, {.as = FileKind::Sheet})}};
+    }
+    if (reading.kind == FileKind::Scan) {
+        return {tr("The file looks like a scan: %1. It can be made a sheet: debris goes, small "
+                   "holes are closed, noise is smoothed.")
+                    .arg(evidence),
+                {choice(tr("Prepare the scan"), false, {.as = FileKind::Scan}),
+                 choice(tr("As it is"), false, {.as = FileKind::Sheet})}};
+    }
+    return {};
+}
+
 QString divideBy(SplitMode mode) {
     switch (mode) {
         case SplitMode::Objects:
@@ -195,6 +244,13 @@ QString garmentReasons(const Document& document) {
         add(tr("Unit"), file->unitReason, tr("%1, as stated").arg(wordOf(file->unit)));
         add(tr("Up axis"), file->upReason,
             file->up == UpAxis::Y ? tr("y, as stated") : tr("z, as stated"));
+        if (file->reading.kind != FileKind::Sheet || file->reading.isStated) {
+            const Wording& evidence = file->reading.evidence;
+            lines << tr("%1: %2").arg(tr("Read as"), evidence.empty()
+                                                         ? kindText(file->reading)
+                                                         : tr("%1: %2").arg(kindText(file->reading),
+                                                                            wordingText(evidence)));
+        }
         add(tr("Pieces"), file->split.reason,
             tr("%1, as stated").arg(divisionWord(file->split.mode)));
     }
@@ -210,6 +266,9 @@ GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked) {
     const bool always = asked == Asked::Always;
     int index = 0;
     for (const auto& file : document.garment()->files) {
+        if (questions.reading.choices.empty()) {
+            questions.reading = askReading(*file, workspace);
+        }
         if ((file->unitInDoubt || always) && questions.unit.choices.empty()) {
             questions.unit = askUnit(*file, extentsOf(document, index), workspace);
         }

@@ -75,6 +75,9 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
         paintCrosses(frame, depthShift,
                      (camera.pointAtTargetDepth(kPixels, 0) - here).norm() / kPixels);
     }
+    if (morph.way == 0) {  // it does not lie flat anywhere
+        paintLeftOut(frame);
+    }
     paintLines(frame, depthShift);
     glDisable(GL_DEPTH_TEST);
 }

@@ -136,6 +136,7 @@ void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& r
     cutting_ = addAll(runs.cutting);
     notches_ = addAll(runs.notches);
     internal_ = addAll(runs.internal);
+    leftOut_ = addAll(runs.leftOut);
     boundaryAt_ = runs.boundaryAt;
     for (const VertexRun& run : runs.outlines) {
         const std::size_t first = indices.size() / 2;

@@ -88,6 +88,8 @@ public:
     void drawCutting() const { drawSegments(cutting_); }
     void drawNotches() const { drawSegments(notches_); }
     void drawInternal() const { drawSegments(internal_); }
+    bool hasLeftOut() const { return leftOut_.count > 0; }
+    void drawLeftOut() const { drawSegments(leftOut_); }
     /// Edges of a piece's boundary, as counted by OutlineRun, as they are drawn: it may pass the
     /// outline's beginning.
     void drawOutline(int piece, int first, int count) const;
@@ -102,7 +104,7 @@ private:
         draw(GL_LINES, 2 * range.first, 2 * range.count);
     }
 
-    Range seams_, reference_, exact_, cutting_, notches_, internal_;
+    Range seams_, reference_, exact_, cutting_, notches_, internal_, leftOut_;
     std::vector<Range> seam_, outline_;
     std::vector<std::vector<std::uint32_t>> boundaryAt_;  ///< LineRuns::boundaryAt
 };

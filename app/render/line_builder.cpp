@@ -3,6 +3,8 @@
 
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
+#include "core/io/conventions.h"
+#include "core/mesh/edge_table.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/facings.h"
 #include "core/pattern/internal_lines.h"
@@ -251,6 +253,24 @@ void addInternalLines(const Garment& garment, const PieceResults& results, const
         if (facing.strip.outline.rows() > 0) {
             scene.patternLines.internal.push_back(
                 addLine(scene, Points3(), innerEdge(facing.strip), {facing.piece, kNoTint}));
+        }
+    }
+}
+
+void addLeftOut(const Garment& garment, Scene& scene) {
+    constexpr Eigen::Index kMostEdges = 50'000;  // more are a grey surface
+    const int none = static_cast<int>(garment.pieces.size());
+    for (const auto& file : garment.files) {
+        const MeshArrays& mesh = file->reading.leftOut;
+        const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
+        const Eigen::Index step = 1 + table.edges.rows() / kMostEdges;
+        for (Eigen::Index e = 0; e < table.edges.rows(); e += step) {
+            Points3 edge(2, 3);
+            for (Eigen::Index k = 0; k < 2; ++k) {
+                edge.row(k) =
+                    withYUp(file->up, mesh.V.row(table.edges(e, k))) - scene.origin.transpose();
+            }
+            scene.garmentLines.leftOut.push_back(addLine(scene, edge, Points2(), {none, kNoTint}));
         }
     }
 }

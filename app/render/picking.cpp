@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "core/geometry/segment.h"
 
@@ -19,18 +20,18 @@ double distanceTo(const Ray& ray, const geometry::TriangleTree<3>::Box& box, dou
     for (int k = 0; k < 3; ++k) {
         const double inverse = 1.0 / ray.direction[k];  // infinite where parallel: still right
         const auto at = static_cast<std::size_t>(k);
-        double a = (static_cast<double>(box.low[at]) - ray.origin[k]) * inverse;
-        double b = (static_cast<double>(box.high[at]) - ray.origin[k]) * inverse;
+        // By the sign, so that the empty boxes at a tree's end are missed.
+        const auto& [first, last] =
+            inverse < 0 ? std::tie(box.high, box.low) : std::tie(box.low, box.high);
+        const double a = (static_cast<double>(first[at]) - ray.origin[k]) * inverse;
+        const double b = (static_cast<double>(last[at]) - ray.origin[k]) * inverse;
         if (std::isnan(a) || std::isnan(b)) {
             continue;  // parallel and within the slab's plane
         }
-        if (a > b) {
-            std::swap(a, b);
-        }
-        from = std::max(from, a - kSlack * std::abs(a));
-        to = std::min(to, b + kSlack * std::abs(b));
+        from = std::max(from, a);
+        to = std::min(to, b);
     }
-    return from <= to ? from : std::numeric_limits<double>::infinity();
+    return from <= to + kSlack * std::abs(to) ? from : std::numeric_limits<double>::infinity();
 }
 
 /// The face of lowest number among those found, as a search one by one would find it.

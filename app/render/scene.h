@@ -72,8 +72,8 @@ inline constexpr float kFreeEdgeTint = -1, kNoTint = -2;
 struct LineVertex {
     float position[3];
     float flat[2];  ///< where the piece lies flat, its own coordinates; else 0
-    float piece;
-    float along;  ///< mm on the flat piece from the line's beginning, for dashes
+    float piece;    ///< of what belongs to none: one past the last
+    float along;    ///< mm on the flat piece from the line's beginning, for dashes
     float tint;
 };
 
@@ -92,6 +92,7 @@ struct LineRuns {
     std::vector<VertexRun> cutting;    ///< round pieces and their allowances; in the pattern only
     std::vector<VertexRun> notches;    ///< strokes; in the pattern only
     std::vector<VertexRun> internal;   ///< internal lines, and in the pattern marks of darts
+    std::vector<VertexRun> leftOut;    ///< edges of what was left out of files; on the garment only
     /// Per piece its outline, the first vertex once more at the end; empty of a piece that is no
     /// disk, and in the pattern of one that is not flat.
     std::vector<VertexRun> outlines;

@@ -206,6 +206,7 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     }
     addSeamLines(garment, results, *scene);
     addOutlines(garment, results, *scene);
+    addLeftOut(garment, *scene);
     addReferenceLines(garment, results, *scene);
     addExactOutlines(garment, results, *scene);
     if (pattern) {

@@ -35,6 +35,10 @@ void addSeamLines(const Garment& garment, const PieceResults& results, Scene& sc
 /// The outline of every piece that is a disk.
 void addOutlines(const Garment& garment, const PieceResults& results, Scene& scene);
 
+/// The edges of what was left out when files were read, some of them where they are very many.
+/// Cost: linear in that.
+void addLeftOut(const Garment& garment, Scene& scene);
+
 /// Outline and holes of the reference panels, laid on the flat pieces that carry one.
 void addReferenceLines(const Garment& garment, const PieceResults& results, Scene& scene);
 

@@ -30,6 +30,7 @@ constexpr float kOutlineWidth = 1.25F, kSelectedWidth = 3.0F, kWireWidth = 0.7F;
 constexpr float kSelectedHaloWidth = 8.0F, kHoveredHaloWidth = 6.0F;
 /// Edges of the mesh shorter than this on the screen are not drawn, and fully from the other on:
 /// where they lie closer they would cover the cloth.
+constexpr int kGhostAlpha = 120;
 constexpr float kWireFadesOut = 4.0F, kWireFadesIn = 12.0F;
 constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kReferenceWidth = 1.5F;
 constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
@@ -146,8 +147,10 @@ bool SceneRenderer::synchronize(const ViewState& view) {
     const bool isOther = std::exchange(overlay_, view.overlay) != view.overlay;
     tableChanged_ = tableChanged_ || (isOther && hasOwnFabrics(content_.places));
     if (std::exchange(tableChanged_, false)) {
-        pieces_.upload(makePieceTable(*content_.scene, content_.selection, content_.places,
-                                      pieceColours_, overlay_));
+        std::vector<float> table = makePieceTable(*content_.scene, content_.selection,
+                                                  content_.places, pieceColours_, overlay_);
+        table.insert(table.end(), 4 * kTexelsPerPiece, 0.0F);  // of what belongs to no piece
+        pieces_.upload(table);
     }
     return true;
 }
@@ -326,6 +329,22 @@ void SceneRenderer::paintWireframe(const Frame& frame) {
     mesh_.drawEdges();
     lines_->setUniformValue("fade", 0.0F, 0.0F);
     glDisable(GL_BLEND);
+}
+
+void SceneRenderer::paintLeftOut(const Frame& frame) {
+    if (!overLines_.hasLeftOut()) {
+        return;
+    }
+    QColor ghost = frame.style.faintText;
+    ghost.setAlpha(kGhostAlpha);
+    ShaderProgram& program = beginLines(frame, 0);
+    beginBlending();
+    glDepthMask(GL_FALSE);
+    setLine(ghost, kWireWidth, false, frame);
+    overLines_.drawLeftOut();
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    program.release();
 }
 
 void SceneRenderer::paintReferenceLines(const Frame& frame) {

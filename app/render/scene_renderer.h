@@ -100,6 +100,8 @@ protected:
     /// panels where asked for, and over everything what is selected of them or under the pointer.
     /// @param depthShift lifts lines off the cloth, see Camera3D::depthShift
     void paintLines(const Frame& frame, float depthShift);
+    /// What was left out of the files, as faint edges where it was.
+    void paintLeftOut(const Frame& frame);
     void paintBackdrop(const Frame& frame);
     ShaderProgram& backdropProgram() { return *backdrop_; }
 

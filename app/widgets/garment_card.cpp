@@ -13,6 +13,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     setObjectName("garmentCard");
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::AlternateBase);
+    reading_ = makeRow("readingQuestion");
     unit_ = makeRow("unitQuestion");
     up_ = makeRow("upQuestion");
     division_ = makeRow("divisionQuestion");
@@ -23,6 +24,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
 
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
+    rows->addWidget(reading_.widget);
     rows->addWidget(unit_.widget);
     rows->addWidget(up_.widget);
     rows->addWidget(division_.widget);
@@ -105,6 +107,7 @@ void GarmentCard::addField(QWidget& buttons, const CardLength& length) {
 }
 
 void GarmentCard::ask(const GarmentQuestions& questions) {
+    fillRow(reading_, questions.reading);
     fillRow(unit_, questions.unit);
     fillRow(up_, questions.up);
     fillRow(division_, questions.division);
@@ -112,7 +115,8 @@ void GarmentCard::ask(const GarmentQuestions& questions) {
 }
 
 QString GarmentCard::sentence() const {
-    return unit_.sentence->text() + up_.sentence->text() + division_.sentence->text();
+    return reading_.sentence->text() + unit_.sentence->text() + up_.sentence->text() +
+           division_.sentence->text();
 }
 
 void GarmentCard::keep() {

@@ -32,10 +32,11 @@ struct CardQuestion {
 
 /// What the card asks.
 struct GarmentQuestions {
-    CardQuestion unit, up, division;
+    CardQuestion reading, unit, up, division;
 
     bool empty() const {
-        return unit.choices.empty() && up.choices.empty() && division.choices.empty();
+        return reading.choices.empty() && unit.choices.empty() && up.choices.empty() &&
+               division.choices.empty();
     }
 };
 
@@ -69,7 +70,7 @@ private:
     void addField(QWidget& buttons, const CardLength& length);
     void keep();
 
-    Row unit_, up_, division_;
+    Row reading_, unit_, up_, division_;
 };
 
 }  // namespace toile::app

@@ -39,6 +39,9 @@ enum class ErrorCode {
     FileChanged,
     PieceGone,
     EdgesCrowd,
+    ReadAs,
+    CannotReadAs,
+    LooksLikeScan,
     // Repairs: the mesh is put right, with a note
     EdgesCollapsed,
     FlatFacesRemoved,

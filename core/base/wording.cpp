@@ -36,6 +36,7 @@ constexpr Noun kNouns[] = {
     {"crossing", translatable("1 crossing"), translatable("%1 crossings")},
     {"edge", translatable("1 edge"), translatable("%1 edges")},
     {"face", translatable("1 face"), translatable("%1 faces")},
+    {"fragment", translatable("1 fragment"), translatable("%1 fragments")},
     {"handle", translatable("1 handle"), translatable("%1 handles")},
     {"hole", translatable("1 hole"), translatable("%1 holes")},
     {"loop", translatable("1 loop"), translatable("%1 loops")},

@@ -17,6 +17,7 @@
 #include "core/garment/split.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
+#include "core/prepare/prepare_file.h"
 
 namespace toile {
 
@@ -39,9 +40,10 @@ struct SourceFile {
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
     Wording upReason;       ///< why this axis, where it was not stated; else empty
     bool upInDoubt = false;
-    /// As read, or welded; never null.
+    /// As read, welded and prepared; never null.
     std::shared_ptr<const PolygonSoup> soup = std::make_shared<const PolygonSoup>();
-    SplitChoice split;  ///< by what the file was divided, and why
+    FileReading reading;  ///< as what it was read; `soup` is what came of that
+    SplitChoice split;    ///< by what the file was divided, and why
     /// By which more pieces could lie flat, where Toile chose and some cannot.
     std::optional<DivisionCount> betterSplit{};
     Problems problems;       ///< of the file as a whole; a piece's own are with the piece

@@ -91,8 +91,8 @@ void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
 
 }  // namespace
 
-Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, bool wanted, double millimetres,
-                  const std::string& name) {
+Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, std::optional<double> wanted,
+                  double millimetres, const std::string& name) {
     const PolygonSoup& soup = *shared;
     if (soup.corners.empty()) {
         return {};
@@ -112,8 +112,10 @@ Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, bool wanted, doubl
     Error note;
     for (const std::vector<int>& faces : facesByObject(soup)) {
         const Patch patch = patchOf(soup, faces, local);
-        const Weld weld =
-            findWeld(patch.F, patch.V, {wanted ? weldTolerance(patch.F, patch.V) : 0.0, true});
+        const double within = !wanted       ? 0
+                              : *wanted > 0 ? *wanted / millimetres
+                                            : weldTolerance(patch.F, patch.V);
+        const Weld weld = findWeld(patch.F, patch.V, {within, true});
         for (const int face : faces) {
             for (int c = soup.faceStart[face]; c < soup.faceStart[face + 1]; ++c) {
                 renamed[c] = patch.vertices[weld.target[local[soup.corners[c]]]];

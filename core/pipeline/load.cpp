@@ -77,12 +77,21 @@ void noteUnusedVertices(SourceFile& file) {
     }
 }
 
+/// Within which vertices are to be joined, mm, as `weldSoup` takes it.
+std::optional<double> weldDistance(const LoadOptions& options) {
+    return options.preparing.as == FileKind::Soup ? std::optional(options.preparing.weldDistance)
+           : options.weld                         ? std::optional(0.0)
+                                                  : std::nullopt;
+}
+
 /// The first note that something of the file was left out or read otherwise than written.
 const Error* firstChange(const Problems& problems, const LoadOptions& options) {
     const auto found = std::find_if(problems.begin(), problems.end(), [&](const Error& problem) {
         return problem.code != ErrorCode::UnitGuessed &&
                problem.code != ErrorCode::UnusedVertices &&
-               !(problem.code == ErrorCode::VerticesWelded && options.weld);
+               problem.code != ErrorCode::LooksLikeScan &&
+               !(problem.code == ErrorCode::ReadAs && options.preparing.as) &&
+               !(problem.code == ErrorCode::VerticesWelded && weldDistance(options));
     });
     return found == problems.end() ? nullptr : &*found;
 }
@@ -119,8 +128,18 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     const auto take = [&file](const Problems& problems) {
         file->problems.insert(file->problems.end(), problems.begin(), problems.end());
     };
-    take(weldSoup(file->soup, options.weld, millimetresPer(file->unit),
-                  read.path.filename().string()));
+    const std::string name = read.path.filename().string();
+    const double millimetres = millimetresPer(file->unit);
+    const Problems welded = weldSoup(file->soup, weldDistance(options), millimetres, name);
+    take(welded);
+    Result<PreparedFile> prepared =
+        prepareFile(file->soup, !welded.empty(), options.preparing, millimetres, name, progress);
+    if (!prepared) {
+        return prepared.error();
+    }
+    file->soup = std::move(prepared->soup);
+    file->reading = std::move(prepared->reading);
+    take(prepared->problems);
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
     if (options.closeSlits) {
         closeSlits(divided.pieces);

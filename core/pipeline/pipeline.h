@@ -16,6 +16,7 @@
 #include "core/garment/identify.h"
 #include "core/layout/marker.h"
 #include "core/pattern/line_settings.h"
+#include "core/prepare/preparation.h"
 
 namespace toile {
 
@@ -27,6 +28,7 @@ struct LoadOptions {
     std::optional<FileUnit> unit{};  ///< of all files; guessed per file where not given
     std::optional<UpAxis> up{};      ///< of all files; guessed per file where not given
     SplitMode split = SplitMode::Auto;
+    Preparation preparing{};  ///< what the files are, and what is done with them before
     bool weld = false;        ///< join vertices that lie on each other, within each object
     bool closeSlits = false;  ///< make both sides of slits inside pieces one (`closeSlits`)
     bool strict = false;      ///< refuse a file in which anything had to be left out or repaired

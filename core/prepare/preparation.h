@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "core/base/words.h"
+
 namespace toile {
 
 /// What a file may hold.
@@ -15,10 +17,22 @@ enum class FileKind {
     Soup,    ///< triangles that share no vertices
 };
 
-inline constexpr int kFileKinds = 6;
+inline constexpr Word<FileKind> kFileKindWords[] = {
+    {FileKind::Sheet, "sheet"},   {FileKind::Shell, "shell"}, {FileKind::Scan, "scan"},
+    {FileKind::Layers, "layers"}, {FileKind::Solid, "solid"}, {FileKind::Soup, "soup"},
+};
 
 /// Which surface of a shell becomes the sheet.
 enum class ShellSurface { Outer, Inner, Middle };
+
+inline constexpr Word<ShellSurface> kShellSurfaceWords[] = {
+    {ShellSurface::Outer, "outer"},
+    {ShellSurface::Inner, "inner"},
+    {ShellSurface::Middle, "middle"},
+};
+
+/// Of the lengths below, the greatest that may be said, mm.
+inline constexpr double kMaxPreparedLength = 10'000;
 
 /// What is done with a scan; lengths in mm, 0: not done.
 struct ScanSteps {
@@ -35,6 +49,8 @@ struct Preparation {
     std::optional<FileKind> as{};  ///< recognised where not said
     ShellSurface surface = ShellSurface::Outer;
     ScanSteps scan{};
+    /// Within which vertices of a soup become one, mm; 0: a thousandth of the median edge.
+    double weldDistance = 0;
 
     bool operator==(const Preparation&) const = default;
 };

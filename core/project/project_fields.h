@@ -21,6 +21,20 @@ inline constexpr int kMaxColour = 1000000;
 inline constexpr double kMaxTurns = 2;   ///< round a line that is closed
 inline constexpr double kMaxTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 
+inline constexpr auto kScanSteps = [](auto& at, auto& steps) {
+    at.field("dropDebris", steps.dropDebris);
+    at.field("largestHole", steps.largestHole, 0, kMaxPreparedLength);
+    at.field("smoothing", steps.smoothing, 0, kMaxPreparedLength);
+    at.field("edgeLength", steps.edgeLength, 0, kMaxPreparedLength);
+};
+
+inline constexpr auto kPreparation = [](auto& at, auto& preparation) {
+    at.word("as", preparation.as, kFileKindWords);
+    at.word("surface", preparation.surface, kShellSurfaceWords);
+    at.object("scan", preparation.scan, kScanSteps);
+    at.field("weldDistance", preparation.weldDistance, 0, kMaxPreparedLength);
+};
+
 inline constexpr auto kReading = [](auto& at, auto& loading) {
     at.field("unit", loading.unit);
     at.word("up", loading.up, R"("y" or "z")", parseUpAxis);
@@ -30,6 +44,9 @@ inline constexpr auto kReading = [](auto& at, auto& loading) {
     at.field("weld", loading.weld);
     if (at.kReads || loading.closeSlits) {
         at.field("closeSlits", loading.closeSlits);
+    }
+    if (at.kReads || !(loading.preparing == Preparation{})) {
+        at.object("preparing", loading.preparing, kPreparation);
     }
     at.field("strict", loading.strict);
     at.field("autoCut", loading.autoCut);

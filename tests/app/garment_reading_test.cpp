@@ -4,7 +4,9 @@
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
+#include <array>
 #include <fstream>
+#include <set>
 
 #include "app/panels/pieces_model.h"
 #include "app/render/scene.h"
@@ -45,6 +47,31 @@ void writeWithUv(const std::string& path, double scale) {
     }
 }
 
+/// A sheet of 400 by 600, closed: a copy 2 behind it that looks the other way, and rims.
+MeshArrays thickSheet() {
+    const MeshArrays sheet = test::makeSheet(400, 600, 8, 12);
+    const auto n = static_cast<int>(sheet.V.rows());
+    std::vector<std::array<int, 3>> faces;
+    std::set<std::pair<int, int>> sides;
+    for (const auto& f : sheet.F.rowwise()) {
+        faces.push_back({f[0], f[1], f[2]});
+        faces.push_back({f[0] + n, f[2] + n, f[1] + n});
+        sides.insert({{f[0], f[1]}, {f[1], f[2]}, {f[2], f[0]}});
+    }
+    for (const auto& [a, b] : sides) {
+        if (!sides.contains({b, a})) {
+            faces.push_back({b, a, a + n});
+            faces.push_back({b, a + n, b + n});
+        }
+    }
+    MeshArrays thick{Points3(2 * n, 3), Triangles(std::ssize(faces), 3)};
+    thick.V << sheet.V, sheet.V.rowwise() - Eigen::RowVector3d(0, 0, 2);
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        thick.F.row(static_cast<Eigen::Index>(f)) << faces[f][0], faces[f][1], faces[f][2];
+    }
+    return thick;
+}
+
 }  // namespace
 
 /// How a garment is read, and what the window asks and offers about it.
@@ -73,6 +100,7 @@ private slots:
         // 12 units wide: a shirt for a doll in centimetres?
         writeWithUv(fixture_.path("small.obj").toStdString(), 0.05);
         writeWithUv(fixture_.path("sure.obj").toStdString(), 2.0);
+        test::writeObj(fixture_.path("thick.obj").toStdString(), {{"panel", thickSheet()}});
         // 14.4 units, as MakeHuman's suits are.
         writeWithUv(fixture_.path("decimetres.obj").toStdString(), 0.06);
         // Flatter along y than along z, and not by enough.
@@ -177,6 +205,42 @@ private slots:
         QVERIFY(!card().isVisible());
         QVERIFY(fixture_.action(ActionId::UpZ).isChecked());
         QVERIFY(summary().startsWith("height 52.0 cm"));
+    }
+
+    void aThickShellIsAskedFor() {
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        QVERIFY(fixture_.openAndWait(fixture_.path("thick.obj")));
+        const auto file = [this]() -> const SourceFile& { return *document().garment()->files[0]; };
+        QCOMPARE(file().reading.kind, FileKind::Shell);
+        QCOMPARE(document().pieceCount(), 1);
+        QVERIFY(document().result(0)->flat);
+        QVERIFY(!document().scene()->garmentLines.leftOut.empty());
+        QVERIFY(card().isVisible());
+        QVERIFY(fixture_.find<GarmentCard>("garmentCard").sentence().contains("2.0 mm"));
+        QVERIFY(cardButton("Outer")->isChecked());
+        const double outer = document().garment()->pieces[0]->mesh.V.col(2).maxCoeff();
+        QTest::mouseClick(cardButton("Inner"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!card().isVisible());
+        QVERIFY(fixture_.action(ActionId::ReadInner).isChecked());
+        const double inner = document().garment()->pieces[0]->mesh.V.col(2).maxCoeff();
+        QVERIFY(std::abs(std::abs(outer - inner) - 2) < 1e-9);
+        QCOMPARE(document().history().undoText(), QString("Reading"));
+        fixture_.action(ActionId::ReadSheet).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().garment()->pieces[0]->defect->code, ErrorCode::ClosedSurface);
+        QVERIFY(document().scene()->garmentLines.leftOut.empty());
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(!document().garment()->pieces[0]->defect);
+    }
+
+    void whatIsNoShellIsNotReadAsOne() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        const int pieces = document().pieceCount();
+        fixture_.action(ActionId::ReadMiddle).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), pieces);
+        QCOMPARE(document().garment()->files[0]->problems.back().code, ErrorCode::CannotReadAs);
     }
 
     void menuDividesAgain() {

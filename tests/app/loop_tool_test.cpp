@@ -39,14 +39,17 @@ private slots:
 
     void altAndAClickCutAroundATube_data() {
         QTest::addColumn<ToolId>("tool");
-        QTest::newRow("cut tool") << ToolId::Cut;
-        QTest::newRow("loop tool") << ToolId::Loop;
+        QTest::addColumn<int>("around");
+        QTest::newRow("cut tool") << ToolId::Cut << 16;
+        QTest::newRow("loop tool") << ToolId::Loop << 16;
+        QTest::newRow("a fine mesh, on another thread") << ToolId::Cut << 96;
     }
 
     void altAndAClickCutAroundATube() {
         QFETCH(ToolId, tool);
+        QFETCH(int, around);
         constexpr double kRadius = 90, kLength = 700;
-        MeshArrays sleeve = test::makeSheet(2 * std::numbers::pi * kRadius, kLength, 16, 12);
+        MeshArrays sleeve = test::makeSheet(2 * std::numbers::pi * kRadius, kLength, around, 12);
         for (auto v : sleeve.V.rowwise()) {
             const double angle = v.x() / kRadius;
             v = Eigen::RowVector3d(kRadius * std::cos(angle), v.y(), -kRadius * std::sin(angle));
@@ -66,8 +69,8 @@ private slots:
         QCOMPARE(tools().current().id(), tool);
         const AppliedCut& cut = document().garment()->cuts[0];
         QCOMPARE(cut.kind, UserCut::Kind::Loop);
-        const double around = 2 * 16 * kRadius * std::sin(std::numbers::pi / 16);
-        QVERIFY(std::abs(cut.length - around) < 1e-3 * around);
+        const double girth = 2 * around * kRadius * std::sin(std::numbers::pi / around);
+        QVERIFY(std::abs(cut.length - girth) < 1e-3 * girth);
     }
 
     void altAndAClickOnASheetSaysThatThereIsNoTube() {

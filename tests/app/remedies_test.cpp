@@ -96,6 +96,7 @@ private slots:
         MeshArrays beside = makeTube(90, 700, 16, 12);
         beside.V.col(0).array() += 250;
         write("leg.obj", {{"leg", makeTube(90, 700, 16, 12)}});
+        write("fine.obj", {{"leg", makeTube(90, 700, 64, 24)}});
         write("legs.obj", {{"left", makeTube(90, 700, 16, 12)}, {"right", beside}});
         write("tiny.obj", {{"sheet", test::makeSheet(4, 6, 8, 12)}});
         write("cap.obj", {{"cap", test::makeCap(0)}});
@@ -107,8 +108,15 @@ private slots:
     void init() { fixture_.open(); }
     void cleanup() { fixture_.close(); }
 
+    void aTubeIsOpenedByTheButtonOfItsFinding_data() {
+        QTest::addColumn<const char*>("file");
+        QTest::newRow("coarse") << "leg.obj";
+        QTest::newRow("fine: on another thread") << "fine.obj";
+    }
+
     void aTubeIsOpenedByTheButtonOfItsFinding() {
-        QVERIFY(open("leg.obj"));
+        QFETCH(const char*, file);
+        QVERIFY(open(file));
         QVERIFY(!document().result(0)->flat);
         QTest::keyClick(&fixture_.window(), Qt::Key_F8);
         const QModelIndex button = rowWith(Remedy::CutOpen);
@@ -116,7 +124,6 @@ private slots:
         const QString said = button.siblingAtColumn(ProblemsModel::Problem).data().toString();
         QVERIFY2(said.contains("tube with 2 openings"), qPrintable(said));
         clickOn(button);
-        QVERIFY(waitForAnswer());
         QTRY_VERIFY_WITH_TIMEOUT(document().result(0) && document().result(0)->flat,
                                  test::kPatience);
         QVERIFY(waitForAnswer());

@@ -33,7 +33,8 @@ PolygonSoup looseStrip(int squares, bool inTwoObjects = false) {
 
 Problems weld(PolygonSoup& soup, bool wanted, double millimetres) {
     auto shared = std::make_shared<const PolygonSoup>(soup);
-    Problems notes = weldSoup(shared, wanted, millimetres, "a.obj");
+    Problems notes =
+        weldSoup(shared, wanted ? std::optional(0.0) : std::nullopt, millimetres, "a.obj");
     soup = *shared;
     return notes;
 }

@@ -35,6 +35,9 @@ Kinds kindsOf(ErrorCode code) {
         case ErrorCode::UnknownKey:
         case ErrorCode::FileChanged:
         case ErrorCode::VerticesWelded:
+        case ErrorCode::ReadAs:
+        case ErrorCode::CannotReadAs:
+        case ErrorCode::LooksLikeScan:
             return {Kind::File};
         case ErrorCode::NonFinitePosition:
         case ErrorCode::DegenerateFaceRecord:

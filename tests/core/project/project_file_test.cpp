@@ -39,6 +39,12 @@ public:
         loading.split = static_cast<SplitMode>(upTo(6));
         loading.weld = flag();
         loading.closeSlits = flag();
+        if (flag()) {
+            loading.preparing.as = static_cast<FileKind>(upTo(5));
+            loading.preparing.surface = static_cast<ShellSurface>(upTo(2));
+            loading.preparing.scan = {flag(), 10.5, 0.25, 7};
+            loading.preparing.weldDistance = 0.1;
+        }
         loading.strict = flag();
         loading.autoCut = flag();
         loading.seams.unit = unit();

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/prepare_file.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/prepare/recognise.h"
+#include "core/prepare/scan.h"
+
+namespace toile {
+namespace {
+
+constexpr double kSquareMillimetresPerSquareCentimetre = 100;
+
+/// These faces of the file alone, without the positions that none of them uses.
+MeshArrays facesOf(const FileSurface& surface, const std::vector<int>& faces) {
+    std::vector<char> isWanted(surface.face.empty() ? 0U : std::size_t(surface.face.back()) + 1, 0);
+    for (const int face : faces) {
+        if (static_cast<std::size_t>(face) < isWanted.size()) {
+            isWanted[face] = 1;
+        }
+    }
+    std::vector<int> number(static_cast<std::size_t>(surface.mesh.V.rows()), -1);
+    std::vector<int> used, corners;
+    for (std::size_t f = 0; f < surface.face.size(); ++f) {
+        for (int k = 0; k < 3 && isWanted[surface.face[f]]; ++k) {
+            const int v = surface.mesh.F(static_cast<Eigen::Index>(f), k);
+            if (number[v] < 0) {
+                number[v] = static_cast<int>(used.size());
+                used.push_back(v);
+            }
+            corners.push_back(number[v]);
+        }
+    }
+    MeshArrays mesh{surface.mesh.V(used, Eigen::all), Triangles(std::ssize(corners) / 3, 3)};
+    std::ranges::copy(corners, mesh.F.data());
+    return mesh;
+}
+
+/// Puts one surface of a shell in the file's place.
+void takeSurface(PreparedFile& file, const FileSurface& surface, const Shell& shell,
+                 ShellSurface which, const std::string& name) {
+    LeftOut out = leftOut(surface, shell, which);
+    const auto rims = static_cast<long long>(out.rims.size());
+    const auto others = static_cast<long long>(out.other.size());
+    const char* pattern =
+        which == ShellSurface::Outer
+            ? translatable(
+                  "a thick shell, %1: the outer surface is the sheet; %2 of the inner "
+                  "one and %3 of rims are left out")
+        : which == ShellSurface::Inner
+            ? translatable(
+                  "a thick shell, %1: the inner surface is the sheet; %2 of the outer "
+                  "one and %3 of rims are left out")
+            : translatable(
+                  "a thick shell, %1: the sheet runs in the middle; %2 of the inner "
+                  "surface and %3 of rims are left out");
+    file.problems.push_back({ErrorCode::ReadAs, Subject::file(name),
+                             worded(pattern, {file.reading.evidence, countWording(others, "face"),
+                                              countWording(rims, "face")})});
+    out.other.insert(out.other.end(), out.rims.begin(), out.rims.end());
+    file.reading.leftOut = facesOf(surface, out.other);
+    file.soup = std::make_shared<const PolygonSoup>(sheetOf(*file.soup, surface, shell, which));
+}
+
+Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
+    Wording words = worded("a scan of %1", {countWording(effect.trianglesBefore, "triangle")});
+    if (effect.fragments > 0) {
+        words += worded("; %1 of %2 cm2 dropped",
+                        {countWording(effect.fragments, "fragment"),
+                         figure(effect.debrisArea / kSquareMillimetresPerSquareCentimetre, 1)});
+    }
+    if (effect.holes > 0) {
+        words += worded("; %1 closed by %2 cm2",
+                        {countWording(effect.holes, "hole"),
+                         figure(effect.patchArea / kSquareMillimetresPerSquareCentimetre, 1)});
+    }
+    if (effect.largestMove > 0) {
+        words += worded("; noise smoothed by %1 mm on average, %2 mm at most",
+                        {figure(effect.meanMove, 2), figure(effect.largestMove, 2)});
+    }
+    if (!effect.isSurface) {
+        words += worded("; it is no surface that holes and noise can be seen to on");
+    } else if (effect.isRemeshed) {
+        words += worded("; made anew of %1, edges about %2 mm",
+                        {countWording(effect.triangles, "triangle"), figure(steps.edgeLength, 1)});
+    } else if (steps.edgeLength > 0) {
+        words += worded("; its triangles could not be made anew");
+    }
+    return words;
+}
+
+Result<void> takeScan(PreparedFile& file, const ScanSteps& steps, double millimetres,
+                      const std::string& name, const Progress& progress) {
+    Progress part(progress, 1);
+    Result<PreparedScan> made = prepareScan(*file.soup, millimetres, steps, part);
+    if (!made) {
+        return made.error();
+    }
+    file.problems.push_back({ErrorCode::ReadAs, Subject::file(name), inWords(made->effect, steps)});
+    for (Error& repair : made->effect.repairs) {
+        repair.subject = Subject::file(name);
+        file.problems.push_back(std::move(repair));
+    }
+    if (!made->debris.empty()) {
+        file.reading.leftOut = facesOf(surfaceOf(*file.soup, millimetres), made->debris);
+    }
+    file.soup = std::make_shared<const PolygonSoup>(std::move(made->soup));
+    return {};
+}
+
+}  // namespace
+
+Result<PreparedFile> prepareFile(std::shared_ptr<const PolygonSoup> soup, bool wasSoup,
+                                 const Preparation& preparation, double millimetres,
+                                 const std::string& name, const Progress& progress) {
+    PreparedFile file{std::move(soup), {}, {}};
+    FileReading& reading = file.reading;
+    reading.isStated = preparation.as.has_value();
+    if (!reading.isStated || *preparation.as == FileKind::Shell) {
+        const FileSurface surface = surfaceOf(*file.soup, millimetres);
+        const Recognition found = recognise(surface, progress);
+        reading.kind = found.kind;
+        reading.evidence = found.evidence;
+        if (found.shell) {
+            takeSurface(file, surface, *found.shell, preparation.surface, name);
+        } else if (reading.isStated) {
+            file.problems.push_back({ErrorCode::CannotReadAs, Subject::file(name),
+                                     worded("no two surfaces a thickness apart were found")});
+        } else if (wasSoup && reading.kind == FileKind::Sheet) {
+            reading.kind = FileKind::Soup;
+        }
+    }
+    if (reading.isStated) {
+        reading.kind = *preparation.as;
+    }
+    if (reading.kind == FileKind::Scan && reading.isStated) {
+        const Result<void> taken = takeScan(file, preparation.scan, millimetres, name, progress);
+        if (!taken) {
+            return taken.error();
+        }
+    } else if (reading.kind == FileKind::Scan) {
+        file.problems.push_back({ErrorCode::LooksLikeScan, Subject::file(name), reading.evidence});
+    }
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
+    return file;
+}
+
+}  // namespace toile

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/base/wording.h"
+#include "core/prepare/shell.h"
+
+namespace toile {
+
+/// What a file was taken for, and what it was seen by.
+struct Recognition {
+    FileKind kind = FileKind::Sheet;
+    Wording evidence;            ///< for a person; empty of plain sheets
+    std::optional<Shell> shell;  ///< there where the kind is Shell
+};
+
+/// What a file holds, by its shape alone. Whatever is in doubt is a sheet. Vertices that lie on
+/// each other are to be joined before: a soup cannot be told from sheets here.
+/// @param progress  cancelled, anything is a sheet
+/// Cost: that of `findShell`, and n log n. Pure.
+Recognition recognise(const FileSurface& surface, const Progress& progress);
+
+}  // namespace toile

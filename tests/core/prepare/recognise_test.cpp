@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/recognise.h"
+
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/cut/cut_shapes.h"
+#include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+FileSurface asFile(MeshArrays mesh) {
+    FileSurface surface{std::move(mesh), {}};
+    for (int f = 0; f < surface.mesh.F.rows(); ++f) {
+        surface.face.push_back(f);
+    }
+    return surface;
+}
+
+MeshArrays both(const MeshArrays& a, const MeshArrays& b) {
+    MeshArrays joined{Points3(a.V.rows() + b.V.rows(), 3), Triangles(a.F.rows() + b.F.rows(), 3)};
+    joined.V << a.V, b.V;
+    joined.F << a.F, (b.F.array() + static_cast<int>(a.V.rows())).matrix();
+    return joined;
+}
+
+MeshArrays scaled(MeshArrays mesh, double across, double along) {
+    mesh.V.col(0) *= across;
+    mesh.V.col(2) *= across;
+    mesh.V.col(1) *= along;
+    return mesh;
+}
+
+FileKind kindOf(const MeshArrays& mesh) {
+    return recognise(asFile(mesh), Progress()).kind;
+}
+
+TEST(Recognise, OneSurfaceIsASheet) {
+    EXPECT_EQ(kindOf(test::planeGrid(8, 8, 20)), FileKind::Sheet);
+    EXPECT_EQ(kindOf(test::tube(24, 9)), FileKind::Sheet);
+    EXPECT_EQ(kindOf(test::sphericalCap(8, 100, 1.2)), FileKind::Sheet);
+    EXPECT_EQ(kindOf({Points3(0, 3), Triangles(0, 3)}), FileKind::Sheet);
+}
+
+TEST(Recognise, AClosedFormIsASolid) {
+    EXPECT_EQ(kindOf(test::octahedron()), FileKind::Solid);
+    EXPECT_EQ(kindOf(test::sphere(16)), FileKind::Solid);
+    EXPECT_EQ(kindOf(test::closedTorus(32, 16)), FileKind::Solid);
+}
+
+TEST(Recognise, ALiningInItsShellIsLayers) {
+    const MeshArrays shell = test::tube(24, 9), lining = scaled(test::tube(17, 5), 0.8, 1.7);
+    const Recognition found = recognise(asFile(both(shell, lining)), Progress());
+    EXPECT_EQ(found.kind, FileKind::Layers) << found.evidence;
+    MeshArrays beside = shell;
+    beside.V.col(0).array() += 300;
+    EXPECT_EQ(kindOf(both(shell, beside)), FileKind::Sheet) << "two legs are no layers";
+}
+
+TEST(Recognise, FragmentsMakeAScanAndButtonsDoNot) {
+    MeshArrays scan = test::planeGrid(40, 40, 20), shirt = scan;
+    for (int k = 0; k < 6; ++k) {
+        MeshArrays fragment = test::planeGrid(1 + k % 3, 1 + k / 3, 2.0 + k);
+        fragment.V.rowwise() += Eigen::RowVector3d(100.0 * k, 50, 30);
+        scan = both(scan, fragment);
+        MeshArrays button = scaled(test::octahedron(), 5, 5);
+        button.V.rowwise() += Eigen::RowVector3d(400, 100.0 * k, 10);
+        shirt = both(shirt, button);
+    }
+    const Recognition found = recognise(asFile(scan), Progress());
+    EXPECT_EQ(found.kind, FileKind::Scan);
+    EXPECT_NE(found.evidence.find("6 fragments"), std::string::npos) << found.evidence;
+    EXPECT_EQ(kindOf(shirt), FileKind::Sheet);
+}
+
+class RecogniseFile : public testing::TestWithParam<std::pair<const char*, FileKind>> {};
+
+TEST_P(RecogniseFile, AsWhatItIs) {
+    const auto& [name, kind] = GetParam();
+    const auto path = test::dataFile(name);
+    TOILE_NEEDS_SHARED(path);
+    Progress progress;
+    const auto soup = readSoup(path, progress);
+    ASSERT_TRUE(soup);
+    const Recognition found = recognise(surfaceOf(*soup, 10), progress);
+    EXPECT_EQ(wordOf(kFileKindWords, found.kind), wordOf(kFileKindWords, kind)) << found.evidence;
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RecogniseFile,
+                         testing::Values(std::pair("samples/tshirt.obj", FileKind::Sheet),
+                                         std::pair("samples/skirt.obj", FileKind::Sheet),
+                                         std::pair("samples/trousers.obj", FileKind::Sheet),
+                                         std::pair("samples/bodice.obj", FileKind::Sheet),
+                                         std::pair("samples/cap.obj", FileKind::Sheet),
+                                         std::pair("garments/dress.obj", FileKind::Sheet),
+                                         std::pair("garments/tee_sim.obj", FileKind::Sheet),
+                                         std::pair("garments/tee_sim_pieces.obj", FileKind::Sheet),
+                                         std::pair("garments/polo.obj", FileKind::Sheet),
+                                         std::pair("garments/polo_pieces.obj", FileKind::Sheet),
+                                         std::pair("garments/longsleeve.obj", FileKind::Sheet),
+                                         std::pair("garments/skirt_clo.obj", FileKind::Sheet),
+                                         std::pair("garments/leggings.ply", FileKind::Sheet),
+                                         std::pair("garments/suit_mh.obj", FileKind::Sheet),
+                                         std::pair("thick/tee_sim_thick.obj", FileKind::Shell),
+                                         std::pair("thick/dress_thick.obj", FileKind::Shell),
+                                         std::pair("scans/dress_scan.obj", FileKind::Scan),
+                                         std::pair("nasty/bunny_holes.ply", FileKind::Scan),
+                                         std::pair("nasty/hand_closed.off", FileKind::Solid),
+                                         std::pair("nasty/knot_torus.off", FileKind::Solid),
+                                         std::pair("nasty/boeing.off", FileKind::Sheet),
+                                         std::pair("disks/face.obj", FileKind::Sheet)),
+                         [](const auto& file) {
+                             std::string word = file.param.first;
+                             std::ranges::replace_if(
+                                 word, [](char c) { return c == '/' || c == '.'; }, '_');
+                             return word;
+                         });
+
+}  // namespace
+}  // namespace toile
