@@ -39,7 +39,8 @@ struct Shell {
 /// Thickness may differ from place to place. Exact where one surface is a copy of the other,
 /// triangle by triangle; else by rays from one to the other.
 /// @param progress  cancelled, nothing is found
-/// Cost: n log n; 0.1 s for 45 000 triangles, 0.3 s where the surfaces are no copies. Pure.
+/// Cost: n log n; 0.1 s for 45 000 triangles, 0.2 s where the surfaces are no copies, 0.02 s to say
+/// that it is no shell. Pure.
 std::optional<Shell> findShell(const FileSurface& surface, const Progress& progress);
 
 /// One surface of a shell, and single sheets beside it: names and UV map as they are, every face

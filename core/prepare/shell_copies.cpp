@@ -2,6 +2,7 @@
 #include "core/prepare/shell_copies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -11,6 +12,9 @@ namespace {
 /// How much farther apart, or nearer, a pair of corners may be than its neighbours: a corner that
 /// lies on its copy's neighbour is farther off where triangles are larger than the thickness.
 constexpr double kDistanceRatio = 2;
+/// Least cosine, on average, between the way to the copy and the normal: in rows of a rim the way
+/// lies in the surface.
+constexpr double kThrough = 0.25;
 /// Polygons with more corners are no cloth's; finding how two lie on each other is quadratic.
 constexpr int kMostCorners = 64;
 
@@ -146,6 +150,8 @@ bool Copies::pairUp(const Seed& seed, double reference) {
         count != corners(seed.other)) {
         return false;
     }
+    const Eigen::RowVector3d normal = surface_.normal.row(firstTriangle_[seed.polygon]);
+    double through = 0;
     for (int k = 0; k < count; ++k) {
         const int v = cornerAt(seed.polygon, k), w = mirrored(seed.other, seed.shift, k);
         const bool isSame = partner_[v] == w && partner_[w] == v;
@@ -153,10 +159,14 @@ bool Copies::pairUp(const Seed& seed, double reference) {
             return false;
         }
         const double apart = distance(v, w);
+        through += normal.dot(surface_.mesh.V.row(w) - surface_.mesh.V.row(v)) / apart;
         if (apart > farthest_ || apart > kDistanceRatio * reference ||
             apart * kDistanceRatio < reference) {
             return false;
         }
+    }
+    if (std::abs(through) < kThrough * count) {
+        return false;
     }
     for (int k = 0; k < count; ++k) {
         const int v = cornerAt(seed.polygon, k), w = mirrored(seed.other, seed.shift, k);

@@ -138,6 +138,22 @@ TEST(FindShell, StandsRimsThatAreRoundedOff) {
     }
 }
 
+TEST(FindShell, StandsRimsOfSeveralRows) {
+    const int count = 2 * 48 * 20;
+    PolygonSoup soup = asSoup(surfaceOf(thickened(tubeSheet()), 1).mesh);
+    for (int i = 0; i < 2; ++i) {
+        soup = withDivided(soup, 0, soup.faceCount());
+    }
+    const auto shell = shellOf(soup);
+    ASSERT_TRUE(shell);
+    for (std::size_t t = 0; t < shell->side.size(); ++t) {
+        const int before = static_cast<int>(t) / 16;  // of the triangles that were divided
+        ASSERT_EQ(shell->side[t], before < count       ? ShellSide::Outer
+                                  : before < 2 * count ? ShellSide::Inner
+                                                       : ShellSide::Rim);
+    }
+}
+
 TEST(FindShell, DoesNotMindTheOrderOfTheFile) {
     const MeshArrays mesh = surfaceOf(thickened(tubeSheet()), 1).mesh;
     const Renumbered other = renumber(mesh, 7);
