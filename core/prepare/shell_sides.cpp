@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "core/prepare/shell_rims.h"
@@ -15,6 +16,8 @@ namespace {
 constexpr double kMostConflicts = 0.05;
 /// How much smaller the one surface may be than the other.
 constexpr double kLeastBalance = 0.6;
+/// Of the root of one surface's area: how thick it may be. Buttons are thicker.
+constexpr double kThickestPart = 0.15;
 
 /// What is said of which triangles, the surest first.
 struct Link {
@@ -49,12 +52,14 @@ TwoSided twoSidesOf(const Pairs& pairs, const std::vector<Neighbours>& neighbour
 struct Sums {
     std::array<double, 2> area{}, facing{};
     double outwards = 0;  ///< positive where its first side is the outer one
+    double volume = 0;    ///< of the cloth, from either side: twice what there is
     double conflicts = 0;
 
     bool isShell() const {
         const auto [least, most] = std::minmax(area[0], area[1]);
-        return least > 0 && least >= kLeastBalance * most &&
-               conflicts <= kMostConflicts * (area[0] + area[1]);
+        const double both = area[0] + area[1];
+        return least > 0 && least >= kLeastBalance * most && conflicts <= kMostConflicts * both &&
+               volume <= kThickestPart * std::sqrt(most) * both;
     }
 };
 
@@ -90,6 +95,7 @@ Sides findSides(const Surface& surface, const Pairs& pairs) {
         const Eigen::Vector3d across = pairs.across.row(t).normalized();
         Sums& shell = sums[root];
         shell.area[side] += area;
+        shell.volume += area * pairs.thickness[t];
         shell.facing[side] += area * across.dot(surface.normal.row(t));
         shell.outwards -=
             (side == 0 ? 1 : -1) * area * across.dot(middleOf(surface.mesh, t) - centre);

@@ -229,6 +229,16 @@ TEST(FindShell, KeepsALiningThatIsASheet) {
     }
 }
 
+TEST(FindShell, LeavesButtonsWhole) {
+    const PolygonSoup button =
+        thickened(asSoup(planeGrid(4, 4, 3)), {.thickness = [](const auto&) { return 3.0; }});
+    const auto shell = shellOf(together(thickened(tubeSheet()), button));
+    ASSERT_TRUE(shell);
+    EXPECT_EQ(std::count(shell->side.begin(), shell->side.end(), ShellSide::Single),
+              std::ssize(surfaceOf(button, 1).face));
+    EXPECT_EQ(shell->partner.back(), -1);
+}
+
 TEST(FindShell, KeepsASheetThatLiesBesideIt) {
     PolygonSoup pocket = asSoup(planeGrid(10, 10, 20));
     for (Eigen::Vector3d& position : pocket.positions) {
