@@ -154,9 +154,10 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
                               1.05, false, true));
     lines->addSpacing(16);
     lines->addWidget(open_, 0, Qt::AlignHCenter);
-    advice_ = makeText(tr("or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are "
-                          "taken as one garment"),
-                       0.95, false, true);
+    advice_ =
+        makeText(tr("or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several "
+                    "meshes are taken as one garment"),
+                 0.95, false, true);
     lines->addWidget(advice_);
     lines->addWidget(makeOrigins(), 0, Qt::AlignHCenter);
     lines->addWidget(makeRecent());

@@ -6,6 +6,20 @@
 #include <cmath>
 #include <utility>
 
+namespace toile {
+namespace {
+
+// Words stand in namespace `toile`, where the window looks for their translations.
+constexpr const char* kNoUsd = translatable("it is no USD text");
+constexpr const char* kNotUnderstood = translatable("it cannot be understood");
+
+Error malformedUsdText(int line, const char* what) {
+    return {ErrorCode::MalformedFile, {}, worded("line %1: %2", {figure(line), worded(what)})};
+}
+
+}  // namespace
+}  // namespace toile
+
 namespace toile::io {
 namespace {
 
@@ -252,19 +266,17 @@ const UsdPrim* UsdPrim::child(std::string_view called) const {
 
 Result<UsdStage> parseUsd(std::string_view bytes) {
     UsdText text(bytes);
-    const auto malformed = [&text](const char* what) -> Error {
-        return {ErrorCode::MalformedFile,
-                {},
-                worded("line %1: %2", {figure(text.line()), worded(what)})};
+    const auto malformed = [&text](const char* what) {
+        return malformedUsdText(text.line(), what);
     };
     if (!bytes.starts_with("#usda 1.")) {
-        return malformed(translatable("it is no USD text"));
+        return malformed(kNoUsd);
     }
     UsdStage stage;
     if (text.peek() == '(') {
         const auto metadata = text.bracketed('(', ')');
         if (!metadata) {
-            return malformed(translatable("it cannot be understood"));
+            return malformed(kNotUnderstood);
         }
         stage.metadata = metadataOf(*metadata);
     }
@@ -272,7 +284,7 @@ Result<UsdStage> parseUsd(std::string_view bytes) {
         UsdPrim& prim = stage.prims.emplace_back();
         prim.specifier = text.word();
         if (!isSpecifier(prim.specifier) || !readPrim(text, prim, 0)) {
-            return malformed(translatable("it cannot be understood"));
+            return malformed(kNotUnderstood);
         }
     }
     return stage;

@@ -110,6 +110,32 @@ Texture textureOf(const UsdPrim& prim, std::size_t points, std::size_t corners) 
     return {};
 }
 
+struct UsdUnit {
+    StatedUnit stated;
+    double scale = 1;  ///< factor from the file's coordinates to that unit
+};
+
+UsdUnit unitOfStage(const io::UsdStage& stage) {
+    constexpr double kUsual = 0.01, kSame = 1e-6, kMillimetresPerMetre = 1000;
+    double metres = kUsual;
+    const auto stated = stage.metadata.find("metersPerUnit");
+    if (stated != stage.metadata.end()) {
+        const auto numbers = io::usdNumbers(&stated->second);
+        if (numbers && numbers->size() == 1 && numbers->front() > 0) {
+            metres = numbers->front();
+        }
+    }
+    for (const LengthUnit unit : kLengthUnits) {
+        if (std::abs(metres * kMillimetresPerMetre / millimetresPer(unit) - 1) < kSame) {
+            return {{unit, stated == stage.metadata.end()
+                               ? worded("USD files that state no unit are in cm")
+                               : worded("stated in the USD file")}};
+        }
+    }
+    return {{LengthUnit::Metre, worded("the USD file's own unit is %1 m", {figure(metres, 6)})},
+            metres};
+}
+
 class StageReader {
 public:
     StageReader(const io::UsdStage& stage, const std::string& name)
@@ -131,26 +157,9 @@ public:
 
 private:
     void takeUnit() {
-        constexpr double kUsual = 0.01, kSame = 1e-6, kMillimetresPerMetre = 1000;
-        double metres = kUsual;
-        const auto stated = stage_.metadata.find("metersPerUnit");
-        if (stated != stage_.metadata.end()) {
-            const auto numbers = io::usdNumbers(&stated->second);
-            if (numbers && numbers->size() == 1 && numbers->front() > 0) {
-                metres = numbers->front();
-            }
-        }
-        for (const LengthUnit unit : kLengthUnits) {
-            if (std::abs(metres * kMillimetresPerMetre / millimetresPer(unit) - 1) < kSame) {
-                soup_.statedUnit = {unit, stated == stage_.metadata.end()
-                                              ? worded("USD files that state no unit are in cm")
-                                              : worded("stated in the USD file")};
-                return;
-            }
-        }
-        scale_ = metres;
-        soup_.statedUnit = {LengthUnit::Metre,
-                            worded("the USD file's own unit is %1 m", {figure(metres, 6)})};
+        UsdUnit unit = unitOfStage(stage_);
+        soup_.statedUnit = std::move(unit.stated);
+        scale_ = unit.scale;
     }
 
     /// What is wrong; null where nothing is. No deeper than the text may be.

@@ -12,6 +12,24 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 
+namespace toile {
+namespace {
+
+// Words stand in namespace `toile`, where the window looks for their translations.
+constexpr const char* kTooMany = translatable("it holds %1 files; unpack it and open the mesh");
+constexpr const char* kNoneIn = translatable("none of its %1 files is one of %2");
+constexpr const char* kSeveral =
+    translatable("it holds several meshes, %1; unpack it and open those of one garment together");
+constexpr const char* kEncrypted =
+    translatable("%1 in it is encrypted; unpack it and open the mesh");
+constexpr const char* kTooLarge = translatable("%1 in it is too large: %2 MB unpacked");
+constexpr const char* kNotUnpacked = translatable("%1 in it cannot be unpacked: %2");
+constexpr const char* kDamaged = translatable("the archive is damaged");
+constexpr const char* kNoArchive = translatable("it is no .zip archive: %1");
+
+}  // namespace
+}  // namespace toile
+
 namespace toile::io {
 namespace {
 
@@ -56,8 +74,7 @@ public:
         }
         const long long count = zip_get_num_entries(archive_.get(), 0);
         if (count > kMostZipEntries) {
-            return refused(worded("it holds %1 files; unpack it and open the mesh",
-                                  {figure(static_cast<double>(count))}));
+            return refused(worded(kTooMany, {figure(static_cast<double>(count))}));
         }
         std::vector<Entry> meshes = meshesIn(count, endings);
         if (meshes.empty()) {
@@ -66,8 +83,7 @@ public:
                 listed += (listed.empty() ? "" : ", ") + std::string(ending);
             }
             return Error{ErrorCode::NoGeometry, Subject::file(name_),
-                         worded("none of its %1 files is one of %2",
-                                {figure(static_cast<double>(count)), Wording(listed)})};
+                         worded(kNoneIn, {figure(static_cast<double>(count)), Wording(listed)})};
         }
         const auto isObj = [](const Entry& entry) { return hasEnding(entry.name, ".obj"); };
         if (std::ranges::count_if(meshes, isObj) == 1) {
@@ -78,10 +94,7 @@ public:
             for (const Entry& entry : meshes) {
                 names.push_back(readableName(entry.name));
             }
-            return refused(
-                worded("it holds several meshes, %1; unpack it and open those of one "
-                       "garment together",
-                       {Wording(quotedList(names, kNamed))}));
+            return refused(worded(kSeveral, {Wording(quotedList(names, kNamed))}));
         }
         return unpacked(meshes.front(), progress);
     }
@@ -124,19 +137,18 @@ private:
     Result<UnzippedFile> unpacked(const Entry& entry, const Progress& progress) const {
         const Wording called(readableName(entry.name));
         if (entry.encrypted) {
-            return refused(worded("%1 in it is encrypted; unpack it and open the mesh", {called}));
+            return refused(worded(kEncrypted, {called}));
         }
         const bool isTight =
             entry.size > kSmallUnzippedBytes && entry.size / kTightestPacking > entry.packed;
         if (entry.size > kMostUnzippedBytes || isTight) {
-            return refused(worded("%1 in it is too large: %2 MB unpacked",
-                                  {called, figure(static_cast<double>(entry.size) / 1e6)}));
+            return refused(
+                worded(kTooLarge, {called, figure(static_cast<double>(entry.size) / 1e6)}));
         }
         const std::unique_ptr<zip_file_t, Close> file(
             zip_fopen_index(archive_.get(), entry.index, 0));
         if (!file) {
-            return refused(worded("%1 in it cannot be unpacked: %2",
-                                  {called, Wording(zip_strerror(archive_.get()))}));
+            return refused(worded(kNotUnpacked, {called, Wording(zip_strerror(archive_.get()))}));
         }
         auto bytes = std::make_shared<std::string>();
         const auto size = static_cast<std::size_t>(entry.size);
@@ -158,8 +170,7 @@ private:
 
     Error malformed() const {
         return {ErrorCode::MalformedFile, Subject::file(name_),
-                why_.empty() ? worded("the archive is damaged")
-                             : worded("it is no .zip archive: %1", {Wording(why_)})};
+                why_.empty() ? worded(kDamaged) : worded(kNoArchive, {Wording(why_)})};
     }
 
     Error refused(Wording detail) const {

@@ -2367,9 +2367,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>the library that reads this format does not survive it</source>
         <translation>die Bibliothek, die dieses Format liest, übersteht sie nicht</translation>
     </message>
-</context>
-<context>
-    <name>toile::StageReader</name>
+    <message>
+        <source>it is no USD text</source>
+        <translation>es ist kein USD-Text</translation>
+    </message>
+    <message>
+        <source>it cannot be understood</source>
+        <translation>das ist nicht zu verstehen</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
     <message>
         <source>USD files that state no unit are in cm</source>
         <translation>USD-Dateien ohne Angabe einer Einheit sind in cm</translation>
@@ -2381,6 +2390,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>the USD file&apos;s own unit is %1 m</source>
         <translation>die eigene Einheit der USD-Datei ist %1 m</translation>
+    </message>
+    <message>
+        <source>it holds %1 files; unpack it and open the mesh</source>
+        <translation>es enthält %1 Dateien; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>none of its %1 files is one of %2</source>
+        <translation>keine seiner %1 Dateien ist eine von %2</translation>
+    </message>
+    <message>
+        <source>it holds several meshes, %1; unpack it and open those of one garment together</source>
+        <translation>es enthält mehrere Netze, %1; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
+    </message>
+    <message>
+        <source>%1 in it is encrypted; unpack it and open the mesh</source>
+        <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>%1 in it is too large: %2 MB unpacked</source>
+        <translation>%1 darin ist zu groß: %2 MB entpackt</translation>
+    </message>
+    <message>
+        <source>%1 in it cannot be unpacked: %2</source>
+        <translation>%1 darin lässt sich nicht entpacken: %2</translation>
+    </message>
+    <message>
+        <source>the archive is damaged</source>
+        <translation>das Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>it is no .zip archive: %1</source>
+        <translation>es ist kein .zip-Archiv: %1</translation>
     </message>
 </context>
 <context>
@@ -7604,8 +7645,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>or drop OBJ, PLY, OFF, STL or .toile files here; several meshes are taken as one garment</source>
-        <translation>oder OBJ-, PLY-, OFF-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
+        <source>or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several meshes are taken as one garment</source>
+        <translation>oder OBJ-, .zip-, glTF-, FBX-, USD-, PLY-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
     </message>
     <message>
         <source>CLO, Marvelous Designer</source>
@@ -7909,56 +7950,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>The garment was changed before the cut was found. Cut once more.</source>
         <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
-    </message>
-</context>
-<context>
-    <name>toile::io</name>
-    <message>
-        <source>line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
-    </message>
-    <message>
-        <source>it is no USD text</source>
-        <translation>es ist kein USD-Text</translation>
-    </message>
-    <message>
-        <source>it cannot be understood</source>
-        <translation>das ist nicht zu verstehen</translation>
-    </message>
-</context>
-<context>
-    <name>toile::io::ZipReader</name>
-    <message>
-        <source>it holds %1 files; unpack it and open the mesh</source>
-        <translation>es enthält %1 Dateien; entpacken Sie es und öffnen Sie das Netz</translation>
-    </message>
-    <message>
-        <source>none of its %1 files is one of %2</source>
-        <translation>keine seiner %1 Dateien ist eine von %2</translation>
-    </message>
-    <message>
-        <source>it holds several meshes, %1; unpack it and open those of one garment together</source>
-        <translation>es enthält mehrere Netze, %1; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
-    </message>
-    <message>
-        <source>%1 in it is encrypted; unpack it and open the mesh</source>
-        <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
-    </message>
-    <message>
-        <source>%1 in it is too large: %2 MB unpacked</source>
-        <translation>%1 darin ist zu groß: %2 MB entpackt</translation>
-    </message>
-    <message>
-        <source>%1 in it cannot be unpacked: %2</source>
-        <translation>%1 darin lässt sich nicht entpacken: %2</translation>
-    </message>
-    <message>
-        <source>the archive is damaged</source>
-        <translation>das Archiv ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is no .zip archive: %1</source>
-        <translation>es ist kein .zip-Archiv: %1</translation>
     </message>
 </context>
 </TS>
