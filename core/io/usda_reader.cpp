@@ -285,6 +285,7 @@ private:
 Result<PolygonSoup> readUsd(std::shared_ptr<const std::string> text, const std::string& name,
                             Progress& progress) {
     const Result<io::UsdStage> stage = io::parseUsd(*text);
+    text.reset();  // all values are copied by now
     if (!stage) {
         return Error{stage.error().code, Subject::file(name), stage.error().detail};
     }

@@ -91,6 +91,7 @@ public:
         }
         if (meshes.size() > 1) {
             std::vector<std::string> names;
+            names.reserve(meshes.size());
             for (const Entry& entry : meshes) {
                 names.push_back(readableName(entry.name));
             }
