@@ -10,7 +10,7 @@ namespace {
 
 using test::edgesOf;
 
-TEST(Holes, AreToldFromOpenings) {
+TEST(ScanHoles, AreToldFromOpenings) {
     const MeshArrays mesh = test::withHole(test::skirt(), 0, 300, 25);
     const EdgeTable table = edgesOf(mesh);
     EXPECT_EQ(rimsOf(mesh, table).size(), 3U);
@@ -22,7 +22,7 @@ TEST(Holes, AreToldFromOpenings) {
     EXPECT_TRUE(findHoles(mesh, table, holes[0].perimeter - 1).empty());
 }
 
-TEST(Holes, NeitherTheEndOfATubeNorAnOutlineIsOne) {
+TEST(ScanHoles, NeitherTheEndOfATubeNorAnOutlineIsOne) {
     const MeshArrays tube = test::tube(12, 4);
     for (const RimLoop& rim : rimsOf(tube, edgesOf(tube))) {
         EXPECT_NEAR(flatness(tube, edgesOf(tube), rim), 0, 1e-9);
@@ -33,7 +33,7 @@ TEST(Holes, NeitherTheEndOfATubeNorAnOutlineIsOne) {
     EXPECT_TRUE(findHoles(patch, edgesOf(patch), 1000).empty());
 }
 
-TEST(Holes, FlatnessDoesNotDependOnPlaceNorNumbering) {
+TEST(ScanHoles, FlatnessDoesNotDependOnPlaceNorNumbering) {
     MeshArrays mesh = test::withHole(test::skirt(), 40, 200, 30);
     const RimLoop hole = findHoles(mesh, edgesOf(mesh), 1000).at(0);
     const double before = flatness(mesh, edgesOf(mesh), hole);
