@@ -48,7 +48,7 @@ public:
             debris_.push_back(part_.sourceFace[triangle]);
         }
         std::ranges::sort(debris_);
-        debris_.erase(std::ranges::unique(debris_).begin(), debris_.end());
+        debris_.erase(std::unique(debris_.begin(), debris_.end()), debris_.end());
         eraseFaces(part_, erased);
         eraseUnusedVertices(part_);
     }
