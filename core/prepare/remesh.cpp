@@ -83,6 +83,7 @@ MeshArrays toArrays(Surface& surface) {
 void fair(Surface& surface, const std::vector<Vertex>& inner, const Eigen::AlignedBox3d& around,
           double farthest) {
     std::vector<Kernel::Point_3> taut;
+    taut.reserve(inner.size());
     for (const Vertex v : inner) {
         taut.push_back(surface.point(v));
     }
