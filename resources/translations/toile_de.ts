@@ -386,6 +386,10 @@ veraltet</translation>
         <source>where the worn cloth faces: one colour for each direction</source>
         <translation>wohin der getragene Stoff weist: eine Farbe für jede Richtung</translation>
     </message>
+    <message>
+        <source>squares of 1/2 in on the flat cloth</source>
+        <translation>Quadrate von 1/2 in auf dem flachen Stoff</translation>
+    </message>
 </context>
 <context>
     <name>PatternView</name>
@@ -643,6 +647,17 @@ veraltet</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>two surfaces %1 mm apart</source>
+        <translation>zwei Flächen im Abstand von %1 mm</translation>
+    </message>
+    <message>
+        <source>two surfaces %1 to %2 mm apart</source>
+        <translation>zwei Flächen im Abstand von %1 bis %2 mm</translation>
     </message>
 </context>
 <context>
@@ -2423,6 +2438,94 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>it is no .zip archive: %1</source>
         <translation>es ist kein .zip-Archiv: %1</translation>
     </message>
+    <message>
+        <source>the file is no plain sheet of cloth and was made one</source>
+        <translation>die Datei ist keine einfache Stofffläche und wurde zu einer gemacht</translation>
+    </message>
+    <message>
+        <source>Say what the file is if that is wrong</source>
+        <translation>Sagen Sie, was die Datei ist, falls das nicht stimmt</translation>
+    </message>
+    <message>
+        <source>the file does not look like what it is said to be</source>
+        <translation>die Datei sieht nicht nach dem aus, was sie sein soll</translation>
+    </message>
+    <message>
+        <source>Nothing was done with it; say that it is something else</source>
+        <translation>Es wurde nichts mit ihr gemacht; sagen Sie, dass sie etwas anderes ist</translation>
+    </message>
+    <message>
+        <source>the file looks like a scan</source>
+        <translation>die Datei sieht nach einem Scan aus</translation>
+    </message>
+    <message>
+        <source>Have it prepared as one: debris goes, holes are closed, noise is smoothed</source>
+        <translation>Lassen Sie sie als Scan aufbereiten: Bruchstücke entfallen, Löcher werden geschlossen, Rauschen geglättet</translation>
+    </message>
+    <message>
+        <source>1 fragment</source>
+        <translation>1 Bruchstück</translation>
+    </message>
+    <message>
+        <source>%1 fragments</source>
+        <translation>%1 Bruchstücke</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the outer surface is the sheet; %2 of the inner one and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Die äußere Fläche ist der Stoff; weggelassen: %2 der inneren, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the inner surface is the sheet; %2 of the outer one and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Die innere Fläche ist der Stoff; weggelassen: %2 der äußeren, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the sheet runs in the middle; %2 of the inner surface and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Der Stoff verläuft in der Mitte; weggelassen: %2 der inneren Fläche, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>a scan of %1</source>
+        <translation>ein Scan aus %1</translation>
+    </message>
+    <message>
+        <source>; %1 of %2 cm2 dropped</source>
+        <translation>; %1 mit %2 cm2 entfernt</translation>
+    </message>
+    <message>
+        <source>; %1 closed by %2 cm2</source>
+        <translation>; %1 mit %2 cm2 geschlossen</translation>
+    </message>
+    <message>
+        <source>; noise smoothed by %1 mm on average, %2 mm at most</source>
+        <translation>; Rauschen geglättet, im Mittel um %1 mm, höchstens um %2 mm</translation>
+    </message>
+    <message>
+        <source>; it is no surface that holes and noise can be seen to on</source>
+        <translation>; es ist keine Fläche, an der sich Löcher schließen und Rauschen glätten ließe</translation>
+    </message>
+    <message>
+        <source>; made anew of %1, edges about %2 mm</source>
+        <translation>; neu aufgebaut aus %1 mit Kanten von etwa %2 mm</translation>
+    </message>
+    <message>
+        <source>; its triangles could not be made anew</source>
+        <translation>; die Dreiecke ließen sich nicht neu aufbauen</translation>
+    </message>
+    <message>
+        <source>no two surfaces a thickness apart were found</source>
+        <translation>es wurden keine zwei Flächen im Abstand einer Stoffdicke gefunden</translation>
+    </message>
+    <message>
+        <source>%1 beside one large surface</source>
+        <translation>%1 neben einer großen Fläche</translation>
+    </message>
+    <message>
+        <source>a closed surface, with nothing inside it</source>
+        <translation>eine geschlossene Fläche, in der nichts liegt</translation>
+    </message>
+    <message>
+        <source>surfaces that lie on each other, %1 mm apart</source>
+        <translation>Flächen, die im Abstand von %1 mm aufeinanderliegen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -2541,10 +2644,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Check&amp;erboard</source>
         <translation>&amp;Karos</translation>
-    </message>
-    <message>
-        <source>True-scale squares of 1 cm on the cloth</source>
-        <translation>Maßstäbliche Karos von 1 cm auf dem Stoff</translation>
     </message>
     <message>
         <source>Checker</source>
@@ -4780,6 +4879,114 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>closed all round</source>
         <translation>ringsum geschlossen</translation>
+    </message>
+    <message>
+        <source>True-scale squares on the cloth</source>
+        <translation>Maßstäbliche Karos auf dem Stoff</translation>
+    </message>
+    <message>
+        <source>Recognise what the file holds: a sheet, a thick shell, a scan</source>
+        <translation>Erkennen, was in der Datei ist: eine Fläche, eine dicke Schale, ein Scan</translation>
+    </message>
+    <message>
+        <source>&amp;Plain sheet</source>
+        <translation>&amp;Einfache Fläche</translation>
+    </message>
+    <message>
+        <source>Take every face of the file, as it is</source>
+        <translation>Jede Fläche der Datei nehmen, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Thick shell, &amp;outer surface</source>
+        <translation>Dicke Schale, &amp;äußere Fläche</translation>
+    </message>
+    <message>
+        <source>Of cloth with a thickness take the outer surface, without its rims</source>
+        <translation>Von Stoff mit einer Dicke die äußere Fläche nehmen, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Thick shell, &amp;inner surface</source>
+        <translation>Dicke Schale, &amp;innere Fläche</translation>
+    </message>
+    <message>
+        <source>Of cloth with a thickness take the inner surface, without its rims</source>
+        <translation>Von Stoff mit einer Dicke die innere Fläche nehmen, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Thick shell, &amp;middle</source>
+        <translation>Dicke Schale, &amp;Mitte</translation>
+    </message>
+    <message>
+        <source>Of cloth with a thickness take what runs midway between its surfaces</source>
+        <translation>Von Stoff mit einer Dicke nehmen, was mitten zwischen seinen Flächen verläuft</translation>
+    </message>
+    <message>
+        <source>&amp;Scan</source>
+        <translation>&amp;Scan</translation>
+    </message>
+    <message>
+        <source>Drop debris, close small holes and smooth noise</source>
+        <translation>Bruchstücke entfernen, kleine Löcher schließen und Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>&amp;Read as</source>
+        <translation>&amp;Lesen als</translation>
+    </message>
+    <message>
+        <source>a plain sheet</source>
+        <translation>eine einfache Fläche</translation>
+    </message>
+    <message>
+        <source>a thick shell</source>
+        <translation>eine dicke Schale</translation>
+    </message>
+    <message>
+        <source>a scan</source>
+        <translation>ein Scan</translation>
+    </message>
+    <message>
+        <source>layers of cloth</source>
+        <translation>Stofflagen</translation>
+    </message>
+    <message>
+        <source>a solid</source>
+        <translation>ein Körper</translation>
+    </message>
+    <message>
+        <source>loose triangles, joined</source>
+        <translation>lose Dreiecke, verbunden</translation>
+    </message>
+    <message>
+        <source>The file is cloth with a thickness: %1. Its outer surface was taken. Is that right?</source>
+        <translation>Die Datei ist Stoff mit einer Dicke: %1. Genommen wurde die äußere Fläche. Stimmt das?</translation>
+    </message>
+    <message>
+        <source>Outer</source>
+        <translation>Äußere</translation>
+    </message>
+    <message>
+        <source>Inner</source>
+        <translation>Innere</translation>
+    </message>
+    <message>
+        <source>Middle</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>As it is</source>
+        <translation>Wie sie ist</translation>
+    </message>
+    <message>
+        <source>The file looks like a scan: %1. It can be made a sheet: debris goes, small holes are closed, noise is smoothed.</source>
+        <translation>Die Datei sieht nach einem Scan aus: %1. Sie kann zu einer Fläche gemacht werden: Bruchstücke entfallen, kleine Löcher werden geschlossen, Rauschen geglättet.</translation>
+    </message>
+    <message>
+        <source>Prepare the scan</source>
+        <translation>Scan aufbereiten</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Gelesen als</translation>
     </message>
 </context>
 <context>

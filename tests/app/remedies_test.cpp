@@ -109,14 +109,14 @@ private slots:
     void cleanup() { fixture_.close(); }
 
     void aTubeIsOpenedByTheButtonOfItsFinding_data() {
-        QTest::addColumn<const char*>("file");
+        QTest::addColumn<QString>("file");
         QTest::newRow("coarse") << "leg.obj";
         QTest::newRow("fine: on another thread") << "fine.obj";
     }
 
     void aTubeIsOpenedByTheButtonOfItsFinding() {
-        QFETCH(const char*, file);
-        QVERIFY(open(file));
+        QFETCH(QString, file);
+        QVERIFY(open(qPrintable(file)));
         QVERIFY(!document().result(0)->flat);
         QTest::keyClick(&fixture_.window(), Qt::Key_F8);
         const QModelIndex button = rowWith(Remedy::CutOpen);

@@ -15,7 +15,7 @@ const Plane kMiddle(Eigen::Vector3d::UnitX(), 0);
 
 /// A skirt's half of x > 0, as a file in centimetres has it.
 PolygonSoup halfSkirt() {
-    return test::asSoup(
+    return test::inCentimetres(
         test::part(test::skirt(), [](const Eigen::RowVector3d& middle) { return middle.x() > 0; }));
 }
 
@@ -63,7 +63,7 @@ TEST(CompleteHalf, KeepsNamesAndMap) {
 }
 
 TEST(CompleteHalf, AWholeGarmentIsNoHalf) {
-    EXPECT_FALSE(completeHalf(test::asSoup(test::skirt()), kMiddle, 1, 10));
+    EXPECT_FALSE(completeHalf(test::inCentimetres(test::skirt()), kMiddle, 1, 10));
     EXPECT_FALSE(completeHalf({}, kMiddle, 1, 10));
 }
 

@@ -57,7 +57,7 @@ inline MeshArrays beside(const MeshArrays& a, const MeshArrays& b, const Eigen::
 }
 
 /// As a file in centimetres would say it.
-inline PolygonSoup asSoup(const MeshArrays& mesh) {
+inline PolygonSoup inCentimetres(const MeshArrays& mesh) {
     PolygonSoup soup;
     for (int v = 0; v < mesh.V.rows(); ++v) {
         soup.positions.emplace_back(mesh.V.row(v).transpose() / 10);

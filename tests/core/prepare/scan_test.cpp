@@ -41,7 +41,7 @@ MeshArrays scannedSkirt() {
 
 TEST(Scan, BecomesOneSheetWithItsOpenings) {
     const MeshArrays scan = scannedSkirt();
-    const PreparedScan result = prepared(test::asSoup(scan), {});
+    const PreparedScan result = prepared(test::inCentimetres(scan), {});
     EXPECT_EQ(result.effect.fragments, 2);
     EXPECT_EQ(result.debris.size(), 8U + 4U);
     EXPECT_EQ(result.effect.holes, 2);
@@ -61,7 +61,7 @@ TEST(Scan, BecomesOneSheetWithItsOpenings) {
 TEST(Scan, IsRemeshedToTheWantedLength) {
     ScanSteps steps;
     steps.edgeLength = 25;
-    const PreparedScan result = prepared(test::asSoup(scannedSkirt()), steps);
+    const PreparedScan result = prepared(test::inCentimetres(scannedSkirt()), steps);
     EXPECT_TRUE(result.effect.isRemeshed);
     EXPECT_EQ(result.effect.openings, 2);
     const MeshArrays sheet = surfaceOf(result.soup, 10).mesh;
@@ -72,7 +72,7 @@ TEST(Scan, IsRemeshedToTheWantedLength) {
 }
 
 TEST(Scan, WithoutStepsIsTheFile) {
-    const PolygonSoup soup = test::asSoup(scannedSkirt());
+    const PolygonSoup soup = test::inCentimetres(scannedSkirt());
     const PreparedScan result = prepared(soup, kNothing);
     EXPECT_EQ(result.soup.corners, soup.corners);
     EXPECT_EQ(result.soup.positions, soup.positions);
@@ -80,7 +80,7 @@ TEST(Scan, WithoutStepsIsTheFile) {
 }
 
 TEST(Scan, WithoutDebrisKeepsPolygonsNamesAndMap) {
-    PolygonSoup soup = test::asSoup(test::skirt());
+    PolygonSoup soup = test::inCentimetres(test::skirt());
     soup.corners.resize(soup.corners.size() - 6);  // the last two triangles become a polygon
     soup.faceStart.resize(soup.faceStart.size() - 2);
     const int last = 59 * 94 + 93, first = 59 * 94;
@@ -115,7 +115,7 @@ TEST(Scan, WithoutDebrisKeepsPolygonsNamesAndMap) {
 }
 
 TEST(Scan, PatchesHaveTheNamesAroundThem) {
-    PolygonSoup soup = test::asSoup(test::withHole(test::skirt(), 0, 300, 30));
+    PolygonSoup soup = test::inCentimetres(test::withHole(test::skirt(), 0, 300, 30));
     soup.materials = {"linen"};
     soup.faceMaterial.assign(static_cast<std::size_t>(soup.faceCount()), 0);
     const PreparedScan result = prepared(soup, {});
@@ -127,7 +127,7 @@ TEST(Scan, PatchesHaveTheNamesAroundThem) {
 TEST(Scan, SameInputSameOutput) {
     ScanSteps steps;
     steps.edgeLength = 12;
-    const PolygonSoup soup = test::asSoup(scannedSkirt());
+    const PolygonSoup soup = test::inCentimetres(scannedSkirt());
     const PreparedScan a = prepared(soup, steps), b = prepared(soup, steps);
     EXPECT_EQ(a.soup.positions, b.soup.positions);
     EXPECT_EQ(a.soup.corners, b.soup.corners);
@@ -136,7 +136,7 @@ TEST(Scan, SameInputSameOutput) {
 TEST(Scan, ACancelIsAnError) {
     Progress progress;
     progress.cancel();
-    const auto result = prepareScan(test::asSoup(scannedSkirt()), 10, {}, progress);
+    const auto result = prepareScan(test::inCentimetres(scannedSkirt()), 10, {}, progress);
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Cancelled);
 }
