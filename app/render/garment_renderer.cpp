@@ -76,7 +76,7 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
                      (camera.pointAtTargetDepth(kPixels, 0) - here).norm() / kPixels);
     }
     if (morph.way == 0) {  // it does not lie flat anywhere
-        paintLeftOut(frame);
+        paintLeftOut(frame, -depthShift);
     }
     paintLines(frame, depthShift);
     glDisable(GL_DEPTH_TEST);

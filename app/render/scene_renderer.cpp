@@ -331,13 +331,13 @@ void SceneRenderer::paintWireframe(const Frame& frame) {
     glDisable(GL_BLEND);
 }
 
-void SceneRenderer::paintLeftOut(const Frame& frame) {
+void SceneRenderer::paintLeftOut(const Frame& frame, float depthShift) {
     if (!overLines_.hasLeftOut()) {
         return;
     }
     QColor ghost = frame.style.faintText;
     ghost.setAlpha(kGhostAlpha);
-    ShaderProgram& program = beginLines(frame, 0);
+    ShaderProgram& program = beginLines(frame, depthShift);
     beginBlending();
     glDepthMask(GL_FALSE);
     setLine(ghost, kWireWidth, false, frame);

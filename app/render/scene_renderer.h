@@ -101,7 +101,8 @@ protected:
     /// @param depthShift lifts lines off the cloth, see Camera3D::depthShift
     void paintLines(const Frame& frame, float depthShift);
     /// What was left out of the files, as faint edges where it was.
-    void paintLeftOut(const Frame& frame);
+    /// @param depthShift below nothing: a shell's other surface must not show through the cloth
+    void paintLeftOut(const Frame& frame, float depthShift);
     void paintBackdrop(const Frame& frame);
     ShaderProgram& backdropProgram() { return *backdrop_; }
 
