@@ -38,8 +38,9 @@ inline constexpr DoubtWords kDoubtWords[] = {
      translatable("Cut the piece where it curves most; if the file is a thick shell or a scan, "
                   "make one sheet of it first")},
     {"many-scraps", translatable("Scraps instead of pieces"),
-     translatable("State the unit if the garment is too small; else leave the scraps out, or divide "
-                  "the file by something else; if it is a scan, make one sheet of it first")},
+     translatable(
+         "State the unit if the garment is too small; else leave the scraps out, or divide "
+         "the file by something else; if it is a scan, make one sheet of it first")},
     {"long-cuts", translatable("Cuts longer than the outline"),
      translatable("Divide the garment by its own seams, or draw the cuts where seams are to be; "
                   "if the file is a thick shell or a scan, make one sheet of it first")},
