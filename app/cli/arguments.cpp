@@ -103,23 +103,20 @@ CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command com
 
 /// What files are, and what is done with them before they are divided.
 void addPreparing(CLI::App& command, Preparation& preparing) {
-    CLI::Option* as = addChoice(command, "--as", preparing.as, kFileKindWords,
-                                "What the files are, if that is not seen rightly (docs/input.md)");
+    addChoice(command, "--as", preparing.as, kFileKindWords,
+              "What the files are, if that is not seen rightly (docs/input.md)");
     addChoice(command, "--surface", preparing.surface, kShellSurfaceWords,
               "Which surface of a thick shell is the sheet")
         ->default_str("outer");
     ScanSteps& scan = preparing.scan;
+    command.add_flag_callback(
+        "--keep-debris", [&scan] { scan.dropDebris = false; },
+        "Of a scan: keep fragments that are no part of the garment");
     const auto addLength = [&](const char* option, double& length, const char* help) {
         command.add_option(option, length, help)
             ->type_name("MM")
-            ->check(CLI::Range(0.0, kMaxPreparedLength))
-            ->needs(as);
+            ->check(CLI::Range(0.0, kMaxPreparedLength));
     };
-    command
-        .add_flag_callback(
-            "--keep-debris", [&scan] { scan.dropDebris = false; },
-            "Of a scan: keep fragments that are no part of the garment")
-        ->needs(as);
     addLength("--close-holes", scan.largestHole,
               "Of a scan: close holes up to this perimeter; 0: none");
     addLength("--smooth", scan.smoothing, "Of a scan: smooth noise up to this height; 0: none");
@@ -127,6 +124,19 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
               "Of a scan: make its triangles anew, with edges of this length; 0: not");
     addLength("--weld-within", preparing.weldDistance,
               "Of a soup: join vertices up to this distance; 0: a thousandth of an edge");
+    command.parse_complete_callback([&command, &preparing] {
+        static constexpr std::pair<const char*, FileKind> kGoesWith[] = {
+            {"--keep-debris", FileKind::Scan}, {"--close-holes", FileKind::Scan},
+            {"--smooth", FileKind::Scan},      {"--remesh", FileKind::Scan},
+            {"--weld-within", FileKind::Soup}, {"--surface", FileKind::Shell}};
+        for (const auto& [option, kind] : kGoesWith) {
+            const bool fits = preparing.as == kind || (kind == FileKind::Shell && !preparing.as);
+            if (command.count(option) > 0 && !fits) {
+                throw CLI::ValidationError(
+                    option, "goes with --as " + std::string(wordOf(kFileKindWords, kind)));
+            }
+        }
+    });
 }
 
 /// How files are read, divided and cut: the commands and the window alike.

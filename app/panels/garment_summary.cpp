@@ -149,14 +149,18 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace) {
     }
     const QString evidence = wordingText(reading.evidence);
     if (reading.kind == FileKind::Shell) {
-        return {
-            tr("The file is cloth with a thickness: %1. Its outer surface was taken. "
-               "Is that right?")
-                .arg(evidence),
-            {choice(tr("Outer"), true, {}),
-             choice(tr("Inner"), false, {.as = FileKind::Shell, .surface = ShellSurface::Inner}),
-             choice(tr("Middle"), false, {.as = FileKind::Shell, .surface = ShellSurface::Middle}),
-             choice(tr("As it is"), false, {.as = FileKind::Sheet})}};
+        CardQuestion question{
+            tr("The file is cloth with a thickness: %1. Which of its surfaces is the sheet?")
+                .arg(evidence)};
+        for (const auto& [surface, text] : {std::pair(ShellSurface::Outer, tr("Outer")),
+                                            std::pair(ShellSurface::Inner, tr("Inner")),
+                                            std::pair(ShellSurface::Middle, tr("Middle"))}) {
+            question.choices.push_back(choice(text,
+                                              surface == workspace.loading().preparing.surface,
+                                              {.as = FileKind::Shell, .surface = surface}));
+        }
+        question.choices.push_back(choice(tr("As it is"), false, {.as = FileKind::Sheet}));
+        return question;
     }
     if (reading.kind == FileKind::Scan) {
         return {tr("The file looks like a scan: %1. It can be made a sheet: debris goes, small "

@@ -259,7 +259,9 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std:
     const auto trial = io::triedApart(
         [&path] {
             Assimp::Importer importer;
-            importFile(importer, path);
+            return importFile(importer, path) != nullptr ||
+                   std::string_view(importer.GetErrorString()).find("bad_alloc") ==
+                       std::string_view::npos;
         },
         kMostSeconds, progress);
     if (trial != io::Trial::Returns) {

@@ -69,7 +69,7 @@ std::optional<Matrix4d> usdPlacement(const UsdPrim& prim, const Matrix4d& parent
         }
         const bool isInverse = name.starts_with(kInvert);
         name.remove_prefix(isInverse ? kInvert.size() : 0);
-        const auto numbers = usdNumbers(prim.find(name));
+        const auto numbers = usdNumbersOf(prim, std::string(name));
         if (!numbers || !name.starts_with(kOp)) {
             return {};
         }

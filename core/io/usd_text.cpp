@@ -94,6 +94,12 @@ public:
                 }
                 continue;
             }
+            if (c == '@') {
+                if (!asset()) {
+                    return {};
+                }
+                continue;
+            }
             depth += c == open ? 1 : c == close ? -1 : 0;
             ++at_;
             if (depth == 0) {
@@ -310,6 +316,28 @@ std::optional<std::vector<double>> usdNumbers(const std::string* value) {
         at = next;
     }
     return numbers;
+}
+
+std::optional<std::vector<double>> usdNumbersOf(const UsdPrim& prim, const std::string& attribute) {
+    if (const std::string* value = prim.find(attribute)) {
+        return usdNumbers(value);
+    }
+    // { 1: (0, 0, 0), 2: ... }
+    const std::string* samples = prim.find(attribute + ".timeSamples");
+    const std::size_t from = samples ? samples->find(':') : std::string::npos;
+    if (from == std::string::npos) {
+        return {};
+    }
+    std::size_t to = from + 1;
+    for (int depth = 0; to < samples->size(); ++to) {
+        const char c = (*samples)[to];
+        if (depth == 0 && (c == ',' || c == '}')) {
+            break;
+        }
+        depth += c == '(' || c == '[' ? 1 : c == ')' || c == ']' ? -1 : 0;
+    }
+    const std::string first = samples->substr(from + 1, to - from - 1);
+    return usdNumbers(&first);
 }
 
 std::vector<std::string> usdStrings(std::string_view list) {

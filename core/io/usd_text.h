@@ -41,6 +41,9 @@ Result<UsdStage> parseUsd(std::string_view bytes);
 /// value is null.
 std::optional<std::vector<double>> usdNumbers(const std::string* value);
 
+/// Those of an attribute; of one that moves, at the first moment it has.
+std::optional<std::vector<double>> usdNumbersOf(const UsdPrim& prim, const std::string& attribute);
+
 /// The strings of a list of them: ["a", "b"].
 std::vector<std::string> usdStrings(std::string_view list);
 

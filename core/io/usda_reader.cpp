@@ -39,24 +39,9 @@ bool isShown(const UsdPrim& prim) {
            !says(prim, "purpose", "guide") && !says(prim, "purpose", "proxy");
 }
 
-/// Numbers of an attribute; of one that moves, at the first moment it has.
-std::optional<std::vector<double>> numbersOf(const UsdPrim& prim, const std::string& attribute) {
-    if (prim.find(attribute)) {
-        return io::usdNumbers(prim.find(attribute));
-    }
-    const std::string* samples = prim.find(attribute + ".timeSamples");
-    const std::size_t from = samples ? samples->find('[') : std::string::npos;
-    const std::size_t to = samples ? samples->find(']', from) : std::string::npos;
-    if (from == std::string::npos || to == std::string::npos) {
-        return {};
-    }
-    const std::string first = samples->substr(from, to - from + 1);
-    return io::usdNumbers(&first);
-}
-
 /// Whole numbers that fit an int.
 std::optional<std::vector<int>> countsOf(const UsdPrim& prim, const std::string& attribute) {
-    const auto numbers = numbersOf(prim, attribute);
+    const auto numbers = io::usdNumbersOf(prim, attribute);
     if (!numbers) {
         return {};
     }
@@ -92,7 +77,7 @@ struct Texture {
 
 Texture textureOf(const UsdPrim& prim, std::size_t points, std::size_t corners) {
     for (const char* attribute : {"primvars:st", "primvars:UVMap", "primvars:map1"}) {
-        auto st = numbersOf(prim, attribute);
+        auto st = io::usdNumbersOf(prim, attribute);
         if (!st || st->empty() || st->size() % 2 != 0) {
             continue;
         }
@@ -145,11 +130,10 @@ public:
 
     Result<PolygonSoup> read(const Progress& progress) {
         const auto up = stage_.metadata.find("upAxis");
-        Matrix4d world = Matrix4d::Identity();
         if (up != stage_.metadata.end() && up->second == "Z") {
-            world.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+            yUp_.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
         }
-        if (const char* wrong = readAll(stage_.prims, world, {}, false, progress)) {
+        if (const char* wrong = readAll(stage_.prims, Matrix4d::Identity(), {}, false, progress)) {
             return builder_.malformed(wrong);
         }
         return progress.isCancelled() ? builder_.cancelled() : builder_.finish();
@@ -178,7 +162,8 @@ private:
             }
             const std::string* bound = prim.find("material:binding");
             const std::string_view own = bound ? lastName(*bound) : material;
-            const char* wrong = prim.type == "Mesh" ? readMesh(prim, *placement, own) : nullptr;
+            const char* wrong =
+                prim.type == "Mesh" ? readMesh(prim, yUp_ * *placement, own) : nullptr;
             wrong = wrong ? wrong
                           : readAll(prim.children, *placement, own, prim.name == "Toile", progress);
             if (wrong) {
@@ -210,7 +195,7 @@ private:
 
     const char* readMesh(const UsdPrim& prim, const Matrix4d& placement,
                          std::string_view material) {
-        const auto points = numbersOf(prim, "points");
+        const auto points = io::usdNumbersOf(prim, "points");
         const auto counts = countsOf(prim, "faceVertexCounts");
         const auto corners = countsOf(prim, "faceVertexIndices");
         if (!points || points->size() % 3 != 0 || !counts || !corners) {
@@ -274,7 +259,8 @@ private:
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
     double scale_ = 1;
-    std::vector<Vector3d> uvs_;  ///< position index, u, v
+    Matrix4d yUp_ = Matrix4d::Identity();  ///< turns the stage so that y points up
+    std::vector<Vector3d> uvs_;            ///< position index, u, v
     geometry::PointIndex uvIndex_{uvs_};
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames materials_{soup_.materials, soup_.faceMaterial};

@@ -133,7 +133,8 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     const Problems welded = weldSoup(file->soup, weldDistance(options), millimetres, name);
     take(welded);
     Result<PreparedFile> prepared =
-        prepareFile(file->soup, !welded.empty(), options.preparing, millimetres, name, progress);
+        prepareFile(file->soup, !welded.empty() && !weldDistance(options), options.preparing,
+                    millimetres, name, progress);
     if (!prepared) {
         return prepared.error();
     }
@@ -187,9 +188,9 @@ Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progres
     const std::vector<std::string> prefix = prefixes(inputs.files);
     const auto count = static_cast<double>(inputs.files.size());
     for (std::size_t k = 0; k < inputs.files.size(); ++k) {
-        auto taken =
-            takeFile(inputs.files[k], static_cast<int>(k),
-                     inputs.files.size() > 1 ? prefix[k] + "/" : "", inputs.loading, progress);
+        auto taken = takeFile(inputs.files[k], static_cast<int>(k),
+                              inputs.files.size() > 1 ? prefix[k] + "/" : "", inputs.loading,
+                              Progress(progress, 1 / count));
         if (!taken) {
             return taken.error();
         }

@@ -122,11 +122,12 @@ Result<PreparedFile> prepareFile(std::shared_ptr<const PolygonSoup> soup, bool w
         const Recognition found = recognise(surface, progress);
         reading.kind = found.kind;
         reading.evidence = found.evidence;
-        if (found.shell) {
+        if (found.shell && (reading.isStated || found.kind == FileKind::Shell)) {
             takeSurface(file, surface, *found.shell, preparation.surface, name);
         } else if (reading.isStated) {
             file.problems.push_back({ErrorCode::CannotReadAs, Subject::file(name),
                                      worded("no two surfaces a thickness apart were found")});
+            reading.isStated = false;
         } else if (wasSoup && reading.kind == FileKind::Sheet) {
             reading.kind = FileKind::Soup;
         }

@@ -2,6 +2,7 @@
 #include "core/prepare/recognise.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -20,13 +21,39 @@ constexpr double kClosedShare = 0.95;
 /// the other; which share of the file's area either must have.
 constexpr double kLayersApart = 30, kLayerShare = 0.8, kLayerArea = 0.1;
 /// Triangles that are looked at of one layer.
-constexpr std::size_t kLooks = 400;
+constexpr int kLooks = 400;
+
+constexpr const char* kOneThickness = translatable("two surfaces %1 mm apart");
+constexpr const char* kThicknesses = translatable("two surfaces %1 to %2 mm apart");
+constexpr const char* kWithoutRims = translatable("%1, which no rim joins");
 
 Wording evidenceOf(const Shell& shell) {
     const bool isEven = shell.thickest - shell.thinnest < 0.1 * shell.median;
-    return isEven ? worded("two surfaces %1 mm apart", {figure(shell.median, 1)})
-                  : worded("two surfaces %1 to %2 mm apart",
-                           {figure(shell.thinnest, 1), figure(shell.thickest, 1)});
+    return isEven ? worded(kOneThickness, {figure(shell.median, 1)})
+                  : worded(kThicknesses, {figure(shell.thinnest, 1), figure(shell.thickest, 1)});
+}
+
+/// Without the faces that lie on others, as those of meshes that are to be seen from both sides.
+FileSurface withoutDoubles(const FileSurface& file) {
+    std::vector<std::pair<std::array<int, 3>, int>> corners;
+    for (int f = 0; f < file.mesh.F.rows(); ++f) {
+        std::array<int, 3> own{file.mesh.F(f, 0), file.mesh.F(f, 1), file.mesh.F(f, 2)};
+        std::ranges::sort(own);
+        corners.emplace_back(own, f);
+    }
+    std::ranges::sort(corners);
+    std::vector<int> kept;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        if (k == 0 || corners[k].first != corners[k - 1].first) {
+            kept.push_back(corners[k].second);
+        }
+    }
+    std::ranges::sort(kept);
+    FileSurface single{{file.mesh.V, file.mesh.F(kept, Eigen::all)}, {}};
+    for (const int f : kept) {
+        single.face.push_back(file.face[f]);
+    }
+    return single;
 }
 
 /// The file's connected parts.
@@ -90,7 +117,7 @@ std::optional<double> layersApart(const FileSurface& file, const Parts& parts,
         std::vector<double> met(members.size(), 0);
         std::vector<double> distances;
         double looked = 0;
-        const std::size_t step = std::max<std::size_t>(1, members[p].size() / kLooks);
+        const std::size_t step = std::max<std::size_t>(1, members[p].size() / std::size_t{kLooks});
         for (std::size_t i = 0; i < members[p].size(); i += step) {
             const int f = members[p][i];
             looked += surface.area(f);
@@ -119,19 +146,23 @@ std::optional<double> layersApart(const FileSurface& file, const Parts& parts,
 
 Recognition recognise(const FileSurface& surface, const Progress& progress) {
     if (auto shell = findShell(surface, progress)) {
-        const Wording evidence = evidenceOf(*shell);
-        return {FileKind::Shell, evidence, std::move(shell)};
+        // Two panels behind each other look like that too: nothing of them may go by itself.
+        const bool hasRims = std::ranges::find(shell->side, ShellSide::Rim) != shell->side.end();
+        const Wording evidence =
+            hasRims ? evidenceOf(*shell) : worded(kWithoutRims, {evidenceOf(*shell)});
+        return {hasRims ? FileKind::Shell : FileKind::Layers, evidence, std::move(shell)};
     }
     if (const Debris debris = findDebris(surface.mesh); debris.fragments >= kFewestFragments) {
         return {FileKind::Scan,
                 worded("%1 beside one large surface", {countWording(debris.fragments, "fragment")}),
                 {}};
     }
-    const Parts parts = partsOf(surface.mesh);
+    const FileSurface single = withoutDoubles(surface);
+    const Parts parts = partsOf(single.mesh);
     if (closedShare(parts) >= kClosedShare) {
         return {FileKind::Solid, worded("a closed surface, with nothing inside it"), {}};
     }
-    if (const auto apart = layersApart(surface, parts, progress)) {
+    if (const auto apart = layersApart(single, parts, progress)) {
         return {FileKind::Layers,
                 worded("surfaces that lie on each other, %1 mm apart", {figure(*apart, 1)}),
                 {}};

@@ -12,7 +12,7 @@ namespace toile {
 struct Recognition {
     FileKind kind = FileKind::Sheet;
     Wording evidence;            ///< for a person; empty of plain sheets
-    std::optional<Shell> shell;  ///< there where the kind is Shell
+    std::optional<Shell> shell;  ///< where there are two surfaces; a Shell only if rims join them
 };
 
 /// What a file holds, by its shape alone. Whatever is in doubt is a sheet. Vertices that lie on

@@ -33,12 +33,12 @@ struct Sample {
     std::vector<std::pair<double, double>> distances;  ///< with areas
 };
 
-Sample sampleOf(const Surface& surface, const Rays& rays, Facing facing, double farthest,
-                int size) {
+Sample sampleOf(const Surface& surface, const Rays& rays, Facing facing, double farthest, int size,
+                const Progress& progress) {
     Sample sample;
     const int count = static_cast<int>(surface.mesh.F.rows());
     const int step = std::max(1, count / size);
-    for (int t = 0; t < count; t += step) {
+    for (int t = 0; t < count && !progress.isCancelled(); t += step) {
         sample.all += surface.area[t];
         const Meeting met = rays.opposite(t, facing, farthest);
         if (met.triangle >= 0) {
@@ -65,14 +65,19 @@ std::vector<Copies::Seed> seedsOf(const Copies& copies, const Sample& sample) {
     return seeds;
 }
 
-/// From a triangle's corners to their partners, on average.
+/// From a triangle's corners to their partners, on average: a corner within a polygon, where a slit
+/// of it was welded, has none.
 Eigen::Vector3d wayToPartners(const MeshArrays& mesh, int triangle,
                               const std::vector<int>& partner) {
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    int count = 0;
     for (const int v : mesh.F.row(triangle)) {
-        sum += mesh.V.row(partner[v]) - mesh.V.row(v);
+        if (partner[v] >= 0) {
+            sum += mesh.V.row(partner[v]) - mesh.V.row(v);
+            ++count;
+        }
     }
-    return sum.transpose() / 3;
+    return sum.transpose() / std::max(count, 1);
 }
 
 /// How two surfaces lie to each other.
@@ -88,7 +93,8 @@ std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Pro
     reach.farthest = std::min(kThickest, kThickestOfSize * std::sqrt(surface.area.sum()));
     double area = 0, all = 0;
     for (const Facing facing : {Facing::Apart, Facing::Towards, Facing::Alike}) {
-        const Sample first = sampleOf(surface, rays, facing, reach.farthest, kFirstSample);
+        const Sample first =
+            sampleOf(surface, rays, facing, reach.farthest, kFirstSample, progress);
         all = first.all;
         if (first.area > area) {
             area = first.area;
@@ -99,7 +105,7 @@ std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Pro
         return std::nullopt;
     }
     Sample& sample = reach.sample;
-    sample = sampleOf(surface, rays, reach.facing, reach.farthest, kSample);
+    sample = sampleOf(surface, rays, reach.facing, reach.farthest, kSample, progress);
     const double share = shareInTwoSpans(sample.distances);  // they are sorted now
     if (sample.area == 0 || share * sample.area < kLeastShare * sample.all) {
         return std::nullopt;

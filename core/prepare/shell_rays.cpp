@@ -11,6 +11,8 @@ namespace {
 /// Least cosine between triangles that face each other: 37 degrees, as cloth is thinner than its
 /// folds are wide. A rim that is rounded off has no opposite.
 constexpr double kFacing = 0.8;
+/// Triangles that one ray looks at: more lie in one place only where somebody has piled them up.
+constexpr int kMostVisits = 2000;
 
 /// Where a half-line enters a box; infinite where it misses it.
 /// @param inverse  of its direction, number by number
@@ -51,8 +53,13 @@ Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double far
         (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
     const Eigen::Vector3d inverse = direction.cwiseInverse();
     Meeting met;
-    const auto distanceTo = [&](const auto& box) { return entry(box, origin, inverse, farthest); };
+    int visits = 0;
+    const auto distanceTo = [&](const auto& box) {
+        return visits < kMostVisits ? entry(box, origin, inverse, farthest)
+                                    : geometry::TriangleTree<3, double>::kMissed;
+    };
     tree_.search(distanceTo, [&](std::uint32_t index) {
+        ++visits;
         const int other = static_cast<int>(index);
         if (other == triangle) {
             return;

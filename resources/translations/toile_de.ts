@@ -650,17 +650,6 @@ veraltet</translation>
     </message>
 </context>
 <context>
-    <name>std</name>
-    <message>
-        <source>two surfaces %1 mm apart</source>
-        <translation>zwei Flächen im Abstand von %1 mm</translation>
-    </message>
-    <message>
-        <source>two surfaces %1 to %2 mm apart</source>
-        <translation>zwei Flächen im Abstand von %1 bis %2 mm</translation>
-    </message>
-</context>
-<context>
     <name>toile</name>
     <message>
         <source>the file cannot be read</source>
@@ -2525,6 +2514,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>surfaces that lie on each other, %1 mm apart</source>
         <translation>Flächen, die im Abstand von %1 mm aufeinanderliegen</translation>
+    </message>
+    <message>
+        <source>two surfaces %1 mm apart</source>
+        <translation>zwei Flächen im Abstand von %1 mm</translation>
+    </message>
+    <message>
+        <source>two surfaces %1 to %2 mm apart</source>
+        <translation>zwei Flächen im Abstand von %1 bis %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, which no rim joins</source>
+        <translation>%1, die kein Rand verbindet</translation>
     </message>
 </context>
 <context>
@@ -4957,10 +4958,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>lose Dreiecke, verbunden</translation>
     </message>
     <message>
-        <source>The file is cloth with a thickness: %1. Its outer surface was taken. Is that right?</source>
-        <translation>Die Datei ist Stoff mit einer Dicke: %1. Genommen wurde die äußere Fläche. Stimmt das?</translation>
-    </message>
-    <message>
         <source>Outer</source>
         <translation>Äußere</translation>
     </message>
@@ -4987,6 +4984,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Read as</source>
         <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>The file is cloth with a thickness: %1. Which of its surfaces is the sheet?</source>
+        <translation>Die Datei ist Stoff mit einer Dicke: %1. Welche ihrer Flächen soll es sein?</translation>
     </message>
 </context>
 <context>

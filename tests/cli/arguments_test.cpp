@@ -157,6 +157,24 @@ TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
     }
 }
 
+TEST(Arguments, WhatIsDoneWithAFileGoesWithWhatItIs) {
+    const Arguments scan = parse({"info", "a.obj", "--as", "scan", "--remesh", "8", "--smooth",
+                                  "0.5", "--close-holes", "0", "--keep-debris"});
+    ASSERT_EQ(scan.command, Command::Info) << scan.message;
+    EXPECT_EQ(scan.load.preparing, (Preparation{.as = FileKind::Scan, .scan = {false, 0, 0.5, 8}}));
+    EXPECT_EQ(parse({"a.obj", "--surface", "inner"}).load.preparing.surface, ShellSurface::Inner);
+    EXPECT_EQ(parse({"a.obj", "--as", "soup", "--weld-within", "2"}).load.preparing.weldDistance,
+              2);
+    for (const std::vector<const char*>& odd :
+         {std::vector<const char*>{"info", "a.obj", "--remesh", "8"},
+          {"info", "a.obj", "--as", "sheet", "--remesh", "8"},
+          {"info", "a.obj", "--as", "scan", "--weld-within", "2"},
+          {"info", "a.obj", "--as", "scan", "--surface", "inner"},
+          {"a.obj", "--keep-debris"}}) {
+        EXPECT_EQ(parse(odd).status, kExitUsage) << odd.back();
+    }
+}
+
 TEST(Arguments, RenderSaysWhatAPictureShows) {
     const Arguments plain = parse({"render", "a.obj", "-o", "a.png"});
     ASSERT_EQ(plain.command, Command::Render) << plain.message;

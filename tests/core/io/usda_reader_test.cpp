@@ -163,6 +163,31 @@ TEST(UsdReader, UpIsYAndTheUnitIsTheFiles) {
     expectAt(feet->positions[1], 0.3048, 0, 0);
 }
 
+TEST(UsdReader, WhatResetsItsPlaceIsTurnedUprightAllTheSame) {
+    const std::string head = "#usda 1.0\n(\n upAxis = \"Z\"\n)\n";
+    const std::string faces =
+        " int[] faceVertexCounts = [3]\n int[] faceVertexIndices = [0, 1, 2]\n"
+        " point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 0, 7)]\n";
+    const auto plain = readText(head + "def Mesh \"a\" {\n" + faces + "}\n");
+    const auto reset = readText(head + "def Mesh \"a\" {\n" + faces +
+                                " uniform token[] xformOpOrder = [\"!resetXformStack!\"]\n}\n");
+    ASSERT_TRUE(plain && reset);
+    EXPECT_EQ(plain->positions[2], Eigen::Vector3d(0, 7, 0));
+    EXPECT_EQ(reset->positions, plain->positions);
+}
+
+TEST(UsdReader, OfMovingTransformsTheFirstMomentCounts) {
+    const auto soup = readText(
+        "#usda 1.0\ndef Mesh \"a\" ( prepend references = @./Bob's shirt).usda@ ) {\n"
+        " int[] faceVertexCounts = [3]\n int[] faceVertexIndices = [0, 1, 2]\n"
+        " point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]\n"
+        " double3 xformOp:translate.timeSamples = { 0: (0, 0, 3), 1: (0, 0, 9) }\n"
+        " float xformOp:rotateZ.timeSamples = { 0: 90, 1: 0 }\n"
+        " uniform token[] xformOpOrder = [\"xformOp:translate\", \"xformOp:rotateZ\"]\n}\n");
+    ASSERT_TRUE(soup) << sentence(soup.error());
+    EXPECT_LT((soup->positions[1] - Eigen::Vector3d(0, 1, 3)).norm(), 1e-9);
+}
+
 TEST(UsdReader, OfMovingMeshesTheFirstMomentCounts) {
     const auto soup = readText(
         "#usda 1.0\ndef Mesh \"m\" {\nint[] faceVertexCounts = [3]\n"

@@ -63,6 +63,34 @@ TEST(Recognise, ALiningInItsShellIsLayers) {
     EXPECT_EQ(kindOf(both(shell, beside)), FileKind::Sheet) << "two legs are no layers";
 }
 
+TEST(Recognise, TwoPanelsBehindEachOtherStay) {
+    const MeshArrays front = test::planeGrid(12, 12, 40);
+    MeshArrays back = front;
+    back.V.col(2).array() -= 8;
+    back.F.col(1).swap(back.F.col(2));
+    const Recognition found = recognise(asFile(both(front, back)), Progress());
+    EXPECT_EQ(found.kind, FileKind::Layers);
+    EXPECT_TRUE(found.shell) << "a person may say that it is one";
+    EXPECT_NE(found.evidence.find("8.0 mm"), std::string::npos) << found.evidence;
+}
+
+TEST(Recognise, FacesForBothSidesAreNoSolid) {
+    const MeshArrays tube = test::tube(24, 9);
+    MeshArrays doubled{tube.V, Triangles(2 * tube.F.rows(), 3)};
+    doubled.F << tube.F, tube.F.rowwise().reverse();
+    EXPECT_EQ(kindOf(doubled), FileKind::Sheet);
+}
+
+TEST(Recognise, PilesOfEqualTrianglesTakeNoTime) {
+    Points3 V(6, 3);
+    V << 0, 0, 0, 400, 0, 0, 0, 400, 0, 0, 0, -8, 400, 0, -8, 0, 400, -8;
+    Triangles F(20'000, 3);
+    for (int f = 0; f < F.rows(); ++f) {
+        F.row(f) << (f % 2 == 0 ? Eigen::RowVector3i(0, 1, 2) : Eigen::RowVector3i(3, 5, 4));
+    }
+    EXPECT_NE(kindOf({V, F}), FileKind::Scan);  // and it ends
+}
+
 TEST(Recognise, FragmentsMakeAScanAndButtonsDoNot) {
     MeshArrays scan = test::planeGrid(40, 40, 20), shirt = scan;
     for (int k = 0; k < 6; ++k) {
