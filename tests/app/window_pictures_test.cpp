@@ -16,6 +16,8 @@
 using namespace toile;
 using namespace toile::app;
 
+Q_DECLARE_METATYPE(Preparation)
+
 class WindowPicturesTest : public QObject {
     Q_OBJECT
 
@@ -140,17 +142,30 @@ private slots:
         keep("dark");
     }
 
-    /// As it comes: tubes and closed pieces, with what helps beside them.
-    void suitAfterImport() {
-        const auto file =
-            std::filesystem::path(TOILE_SOURCE_DIR) / "../shared/data/garments/suit_mh.obj";
-        if (!std::filesystem::exists(file)) {
-            QSKIP("needs the shared suit_mh.obj");
+    void garmentsAsTheyCome_data() {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<Preparation>("preparing");
+        // Tubes and closed pieces, with what helps beside them.
+        QTest::newRow("import") << "garments/suit_mh.obj" << Preparation{};
+        QTest::newRow("shell") << "thick/tee_sim_thick.obj" << Preparation{};
+        QTest::newRow("scan") << "scans/dress_scan.obj"
+                              << Preparation{.as = FileKind::Scan, .scan = {.edgeLength = 10}};
+    }
+
+    void garmentsAsTheyCome() {
+        QFETCH(QString, file);
+        QFETCH(Preparation, preparing);
+        const auto path =
+            std::filesystem::path(TOILE_SOURCE_DIR) / "../shared/data" / file.toStdString();
+        if (!std::filesystem::exists(path)) {
+            QSKIP(qPrintable("needs the shared " + file));
         }
         fixture_.open({1400, 900}, NewGarment::Pattern);
-        fixture_.window().openFiles({QString::fromStdString(file.string())});
+        fixture_.workspace().setPreparing(preparing);
+        fixture_.workspace().setAutoCut(preparing.as == FileKind::Scan);
+        fixture_.window().openFiles({QString::fromStdString(path.string())});
         QVERIFY(isDone());
-        keep("import");
+        keep(QTest::currentDataTag());
     }
 
     /// The last: what has been translated stays.
