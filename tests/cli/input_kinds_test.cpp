@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What files are taken for: the table in docs/input.md.
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/pipeline.h"
+#include "tests/cli/docs_table.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+Garment readAs(const std::filesystem::path& file, const Preparation& preparing) {
+    Progress progress;
+    auto garment = loadGarment({file}, {.preparing = preparing}, progress);
+    EXPECT_TRUE(garment) << file;
+    return garment ? *garment : Garment{};
+}
+
+/// "13 flat", "1 closed", "1 with 4 openings", "68 flat, 1 not": what can lie flat as it is.
+std::string piecesOf(const Garment& garment) {
+    const auto isDisk = [](const auto& piece) { return !piece->defect; };
+    const auto flat = std::ranges::count_if(garment.pieces, isDisk);
+    const auto others = std::ssize(garment.pieces) - flat;
+    std::string cell = flat > 0 ? std::to_string(flat) + " flat" : "";
+    if (others == 1 && flat == 0) {
+        const std::size_t rims = loopLengths(*garment.pieces.front()).size();
+        return rims == 0 ? "1 closed" : "1 with " + std::to_string(rims) + " openings";
+    }
+    if (others > 0) {
+        cell += (cell.empty() ? "" : ", ") + std::to_string(others) + " not";
+    }
+    return cell;
+}
+
+std::string row(const std::string& name) {
+    const auto file = test::sharedFile(name);
+    const Garment plain = readAs(file, {.as = FileKind::Sheet}), taken = readAs(file, {});
+    const FileReading& reading = taken.files.front()->reading;
+    std::string said(wordOf(kFileKindWords, reading.kind));
+    said += reading.evidence.empty() ? "" : ": " + reading.evidence;
+    std::string after = piecesOf(taken);
+    if (reading.kind == FileKind::Scan) {
+        after = piecesOf(readAs(file, {.as = FileKind::Scan})) + " with `--as scan`";
+    }
+    return "| `" + name + "` | " + said + " | " + piecesOf(plain) + " | " + after + " |\n";
+}
+
+TEST(InputKinds, EveryFileIsTakenForWhatTheTableSays) {
+    TOILE_NEEDS_SHARED(test::sharedFile("thick"));
+    std::string table =
+        "| File | Taken for | Pieces, read as a sheet | read as that |\n|---|---|---|---|\n";
+    for (const char* name : {"thick/dress_thick.obj",
+                             "thick/tee_sim_thick.obj",
+                             "scans/dress_scan.obj",
+                             "garments/dress.obj",
+                             "garments/dress14_pieces.obj",
+                             "garments/elegant_mh.obj",
+                             "garments/leggings.ply",
+                             "garments/longsleeve.obj",
+                             "garments/polo.obj",
+                             "garments/skirt_clo.obj",
+                             "garments/suit_mh.obj",
+                             "garments/tee_sim.obj",
+                             "garments/tshirt.obj",
+                             "garments/wetsuit_patches.obj",
+                             "nasty/boeing.off",
+                             "nasty/bunny_holes.ply",
+                             "nasty/capsule.obj",
+                             "nasty/elephant-with-holes.off",
+                             "nasty/hand_closed.off",
+                             "nasty/knot_torus.off",
+                             "nasty/mask_cone.off",
+                             "nasty/soup.stl"}) {
+        table += row(name);
+    }
+    test::expectTableInDocs("input.md", "kinds of files", table);
+}
+
+}  // namespace
+}  // namespace toile
