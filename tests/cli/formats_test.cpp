@@ -28,8 +28,9 @@ nlohmann::json figuresOf(const std::string& input, const test::TemporaryFolder& 
     const std::string report = (folder / "out.json").string();
     const auto run = test::toileRun({"flatten", input, "-o", report});
     EXPECT_EQ(run.status, 0) << run.err;
+    const nlohmann::json said = nlohmann::json::parse(folder.read("out.json"));
     nlohmann::json figures = nlohmann::json::array();
-    for (const auto& piece : nlohmann::json::parse(folder.read("out.json"))["pieces"]) {
+    for (const auto& piece : said["pieces"]) {
         figures.push_back({piece["name"], piece["triangles"], piece["area_2d"],
                            piece["perimeter_2d"], piece["strain_max"]});
     }
