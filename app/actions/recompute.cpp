@@ -130,6 +130,9 @@ void Recompute::take(Derivation made) {
         flattening_ = app::isFlattened(made.derived, document_.state()) ? Flattening::AsUsual
                                                                         : Flattening::Declined;
     }
+    if (order_.extent.settle && isWarm(made.derived)) {
+        notSettled_ = order_.revision;  // of older lines, say: asked again, it would be again
+    }
     SettingsById settings = settingsAfter(made, document_.state().settings, document_.settings());
     document_.show(std::move(made.derived), std::move(settings));
 }
