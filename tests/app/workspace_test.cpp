@@ -104,6 +104,21 @@ private slots:
         QVERIFY(workspace().canExport());
     }
 
+    void whatCannotBeSettledIsAskedForOnce() {
+        // Warm, of lines that are no longer asked for, and nobody wants it flattened again.
+        Derived old = document().derived();
+        for (auto& result : old.results) {
+            auto warm = std::make_shared<PieceResult>(*result);
+            warm->flat->warm = true;
+            result = warm;
+        }
+        old.lines.reset();
+        workspace().setAutoFlatten(false);
+        document().show(std::move(old), document().state().settings);
+        workspace().cancel();
+        QVERIFY(waitUntilIdle());
+    }
+
     void unitIsReadAgainAsAStep() {
         const test::Moment start = test::momentOf(document());
         workspace().setUnit(LengthUnit::Inch);
