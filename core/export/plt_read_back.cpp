@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/export/plotter_line.h"
+
 namespace toile {
 namespace {
 
@@ -91,7 +93,8 @@ Result<ReadBack> readBackPlt(std::string_view bytes, const Drawing& drawing,
         return pltDiffers("the page", "a line leaves it");
     }
     const ReadDrawing read = drawingOf(*plot, drawing, options);
-    return comparedWithDrawing(read, drawing, {kLayerKinds.begin(), kLayerKinds.end()});
+    return comparedWithDrawing(read, drawing, {kLayerKinds.begin(), kLayerKinds.end()},
+                               1 / kPlotterUnits);
 }
 
 }  // namespace toile

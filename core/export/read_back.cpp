@@ -204,6 +204,21 @@ double allowedOf(double length) {
     return std::max(kReadBackLengths, kReadBackLengthShare * length);
 }
 
+/// The standard deviation of a line's length where its points are rounded to a grid, each by
+/// itself: what a point moves along one edge comes back along the next, but for their turn.
+double roundingOf(const DrawnPath& path, double grid) {
+    const Points2& points = path.points;
+    const Eigen::Index n = points.rows();
+    const auto direction = [&](Eigen::Index k) -> Eigen::RowVector2d {
+        return (points.row((k + 1) % n) - points.row(k % n)).normalized();
+    };
+    double turns = 0;
+    for (Eigen::Index k = 1; k < (path.closed ? n + 1 : n - 1); ++k) {
+        turns += (direction(k) - direction(k - 1)).squaredNorm();
+    }
+    return grid * std::sqrt(turns / 12);
+}
+
 /// Length of a side of a seam along the line of the file.
 double lengthOn(const Measured& read, const Measured& drawn, double start, const DrawnEdge& edge) {
     const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
@@ -233,7 +248,7 @@ double distanceBetween(const ReadLine& read, const DrawnPath& path) {
 }
 
 Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,
-                                     const std::vector<LayerKind>& layers) {
+                                     const std::vector<LayerKind>& layers, double grid) {
     if (read.pieces != static_cast<int>(drawing.blocks.size())) {
         return notReadBack(drawing.title, counted(read.pieces, "piece") + " instead of " +
                                               std::to_string(drawing.blocks.size()));
@@ -258,6 +273,7 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             return notReadBack(path.id, millimetres(distance) + " from its place");
         }
         found.largest = std::max(found.largest, distance);
+        const double rounded = grid > 0 ? kReadBackRounding * roundingOf(path, grid) : 0;
         int sides = 0;
         for (const DrawnEdge& edge : drawing.edges) {
             if (edge.path != static_cast<int>(k)) {
@@ -265,7 +281,7 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             }
             const double length = edge.to - edge.from;
             const double difference = lengthOn(is, should, start, edge) - length;
-            if (!(std::abs(difference) <= allowedOf(length))) {
+            if (!(std::abs(difference) <= std::max(rounded, allowedOf(length)))) {
                 return notReadBack(edge.id, "longer by " + millimetres(difference));
             }
             found.largest = std::max(found.largest, std::abs(difference));
@@ -276,7 +292,7 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
             line->hasKeyPoints ? kReadBackLengths * std::max({sides, line->stretches, 1}) : 0;
         if (const double difference = is.length() - should.length();
             path.closed &&
-            !(std::abs(difference) <= std::max(allowed, allowedOf(should.length())))) {
+            !(std::abs(difference) <= std::max({allowed, rounded, allowedOf(should.length())}))) {
             return notReadBack(path.id, "longer by " + millimetres(difference));
         }
     }

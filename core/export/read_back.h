@@ -20,6 +20,9 @@ namespace toile {
 inline constexpr double kReadBackCoordinates = 0.02, kReadBackLengths = 0.05;
 /// Of lengths above 50 m, where that is more.
 inline constexpr double kReadBackLengthShare = 1e-6;
+/// Of a line on a grid, where that is more still: so many times what rounding to it does to the
+/// length of a line that turns as this one does, as a rule.
+inline constexpr double kReadBackRounding = 4;
 
 /// What was found in a file that is right.
 struct ReadBack {
@@ -35,10 +38,12 @@ std::string readBackSentence(const ReadBack& found);
 /// order), none that is not meant, no point of one farther from the other than
 /// kReadBackCoordinates, no closed line and no side of a seam off by more than kReadBackLengths
 /// (kReadBackLengthShare of long ones), of key points each stretch.
-/// @param layers  that the format carries  Errors: NotReadBack, with the line and the figure.
+/// @param layers  that the format carries  @param grid  of its coordinates, where it is as coarse
+/// as
+///                kReadBackCoordinates, mm  Errors: NotReadBack, with the line and the figure.
 /// Cost: linear in the points. Pure.
 Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& drawing,
-                                     const std::vector<LayerKind>& layers);
+                                     const std::vector<LayerKind>& layers, double grid = 0);
 
 /// The largest distance of the points of either line from the other, both from the same first
 /// point in the same direction; of one with key points alone that of its own. mm; infinite where

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/read_back.h"
 
+#include <cmath>
+#include <numbers>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/export/export_fixtures.h"
@@ -97,6 +101,53 @@ std::string faultOfComb(double longer) {
 TEST(ReadBack, AllowsOfVeryLongLinesAMillionth) {
     EXPECT_EQ(faultOfComb(0.00005), "");  // 0.1 mm
     EXPECT_NE(faultOfComb(0.0002).find("longer by 0.400 mm"), std::string::npos);
+}
+
+/// A jagged outline, as it is written in whole steps of a grid.
+struct Jagged {
+    Drawing drawing;
+    ReadDrawing read;
+};
+
+Jagged jaggedOnGrid(unsigned seed, double grid) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<> radius(300, 303);
+    Points2 outline(400, 2);
+    for (Eigen::Index k = 0; k < outline.rows(); ++k) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(k) / 400;
+        outline.row(k) = radius(random) * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    }
+    Pattern pattern;
+    pattern.pieces.emplace_back().outline = outline;
+    Jagged jagged{draw(pattern, layOut(pattern, {Placement{}})), {}};
+    jagged.read = readAsIs(jagged.drawing, true);
+    for (ReadLine& line : jagged.read.lines) {
+        line.points = grid * (line.points / grid).array().round().matrix();
+    }
+    return jagged;
+}
+
+TEST(ReadBack, AllowsOfLinesOnAGridWhatRoundingDoesToThem) {
+    constexpr double kGrid = 0.025;
+    int refusedElsewhere = 0;
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+        const Jagged jagged = jaggedOnGrid(seed, kGrid);
+        const auto found = comparedWithDrawing(jagged.read, jagged.drawing, kAll, kGrid);
+        EXPECT_TRUE(found) << seed << ": " << found.error().detail;
+        refusedElsewhere += faultOf(jagged.read, jagged.drawing).empty() ? 0 : 1;
+    }
+    EXPECT_GT(refusedElsewhere, 0);
+    // What no rounding does: every other point a little farther out.
+    Jagged longer = jaggedOnGrid(1, kGrid);
+    Points2& points = longer.read.lines.front().points;
+    points = longer.drawing.paths[0].points;
+    const Eigen::RowVector2d middle = points.colwise().mean();
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        const Eigen::RowVector2d out = points.row(k) - middle;
+        const bool isTip = out.norm() > 301.5;
+        points.row(k) += (isTip ? 0.015 : -0.015) * out.normalized();
+    }
+    EXPECT_FALSE(comparedWithDrawing(longer.read, longer.drawing, kAll, kGrid));
 }
 
 TEST(ReadBack, DoesNotMindPointsBetween) {
