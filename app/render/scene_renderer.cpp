@@ -149,7 +149,8 @@ bool SceneRenderer::synchronize(const ViewState& view) {
     if (std::exchange(tableChanged_, false)) {
         std::vector<float> table = makePieceTable(*content_.scene, content_.selection,
                                                   content_.places, pieceColours_, overlay_);
-        table.insert(table.end(), 4 * kTexelsPerPiece, 0.0F);  // of what belongs to no piece
+        table.insert(table.end(), std::size_t{4} * kTexelsPerPiece,
+                     0.0F);  // of what belongs to no piece
         pieces_.upload(table);
     }
     return true;
