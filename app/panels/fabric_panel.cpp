@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Longer than a file mostly is: fabric, limits, fit and width are fields of one form that all
+// follow the material which is shown, and share the step of the history that is being typed.
 #include "app/panels/fabric_panel.h"
 
 #include <QComboBox>
