@@ -13,6 +13,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/io/conventions.h"
 
 namespace toile {
 
@@ -26,6 +27,12 @@ struct TextSpan {
 struct StatedUnit {
     LengthUnit unit;
     Wording reason;  ///< "glTF files are in metres"
+};
+
+/// The same of the axis that points up.
+struct StatedUp {
+    UpAxis axis;
+    Wording reason;
 };
 
 /// What a mesh file says, before anything is divided or checked: polygons over shared positions,
@@ -54,6 +61,7 @@ struct PolygonSoup {
     std::optional<std::uint64_t> contentHash{};
 
     std::optional<StatedUnit> statedUnit;  ///< of the positions; OBJ, OFF, PLY and STL have none
+    std::optional<StatedUp> statedUp;      ///< USD has one
 
     Problems problems;
 

@@ -126,13 +126,10 @@ public:
     StageReader(const io::UsdStage& stage, const std::string& name)
         : stage_(stage), builder_(name, "face"), soup_(builder_.soup()) {
         takeUnit();
+        takeUpAxis();
     }
 
     Result<PolygonSoup> read(const Progress& progress) {
-        const auto up = stage_.metadata.find("upAxis");
-        if (up != stage_.metadata.end() && up->second == "Z") {
-            yUp_.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-        }
         if (const char* wrong = readAll(stage_.prims, Matrix4d::Identity(), {}, false, progress)) {
             return builder_.malformed(wrong);
         }
@@ -144,6 +141,16 @@ private:
         UsdUnit unit = unitOfStage(stage_);
         soup_.statedUnit = std::move(unit.stated);
         scale_ = unit.scale;
+    }
+
+    void takeUpAxis() {
+        const auto up = stage_.metadata.find("upAxis");
+        if (up == stage_.metadata.end()) {
+            soup_.statedUp = {UpAxis::Y, worded("USD files that state no up axis have y up")};
+        } else {
+            soup_.statedUp = {up->second == "Z" ? UpAxis::Z : UpAxis::Y,
+                              worded("stated in the USD file")};
+        }
     }
 
     /// What is wrong; null where nothing is. No deeper than the text may be.
@@ -162,8 +169,7 @@ private:
             }
             const std::string* bound = prim.find("material:binding");
             const std::string_view own = bound ? lastName(*bound) : material;
-            const char* wrong =
-                prim.type == "Mesh" ? readMesh(prim, yUp_ * *placement, own) : nullptr;
+            const char* wrong = prim.type == "Mesh" ? readMesh(prim, *placement, own) : nullptr;
             wrong = wrong ? wrong
                           : readAll(prim.children, *placement, own, prim.name == "Toile", progress);
             if (wrong) {
@@ -259,8 +265,7 @@ private:
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
     double scale_ = 1;
-    Matrix4d yUp_ = Matrix4d::Identity();  ///< turns the stage so that y points up
-    std::vector<Vector3d> uvs_;            ///< position index, u, v
+    std::vector<Vector3d> uvs_;  ///< position index, u, v
     geometry::PointIndex uvIndex_{uvs_};
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames materials_{soup_.materials, soup_.faceMaterial};

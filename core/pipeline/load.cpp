@@ -58,6 +58,11 @@ void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated,
         file.up = *stated;
         return;
     }
+    if (file.soup->statedUp) {
+        file.up = file.soup->statedUp->axis;
+        file.upReason = file.soup->statedUp->reason;
+        return;
+    }
     UpGuess guess = guessUpAxis(extents);
     file.up = guess.axis;
     file.upReason = std::move(guess.reason);

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -13,11 +17,22 @@
 
 namespace toile {
 
+/// The plane in which all rims of one side of a garment lie that is there by half.
+struct HalfPlane {
+    Eigen::Hyperplane<double, 3> plane;  ///< mm, in the file's axes; its normal is of unit length
+    double length = 0;                   ///< of the rims that lie in it, mm
+    bool isCompleted = false;            ///< the mirror image was added
+};
+
 /// As what a file was read.
 struct FileReading {
     FileKind kind = FileKind::Sheet;
     bool isStated = false;  ///< by a person; else recognised
     Wording evidence;       ///< what it was recognised by, for a person; may be empty
+    std::optional<HalfPlane> half{};
+    /// Per face of what came of it: which layer it belongs to, from the outermost, 0; empty where
+    /// there is but one.
+    std::vector<int> layerOfFace{};
     MeshArrays leftOut{Points3(0, 3), Triangles(0, 3)};  ///< mm, in the file's axes
 };
 

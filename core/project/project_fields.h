@@ -33,6 +33,8 @@ inline constexpr auto kPreparation = [](auto& at, auto& preparation) {
     at.word("surface", preparation.surface, kShellSurfaceWords);
     at.object("scan", preparation.scan, kScanSteps);
     at.field("weldDistance", preparation.weldDistance, 0, kMaxPreparedLength);
+    at.field("onlyLayer", preparation.onlyLayer, 0, INT_MAX);
+    at.field("isHalf", preparation.isHalf);
 };
 
 inline constexpr auto kReading = [](auto& at, auto& loading) {
