@@ -112,6 +112,10 @@ fs::path sharedFile(const std::string& name) {
     return fs::path(TOILE_SHARED_DATA) / kSharedFiles.at(name);
 }
 
+fs::path sharedScan() {
+    return fs::path(TOILE_SHARED_DATA) / "scans/dress_scan.obj";
+}
+
 const fs::path& temporaryFolder() {
     static const TemporaryFolder folder;
     return folder.path();

@@ -25,6 +25,8 @@ double triangleCount(const Pieces& pieces);
 std::vector<std::string> sharedGarments();
 /// Where such a garment's file stands, or would.
 std::filesystem::path sharedFile(const std::string& name);
+/// The raw scan of a dress, 58 771 triangles.
+std::filesystem::path sharedScan();
 
 /// A generated piece as an OBJ file with six decimals, in a temporary folder that goes when the
 /// program ends. Written at the first call.

@@ -20,6 +20,7 @@ void registerFloor(const Scope& scope);       ///< floor/panel/45000/amd-simplic
 void registerFlattening(const Scope& scope);  ///< curvature/panel/45000, isometric/dress, ...
 void registerPieces(const Scope& scope);      ///< buildPiece/panel/45000
 void registerReading(const Scope& scope);     ///< plainScan, toileReader, openMeshReader
+void registerPreparing();                     ///< prepare/dress_scan/remeshed-10
 void registerWriting(const Scope& scope);     ///< write/panel/1000000/svg
 void registerExport();                        ///< export/dress/pdf, readBack/dress/all
 void registerGarment(const Scope& scope);     ///< garment/dress/threads-2

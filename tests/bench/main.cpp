@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     registerFlattening(scope);
     registerPieces(scope);
     registerReading(scope);
+    registerPreparing();
     registerWriting(scope);
     registerExport();
     registerGarment(scope);

@@ -114,6 +114,15 @@ void addFiles(Bars& bars) {
     bars.add("write/panel/1000000, OBJ and SVG and DXF together", all, 2, false, "s");
 }
 
+void addPreparing(Bars& bars) {
+    const auto add = [&bars](const char* name, double seconds) {
+        bars.add(name, bars.run().lowest(name), seconds, false, "s");
+    };
+    add("prepare/dress_scan/kept", 3);
+    add("prepare/dress_scan/remeshed-10", 10);
+    add("prepare/dress_scan/remeshed-5", 10);
+}
+
 void addMemory(Bars& bars) {
     for (const std::string surface : kSurfaces) {
         for (const std::string method : {"curvature", "isometric"}) {
@@ -177,6 +186,7 @@ std::vector<Bar> barsOf(const Measurements& run) {
     addIsometric(bars);
     addResolve(bars);
     addFiles(bars);
+    addPreparing(bars);
     addMemory(bars);
     addGrowth(bars);
     addOutline(bars);

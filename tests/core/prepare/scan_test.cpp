@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/scan.h"
 
-#include <ctime>
 #include <filesystem>
 #include <limits>
 #include <random>
@@ -243,24 +242,6 @@ TEST(Scan, OpeningsOfTheSewnDressStayOpen) {
     EXPECT_EQ(result.effect.holes, 0);
     EXPECT_EQ(result.effect.fragments, 0);
     EXPECT_EQ(result.effect.openings, 4);  // neck, arms, hem
-}
-
-/// Seconds of processor time, of a scan of 58 771 triangles.
-double secondsForDress(double edgeLength) {
-    Progress progress;
-    const PolygonSoup soup = *readSoup(test::sharedFile("scans/dress_scan.obj"), progress);
-    ScanSteps steps;
-    steps.edgeLength = edgeLength;
-    const std::clock_t begin = std::clock();
-    EXPECT_GT(prepared(soup, steps).soup.faceCount(), 0);
-    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-TEST(ScanClock, ADressTakesSeconds) {
-    TOILE_NEEDS_SHARED(test::sharedFile("scans/dress_scan.obj"));
-    EXPECT_LT(secondsForDress(0), 3);
-    EXPECT_LT(secondsForDress(10), 10);
-    EXPECT_LT(secondsForDress(5), 10);
 }
 
 }  // namespace
