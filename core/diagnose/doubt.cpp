@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "core/base/characters.h"
@@ -65,7 +66,22 @@ std::optional<Doubt> scrapsDoubt(const Garment& garment, const PieceResults& res
     return doubt;
 }
 
-std::optional<Doubt> cutsDoubt(const CutRecord& record) {
+/// Pieces that are left out of the pattern.
+std::set<PieceId> leftOutOf(const PieceResults& results) {
+    std::set<PieceId> pieces;
+    for (const auto& result : results) {
+        if (result && isLeftOut(*result)) {
+            pieces.insert(result->piece->id);
+        }
+    }
+    return pieces;
+}
+
+std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>& leftOut) {
+    const auto isOut = [&leftOut](const auto& piece) { return leftOut.contains(piece->id); };
+    if (!record.pieces.empty() && std::ranges::all_of(record.pieces, isOut)) {
+        return std::nullopt;
+    }
     double cuts = 0;
     for (const AppliedCut& cut : record.cuts) {
         cuts += cut.author == CutAuthor::Automatic ? cut.length : 0;
@@ -110,8 +126,9 @@ std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& result
         }
     }
     add(scrapsDoubt(garment, results));
+    const std::set<PieceId> leftOut = leftOutOf(results);
     for (const CutRecord& record : garment.cutRecords) {
-        add(cutsDoubt(record));
+        add(cutsDoubt(record, leftOut));
     }
     return doubts;
 }

@@ -127,6 +127,18 @@ TEST(Doubt, CutsOfOurOwnThatAreLongerThanTheOutlineAreOne) {
     EXPECT_TRUE(findDoubts(garment, {}).empty());  // it must be cut, and has no outline
 }
 
+TEST(Doubt, CutsOfWhatIsLeftOutDoNotCount) {
+    Garment garment;
+    garment.cutRecords = {recordOf(test::planeGrid(2, 2, 50), CutAuthor::Automatic, 401)};
+    const auto piece = garment.cutRecords[0].whole;
+    garment.cutRecords[0].pieces = {piece};
+    const auto left = std::make_shared<PieceResult>();
+    left->piece = piece;
+    EXPECT_EQ(findDoubts(garment, {left}).size(), 1U);
+    left->error = Error{ErrorCode::LeftOut, subjectOf(*piece)};
+    EXPECT_TRUE(findDoubts(garment, {left}).empty());
+}
+
 TEST(Doubt, WhatIsNotThereIsNotLookedAt) {
     FlatGarment flat;
     widenFirstCells(*flat.add(test::planeGrid(10, 1, 50), "strip"), 5, 3);
