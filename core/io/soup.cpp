@@ -19,25 +19,35 @@ namespace {
 using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const std::string&,
                                        Progress&);
 
-constexpr std::pair<std::string_view, Reader> kOwn[] = {
-    {".obj", readObj}, {".ply", readPly}, {".off", readOff}, {".stl", readStl}, {".usda", readUsd}};
-constexpr std::string_view kInZip[] = {".obj", ".ply", ".off", ".stl", ".usda"};
-constexpr std::string_view kZip = ".zip", kBinaryUsd[] = {".usd", ".usdc", ".usdz"};
-
-Reader readerFor(std::string_view ending) {
-    const auto known = std::ranges::find_if(
-        kOwn, [ending](const auto& own) { return equalsIgnoringCase(ending, own.first); });
-    return known == std::end(kOwn) ? nullptr : known->second;
-}
+constexpr std::string_view kZip = ".zip", kUsd = ".usd";
+constexpr std::string_view kBinaryUsd[] = {kUsd, ".usdc", ".usdz"};
 
 /// Why a file with this ending is not read.
-Error unknownEnding(const std::string& name, const std::string& ending) {
+Error unknownEnding(const std::string& name, std::string_view ending) {
     const bool isUsd = std::ranges::any_of(
         kBinaryUsd, [&](std::string_view known) { return equalsIgnoringCase(ending, known); });
     return {ErrorCode::UnknownFormat, Subject::file(name),
             isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(ending)})
             : ending.empty() ? Wording("the name has no ending")
-                             : Wording("\"" + ending + "\"")};
+                             : Wording("\"" + std::string(ending) + "\"")};
+}
+
+/// USD of either form, of which the one that is text can be read.
+Result<PolygonSoup> readEitherUsd(std::shared_ptr<const std::string> bytes, const std::string& name,
+                                  Progress& progress) {
+    return bytes->starts_with("#usda") ? readUsd(std::move(bytes), name, progress)
+                                       : unknownEnding(name, kUsd);
+}
+
+constexpr std::pair<std::string_view, Reader> kOwn[] = {{".obj", readObj},  {".ply", readPly},
+                                                        {".off", readOff},  {".stl", readStl},
+                                                        {".usda", readUsd}, {kUsd, readEitherUsd}};
+constexpr std::string_view kInZip[] = {".obj", ".ply", ".off", ".stl", ".usda"};
+
+Reader readerFor(std::string_view ending) {
+    const auto known = std::ranges::find_if(
+        kOwn, [ending](const auto& own) { return equalsIgnoringCase(ending, own.first); });
+    return known == std::end(kOwn) ? nullptr : known->second;
 }
 
 /// By one of our own readers. @param name  the file, or the archive it was in, for messages

@@ -110,6 +110,23 @@ TEST(Formats, BinaryUsdSaysWhatItIs) {
     }
 }
 
+TEST(Formats, UsdThatIsTextIsReadByEitherEnding) {
+    const test::TemporaryFolder folder;
+    const std::string text =
+        "#usda 1.0\n(\n upAxis = \"Z\"\n)\ndef Mesh \"flap\" {\n int[] faceVertexCounts = [3]\n"
+        " int[] faceVertexIndices = [0, 1, 2]\n point3f[] points = [(0, 0, 0), (50, 0, 0), (0, 0, "
+        "30)]\n}\n";
+    for (const char* name : {"a.usda", "a.usd"}) {
+        const std::string file = folder.write(name, text).string();
+        const auto run = test::toileRun({"info", file});
+        EXPECT_EQ(run.status, 0) << run.err;
+        EXPECT_NE(run.out.find("up z (stated in the USD file)"), std::string::npos) << run.out;
+        EXPECT_NE(run.out.find("500 x 300 x 0"), std::string::npos) << run.out;
+        const auto other = test::toileRun({"info", file, "--up", "y"});
+        EXPECT_NE(other.out.find("500 x 0 x 300"), std::string::npos) << other.out;
+    }
+}
+
 class DesignedGarment : public testing::TestWithParam<const char*> {};
 
 /// A designer's own division is never taken for what nobody could sew.

@@ -149,31 +149,20 @@ TEST(UsdReader, MirroredFacesAreTurnedBack) {
     EXPECT_EQ(face(*soup, 0), (std::vector<int>{2, 1, 0}));
 }
 
-TEST(UsdReader, UpIsYAndTheUnitIsTheFiles) {
+TEST(UsdReader, UnitAndUpAxisAreTheFiles) {
     const auto up = readText(withMesh("", "upAxis = \"Z\"\nmetersPerUnit = 0.001"));
     ASSERT_TRUE(up);
-    expectAt(up->positions[2], 0, 0, -1);  // what was behind
+    expectAt(up->positions[2], 0, 1, 0);  // as written
+    EXPECT_EQ(up->statedUp->axis, UpAxis::Z);
     EXPECT_EQ(up->statedUnit->unit, LengthUnit::Millimetre);
     const auto unstated = readText(withMesh(""));
     ASSERT_TRUE(unstated);
     EXPECT_EQ(unstated->statedUnit->unit, LengthUnit::Centimetre);
+    EXPECT_EQ(unstated->statedUp->axis, UpAxis::Y);
     const auto feet = readText(withMesh("", "metersPerUnit = 0.3048"));
     ASSERT_TRUE(feet);
     EXPECT_EQ(feet->statedUnit->unit, LengthUnit::Metre);
     expectAt(feet->positions[1], 0.3048, 0, 0);
-}
-
-TEST(UsdReader, WhatResetsItsPlaceIsTurnedUprightAllTheSame) {
-    const std::string head = "#usda 1.0\n(\n upAxis = \"Z\"\n)\n";
-    const std::string faces =
-        " int[] faceVertexCounts = [3]\n int[] faceVertexIndices = [0, 1, 2]\n"
-        " point3f[] points = [(0, 0, 0), (1, 0, 0), (0, 0, 7)]\n";
-    const auto plain = readText(head + "def Mesh \"a\" {\n" + faces + "}\n");
-    const auto reset = readText(head + "def Mesh \"a\" {\n" + faces +
-                                " uniform token[] xformOpOrder = [\"!resetXformStack!\"]\n}\n");
-    ASSERT_TRUE(plain && reset);
-    EXPECT_EQ(plain->positions[2], Eigen::Vector3d(0, 7, 0));
-    EXPECT_EQ(reset->positions, plain->positions);
 }
 
 TEST(UsdReader, OfMovingTransformsTheFirstMomentCounts) {
