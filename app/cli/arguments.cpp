@@ -164,6 +164,9 @@ void addReading(CLI::App& command, Arguments& arguments) {
             "seams from it (docs/seams.md)")
         ->type_name("FILE.json");
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
+    addChoice(command, "--cut-style", load.cutStyle, kCutStyleWords,
+              "Where automatic cuts run: as tailors cut, or the shortest ways that open a piece")
+        ->default_str("topology");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
     addPreparing(command, load.preparing);
     command.add_flag("--close-slits", load.closeSlits,

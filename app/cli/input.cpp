@@ -61,10 +61,20 @@ void printCuts(const Garment& garment, std::ostream& out) {
     if (garment.cuts.empty()) {
         return;
     }
-    Table table({"cut", "made by", "of", "length mm"});
+    const bool hasEvidence = std::ranges::any_of(
+        garment.cuts, [](const AppliedCut& cut) { return !cut.evidence.empty(); });
+    std::vector<std::string> heads{"cut", "made by", "of", "length mm"};
+    if (hasEvidence) {
+        heads.emplace_back("because");
+    }
+    Table table(heads);
     for (const AppliedCut& cut : garment.cuts) {
-        table.add({cut.name, cut.author == CutAuthor::User ? "user" : "Toile", cut.piece,
-                   fixed(cut.length, 1)});
+        std::vector<std::string> row{cut.name, cut.author == CutAuthor::User ? "user" : "Toile",
+                                     cut.piece, fixed(cut.length, 1)};
+        if (hasEvidence) {
+            row.push_back(cut.evidence);
+        }
+        table.add(row);
     }
     table.print(out);
     out << '\n';

@@ -149,6 +149,8 @@ constexpr Words kWords[] = {
      TR("Merge the doubled vertices in the modelling program")},
     {CutImpossible, "cut-impossible", TR("the cut cannot be made"),
      TR("Move its points, or repair the piece first")},
+    {NoBodySeen, "no-body-seen", TR("the piece is not seen to be a garment that is worn"),
+     TR("It gets the shortest cuts that let it lie flat; draw others where they are wanted"), true},
     {JoinImpossible, "join-impossible", TR("the seam cannot be taken out"),
      TR("Leave it, or join the parts in the modelling program")},
     {NoSuchSeam, "no-such-seam", TR("the garment has no seam of this name"),

@@ -75,6 +75,7 @@ enum class ErrorCode {
     DegenerateFace,
     ZeroLengthEdge,
     CutImpossible,
+    NoBodySeen,
     JoinImpossible,
     NoSuchSeam,
     // Solving

@@ -6,13 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include <Eigen/Geometry>
-
 #include "core/base/text.h"
 #include "core/cut/cut_graph.h"
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
-#include "core/geometry/segment.h"
 #include "core/mesh/disk_check.h"
 
 namespace toile {
@@ -27,15 +24,6 @@ constexpr double kKeepOff = 1e3;
 /// Of the time, about, until the ways are found, and until they are tight.
 constexpr double kGraphShare = 0.3;
 constexpr double kTightShare = 0.6;
-
-double foldAngle(const SurfaceLinks& links, int edge) {
-    const std::span<const int> uses = links.table().usesOf(edge);
-    if (uses.size() != 2) {
-        return 0;
-    }
-    return geometry::angleBetween(doubleAreaNormal(links.mesh(), uses[0] / 3),
-                                  doubleAreaNormal(links.mesh(), uses[1] / 3));
-}
 
 class Proposer {
 public:
@@ -110,7 +98,7 @@ private:
                 weights[e] *= inCap ? kKeepOff * kKeepOff : kKeepOff;
             }
             if (preferCreases) {
-                const double sharpness = std::min(1.0, 2 * foldAngle(links, e) / std::numbers::pi);
+                const double sharpness = std::min(1.0, 2 * links.foldAngle(e) / std::numbers::pi);
                 weights[e] *= 1 - kCreaseDiscount * sharpness;
             }
         }
@@ -125,7 +113,7 @@ private:
             const double length = (mesh_.V.row(way[i]) - mesh_.V.row(way[i - 1])).norm();
             whole += length;
             const int edge = findEdge(links_.table().edges, way[i - 1], way[i]);
-            creased += foldAngle(links_, edge) > kCrease ? length : 0;
+            creased += links_.foldAngle(edge) > kCrease ? length : 0;
         }
         return 2 * creased > whole;
     }

@@ -54,6 +54,13 @@ double SurfaceLinks::angleAround(int vertex) const {
     return sum;
 }
 
+double SurfaceLinks::foldAngle(int edge) const {
+    const std::span<const int> uses = table_.usesOf(edge);
+    return uses.size() != 2 ? 0
+                            : geometry::angleBetween(doubleAreaNormal(mesh_, uses[0] / 3),
+                                                     doubleAreaNormal(mesh_, uses[1] / 3));
+}
+
 Carrier SurfaceLinks::carrierOf(const SurfacePoint& point) const {
     int positive = 0;
     int zero = -1;

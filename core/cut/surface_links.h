@@ -48,6 +48,8 @@ public:
     /// True where every triangle around the vertex has a neighbour on both sides.
     bool isInner(int vertex) const;
     double angleAround(int vertex) const;
+    /// By how much the surface is bent along an edge, in [0, pi]; 0 where no two triangles meet.
+    double foldAngle(int edge) const;
 
     Carrier carrierOf(const SurfacePoint& point) const;
     std::vector<int> facesOf(const Carrier& carrier) const;

@@ -130,12 +130,23 @@ Json filesJson(const Garment& garment, const PieceResults& results) {
 
 Json cutsJson(const Garment& garment) {
     Json cuts = Json::array();
-    for (const AppliedCut& cut : garment.cuts) {
-        cuts.push_back({{"name", cut.name},
-                        {"kind", text(name(cut.kind))},
-                        {"author", cut.author == CutAuthor::User ? "user" : "automatic"},
-                        {"piece", cut.piece},
-                        {"length", number(cut.length)}});
+    for (const CutRecord& record : garment.cutRecords) {
+        const SourceFile& file = *garment.files[static_cast<std::size_t>(record.whole->file)];
+        for (const AppliedCut& cut : record.cuts) {
+            Json points = Json::array();
+            for (const Eigen::Vector3d& point : cut.points) {
+                const Eigen::RowVector3d there =
+                    asInFile(file.up, point.transpose()) / millimetresPer(file.unit);
+                points.push_back({number(there.x()), number(there.y()), number(there.z())});
+            }
+            cuts.push_back({{"name", cut.name},
+                            {"kind", text(name(cut.kind))},
+                            {"author", cut.author == CutAuthor::User ? "user" : "automatic"},
+                            {"evidence", textOrNull(cut.evidence)},
+                            {"piece", cut.piece},
+                            {"length", number(cut.length)},
+                            {"points", std::move(points)}});
+        }
     }
     return cuts;
 }

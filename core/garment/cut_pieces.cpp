@@ -82,6 +82,15 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
     return made;
 }
 
+std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(path.points.size());
+    for (const SurfacePoint& point : path.points) {
+        points.push_back(positionOf(mesh, point));
+    }
+    return points;
+}
+
 bool cutsCanRepair(ErrorCode defect) {
     return defect == ErrorCode::ClosedSurface || defect == ErrorCode::SeveralLoops ||
            defect == ErrorCode::Handle;
@@ -100,20 +109,25 @@ public:
         }
     }
 
-    void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
+    void cut(const PiecePointer& whole, std::vector<UserCut> asked,
+             std::vector<ProposedCut> proposed, const Progress& progress) {
+        if (!asked.empty() || !isToOpen(*whole)) {
+            proposed.clear();
+        }
         if (asked.empty() && !isToOpen(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
         const auto known = before_.find(whole.get());
         if (known != before_.end() && known->second->asked == asked &&
-            known->second->automatic == automatic_ && areFree(*known->second)) {
+            known->second->proposed == proposed && known->second->automatic == automatic_ &&
+            areFree(*known->second)) {
             done_ = *known->second;
             for (const PiecePointer& part : done_.pieces) {
                 names_.take(part->name);
             }
         } else {
-            done_ = {whole, std::move(asked), automatic_, {}};
+            done_ = {whole, std::move(asked), automatic_, std::move(proposed)};
             cutAnew(whole, progress);
         }
         const auto append = [](auto& list, const auto& more) {
@@ -164,25 +178,31 @@ private:
         }
     }
 
-    /// The parts after the user's cuts; none where no cut was made.
+    /// The parts after the user's cuts, or those proposed; none where no cut was made.
     std::vector<Piece> byHand(const Piece& piece, const Progress& progress) {
-        const std::vector<UserCut>& cuts = done_.asked;
+        std::vector<ProposedCut> cuts = done_.proposed;
+        for (const UserCut& asked : done_.asked) {
+            cuts.push_back({asked});
+        }
         if (cuts.empty()) {
             return {};
         }
+        const bool isProposal = done_.asked.empty();
+        const auto author = isProposal ? CutAuthor::Automatic : CutAuthor::User;
         const SurfaceLinks links(piece.mesh, piece.table);
         const NearestSurface nearest(piece.mesh);
         std::vector<PathPolyline> paths;
-        std::vector<const UserCut*> traced;
+        std::vector<const ProposedCut*> traced;
         std::vector<CutId> ids;
         for (std::size_t c = 0; c < cuts.size() && !progress.isCancelled(); ++c) {
-            auto path = traceUserCut(links, nearest, cuts[c], progress);
+            auto path = traceUserCut(links, nearest, cuts[c].cut, progress);
             if (path) {
                 paths.push_back(std::move(*path));
                 traced.push_back(&cuts[c]);
-                ids.push_back(cuts[c].id);
-            } else {
-                failIn(piece, cuts[c], path.error());
+                ids.push_back(isProposal ? CutId{hashOf({piece.id.value, 'p', c})}
+                                         : cuts[c].cut.id);
+            } else if (!isProposal) {
+                failIn(piece, cuts[c].cut, path.error());
             }
             progress.report(kTracingShare * static_cast<double>(c + 1) /
                             static_cast<double>(cuts.size()));
@@ -194,17 +214,21 @@ private:
         auto parts = cutPiece(piece, paths, ids, {.leavesOut = true}, progress, opened);
         bool areAllOut = true;
         for (std::size_t c = 0; c < traced.size(); ++c) {
+            const UserCut& cut = traced[c]->cut;
             if (!parts || opened[c].error) {
-                failIn(piece, *traced[c], parts ? *opened[c].error : parts.error());
+                if (!isProposal) {
+                    failIn(piece, cut, parts ? *opened[c].error : parts.error());
+                }
                 continue;
             }
             areAllOut = false;
             if (opened[c].length > 0) {
-                done_.cuts.push_back({traced[c]->name, CutAuthor::User, traced[c]->kind, piece.name,
-                                      opened[c].length, ids[c]});
-            } else {
+                done_.cuts.push_back({cut.name, author, cut.kind, piece.name, opened[c].length,
+                                      ids[c], traced[c]->evidence,
+                                      positionsOf(piece.mesh, paths[c])});
+            } else if (!isProposal) {
                 done_.problems.push_back(cutError(
-                    subjectOf(*traced[c]),
+                    subjectOf(cut),
                     toile::worded("in %1 it runs along the outline or along another cut, and "
                                   "opens nothing",
                                   {piece.name})));
@@ -243,8 +267,13 @@ private:
         }
         for (std::size_t c = 0; c < opened.size(); ++c) {
             done_.cuts.push_back({piece.name + ", automatic cut " + std::to_string(c + 1),
-                                  CutAuthor::Automatic, UserCut::Kind::Path, piece.name,
-                                  opened[c].length, ids[c]});
+                                  CutAuthor::Automatic,
+                                  UserCut::Kind::Path,
+                                  piece.name,
+                                  opened[c].length,
+                                  ids[c],
+                                  {},
+                                  positionsOf(piece.mesh, proposal->cuts[c])});
         }
         piece = std::move(parts->front());
     }
@@ -259,8 +288,9 @@ private:
 }  // namespace
 
 CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut> cuts,
-                    bool automatic, const Progress& progress,
-                    const std::vector<CutRecord>& before) {
+                    bool automatic, const Progress& progress, const std::vector<CutRecord>& before,
+                    std::vector<std::vector<ProposedCut>> proposed) {
+    proposed.resize(uncut.size());
     giveIds(cuts);
     CutOwners owners = findCutOwners(uncut, cuts, progress);
     Cutter cutter(uncut, automatic, before);
@@ -269,7 +299,8 @@ CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut>
     }
     const auto count = static_cast<double>(uncut.size());
     for (std::size_t p = 0; p < uncut.size() && !progress.isCancelled(); ++p) {
-        cutter.cut(uncut[p], std::move(owners.cutsOf[p]), Progress(progress, 1 / count));
+        cutter.cut(uncut[p], std::move(owners.cutsOf[p]), std::move(proposed[p]),
+                   Progress(progress, 1 / count));
         progress.report(static_cast<double>(p + 1) / count);
     }
     return cutter.take();

@@ -23,6 +23,16 @@ struct AppliedCut {
     std::string piece;  ///< what it opened, by the name before the cut
     double length = 0;  ///< mm, of the line that came open
     CutId id{};
+    Wording evidence{};                     ///< of an automatic one: what speaks for it
+    std::vector<Eigen::Vector3d> points{};  ///< its line in the piece that it opened, mm
+};
+
+/// A cut that Toile would make, and why.
+struct ProposedCut {
+    UserCut cut;  ///< mm
+    Wording evidence{};
+
+    bool operator==(const ProposedCut&) const = default;
 };
 
 /// What was done with one piece that was to be cut.
@@ -30,7 +40,8 @@ struct CutRecord {
     std::shared_ptr<const Piece> whole;
     std::vector<UserCut> asked;
     bool automatic = false;
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    std::vector<ProposedCut> proposed{};
+    std::vector<std::shared_ptr<const Piece>> pieces{};
     std::vector<AppliedCut> cuts{};
     Problems problems{};
 };
@@ -44,16 +55,19 @@ struct CutPieces {
 };
 
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
-/// those that make a disk of every piece that is none (`proposeCuts`). A piece that comes apart is
-/// numbered: "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by pointer. A
-/// cut that fails leaves the others, and its piece, alone; a piece that no automatic cut opens
-/// keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces without.
+/// those that make a disk of every piece that is none: first what is proposed for it, where the
+/// user has drawn nothing in it, then what still is needed (`proposeCuts`). A piece that comes
+/// apart is numbered: "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by
+/// pointer. A cut that fails leaves the others, and its piece, alone; a piece that no automatic cut
+/// opens keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
+/// @param proposed  for each piece; or empty. One that cannot be made is left out
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.
 CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
                     std::vector<UserCut> cuts, bool automatic, const Progress& progress,
-                    const std::vector<CutRecord>& before = {});
+                    const std::vector<CutRecord>& before = {},
+                    std::vector<std::vector<ProposedCut>> proposed = {});
 
 }  // namespace toile

@@ -181,6 +181,7 @@ bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
     before.loading.seams = inputs.loading.seams;
     before.loading.seamSettings = inputs.loading.seamSettings;
     before.loading.autoCut = inputs.loading.autoCut;
+    before.loading.cutStyle = inputs.loading.cutStyle;
     return inputs == before;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/base/words.h"
 #include "core/compare/comparison.h"
 #include "core/cut/seams_file.h"
 #include "core/flatten/base/piece_result.h"
@@ -24,6 +25,16 @@ namespace toile {
 /// and tests. All functions are re-entrant; the garment and the results are immutable and may be
 /// shared between threads.
 
+/// Where automatic cuts run.
+enum class CutStyle {
+    Auto,      ///< as tailors cut, where a garment that is worn is recognised; else the shortest
+    Tailor,    ///< the same
+    Topology,  ///< the shortest that make a piece lie flat
+};
+
+inline constexpr Word<CutStyle> kCutStyleWords[] = {
+    {CutStyle::Auto, "auto"}, {CutStyle::Tailor, "tailor"}, {CutStyle::Topology, "topology"}};
+
 struct LoadOptions {
     std::optional<FileUnit> unit{};  ///< of all files; guessed per file where not given
     std::optional<UpAxis> up{};      ///< of all files; guessed per file where not given
@@ -33,6 +44,7 @@ struct LoadOptions {
     bool closeSlits = false;  ///< make both sides of slits inside pieces one (`closeSlits`)
     bool strict = false;      ///< refuse a file in which anything had to be left out or repaired
     bool autoCut = false;     ///< cut open what is no disk
+    CutStyle cutStyle = CutStyle::Topology;  ///< of automatic cuts
     /// Cuts and joins, in the unit and axes of the first file; and ease by the names of seams,
     /// which `resolveNames` turns into settings.
     SeamsFile seams{};

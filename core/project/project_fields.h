@@ -52,6 +52,9 @@ inline constexpr auto kReading = [](auto& at, auto& loading) {
     }
     at.field("strict", loading.strict);
     at.field("autoCut", loading.autoCut);
+    if (at.kReads || loading.cutStyle != CutStyle::Topology) {
+        at.word("cutStyle", loading.cutStyle, kCutStyleWords);
+    }
 };
 
 inline constexpr auto kKnownPiece = [](auto& at, auto& piece) {

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tailor/body_ways.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/cut/surface_paths.h"
+#include "core/geometry/shortest_paths.h"
+
+namespace toile {
+namespace {
+
+/// Over what width normals are smoothed, mm, so that folds do not count; rounds at most.
+constexpr double kSmoothing = 25;
+constexpr int kMostRounds = 400;
+/// Of a line along the silhouette, the cost per length; a line where the cloth looks ahead costs 1
+/// more.
+constexpr double kSilhouette = 0.15;
+
+/// Bands of height in which the width is taken, and what counts as the widest in each.
+constexpr int kBands = 60;
+constexpr double kWidest = 0.995;
+/// What it costs to be off the widest place by all of it, and to look ahead there.
+constexpr double kOffWidest = 20, kAheadOnEnvelope = 0.2;
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Normals of the vertices, smoothed; not of unit length where the cloth turns sharply.
+Points3 smoothNormals(const SurfaceLinks& links, double usualEdge) {
+    const MeshArrays& mesh = links.mesh();
+    const Edges& edges = links.table().edges;
+    Points3 normals = Points3::Zero(mesh.V.rows(), 3);
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::RowVector3d normal = doubleAreaNormal(mesh, f);
+        for (int k = 0; k < 3; ++k) {
+            normals.row(mesh.F(f, k)) += normal;
+        }
+    }
+    Eigen::VectorXd degree = Eigen::VectorXd::Ones(mesh.V.rows());
+    for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+        degree[edges(e, 0)] += 1;
+        degree[edges(e, 1)] += 1;
+    }
+    const double wide = kSmoothing / usualEdge;
+    const int rounds = std::clamp(static_cast<int>(wide * wide), 1, kMostRounds);
+    for (int round = 0; round < rounds; ++round) {
+        normals.rowwise().normalize();
+        Points3 sum = normals;
+        for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+            sum.row(edges(e, 0)) += normals.row(edges(e, 1));
+            sum.row(edges(e, 1)) += normals.row(edges(e, 0));
+        }
+        normals = degree.cwiseInverse().asDiagonal() * sum;
+    }
+    normals.rowwise().normalize();
+    return normals;
+}
+
+}  // namespace
+
+BodyWays::BodyWays(const SurfaceLinks& links, const GarmentBody& body)
+    : links_(links), body_(body), lengths_(edgeLengths(links.mesh(), links.table().edges)) {
+    const Eigen::VectorXd facing = smoothNormals(links, medianOf(lengths_)) * body.forward;
+    facing_.assign(facing.data(), facing.data() + facing.size());
+    silhouette_ = costs([this](int v) { return kSilhouette + std::abs(facing_[v]); });
+}
+
+double BodyWays::length(const std::vector<int>& way) const {
+    double sum = 0;
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        sum += (at(way[k]) - at(way[k - 1])).norm();
+    }
+    return sum;
+}
+
+std::vector<double> BodyWays::costs(const std::function<double(int)>& factorAt) const {
+    const Edges& edges = links_.table().edges;
+    std::vector<double> factor(static_cast<std::size_t>(links_.vertexCount()));
+    for (int v = 0; v < links_.vertexCount(); ++v) {
+        factor[v] = factorAt(v);
+    }
+    std::vector<double> all(lengths_);
+    for (std::size_t e = 0; e < all.size(); ++e) {
+        const auto row = static_cast<Eigen::Index>(e);
+        all[e] *= (factor[edges(row, 0)] + factor[edges(row, 1)]) / 2;
+    }
+    return all;
+}
+
+std::vector<double> BodyWays::envelope() const {
+    const int count = links_.vertexCount();
+    double least = height(0), most = least;
+    for (int v = 0; v < count; ++v) {
+        least = std::min(least, height(v));
+        most = std::max(most, height(v));
+    }
+    const auto bandOf = [&](int v) {
+        const double share = (height(v) - least) / std::max(most - least, 1e-9);
+        return std::min(static_cast<int>(share * kBands), kBands - 1);
+    };
+    std::vector<std::vector<double>> widths(kBands);
+    for (int v = 0; v < count; ++v) {
+        widths[bandOf(v)].push_back(std::abs(across(v)));
+    }
+    std::vector<double> widest(kBands, 1);
+    for (int band = 0; band < kBands; ++band) {
+        std::vector<double>& all = widths[band];
+        if (!all.empty()) {
+            const auto at = all.begin() + static_cast<std::ptrdiff_t>(
+                                              kWidest * static_cast<double>(all.size() - 1));
+            std::nth_element(all.begin(), at, all.end());
+            widest[band] = std::max(*at, 1.0);
+        }
+    }
+    return costs([&](int v) {
+        const double off = 1 - std::min(std::abs(across(v)) / widest[bandOf(v)], 1.0);
+        return kSilhouette + kOffWidest * off * off + kAheadOnEnvelope * std::abs(facing_[v]);
+    });
+}
+
+std::vector<int> BodyWays::cheapest(const std::vector<double>& costs, const std::vector<int>& from,
+                                    const std::vector<int>& to) const {
+    if (from.empty() || to.empty()) {
+        return {};
+    }
+    const Edges& edges = links_.table().edges;
+    const auto forest = geometry::shortestForest(edges, links_.vertexCount(), costs, {from});
+    const int end =
+        *std::ranges::min_element(to, {}, [&forest](int v) { return forest.distance[v]; });
+    return std::isfinite(forest.distance[end]) ? forest.pathTo(end, edges) : std::vector<int>{};
+}
+
+}  // namespace toile

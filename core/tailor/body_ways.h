@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/cut/surface_links.h"
+#include "core/tailor/garment_body.h"
+
+namespace toile {
+
+/// Cheapest ways along the edges of a garment, by costs that tailors' lines follow. Keeps
+/// references: links and body must outlive it.
+class BodyWays {
+public:
+    /// Cost: linear in the triangles, and some rounds of smoothing their normals.
+    BodyWays(const SurfaceLinks& links, const GarmentBody& body);
+
+    const SurfaceLinks& links() const { return links_; }
+    const GarmentBody& body() const { return body_; }
+
+    Eigen::Vector3d at(int vertex) const { return links_.mesh().V.row(vertex).transpose(); }
+    double across(int vertex) const { return body_.across(at(vertex)); }
+    double height(int vertex) const { return body_.height(at(vertex)); }
+    /// As seen from ahead: across and height, mm.
+    Eigen::Vector2d seen(int vertex) const { return {across(vertex), height(vertex)}; }
+    /// How much the cloth looks ahead there: 1 ahead, -1 back, 0 on the silhouette.
+    double facing(int vertex) const { return facing_[vertex]; }
+
+    const std::vector<double>& lengths() const { return lengths_; }  ///< of edges, mm
+    double length(const std::vector<int>& way) const;
+    /// Length of each edge times a factor that is asked for at its two ends and averaged.
+    std::vector<double> costs(const std::function<double(int)>& factorAt) const;
+    /// Costs little along the silhouette, where front meets back.
+    const std::vector<double>& silhouette() const { return silhouette_; }
+
+    /// The same where a flared trunk hangs in folds: costs little where the garment is widest at
+    /// each height.
+    std::vector<double> envelope() const;
+
+    /// The cheapest way from any of some vertices to any of others; empty where there is none.
+    /// Cost: O(#E log #E).
+    std::vector<int> cheapest(const std::vector<double>& costs, const std::vector<int>& from,
+                              const std::vector<int>& to) const;
+
+private:
+    const SurfaceLinks& links_;
+    const GarmentBody& body_;
+    std::vector<double> lengths_, facing_, silhouette_;
+};
+
+}  // namespace toile

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tailor/mesh_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "core/cut/surface_paths.h"
+#include "core/geometry/buckets.h"
+
+namespace toile {
+namespace {
+
+constexpr double kStraight = 0.9, kSameLength = 0.12;
+/// A line of fewer edges says little.
+constexpr int kFewEdges = 3;
+constexpr double kFewFactor = 0.3;
+/// Of its edges' lengths, the spread at which a line counts half.
+constexpr double kEvenSpread = 0.03;
+constexpr double kUsualQuantile = 0.9;
+/// What even a flat line is worth, next to bends of as many medians.
+constexpr double kFlatWorth = 0.3;
+constexpr double kMostBends = 3;
+/// From how many medians on a bend is one.
+constexpr double kUnusual = 3;
+/// Median of |x| to the standard deviation of x, of a normal distribution.
+constexpr double kToDeviation = 1.48;
+
+double quantile(std::vector<double> values, double part) {
+    if (values.empty()) {
+        return 0;
+    }
+    const auto at =
+        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+/// Which edge goes on where another ends.
+class Continuations {
+public:
+    explicit Continuations(const SurfaceLinks& links)
+        : links_(links),
+          lengths_(edgeLengths(links.mesh(), links.table().edges)),
+          next_(static_cast<std::size_t>(links.edgeCount()), {-1, -1}) {
+        const Edges& edges = links.table().edges;
+        const geometry::Buckets<> edgesAt(links.vertexCount(), [&edges](const auto& add) {
+            for (int e = 0; e < edges.rows(); ++e) {
+                add(edges(e, 0), e);
+                add(edges(e, 1), e);
+            }
+        });
+        for (int v = 0; v < links.vertexCount(); ++v) {
+            if (links.isInner(v)) {
+                linkAround(v, edgesAt[v]);
+            }
+        }
+    }
+
+    /// The edge after this one beyond its first (0) or second (1) end, or -1.
+    int next(int edge, int end) const { return next_[edge][end]; }
+
+    int endAt(int edge, int vertex) const {
+        return links_.table().edges(edge, 0) == vertex ? 0 : 1;
+    }
+
+    double length(int edge) const { return lengths_[edge]; }
+
+private:
+    Eigen::Vector3d away(int edge, int vertex) const {
+        const auto ends = links_.table().edges.row(edge);
+        const int other = ends[0] == vertex ? ends[1] : ends[0];
+        return (links_.mesh().V.row(other) - links_.mesh().V.row(vertex)).transpose();
+    }
+
+    /// The straightest continuation of an edge at one of its ends, or -1.
+    int best(int edge, int vertex, std::span<const int> around) const {
+        const Eigen::Vector3d from = -away(edge, vertex);
+        int found = -1;
+        double most = kStraight;
+        for (const int other : around) {
+            const double length = lengths_[other], longer = std::max(length, lengths_[edge]);
+            if (other == edge || std::abs(length - lengths_[edge]) > kSameLength * longer) {
+                continue;
+            }
+            const double cosine = from.dot(away(other, vertex)) / (lengths_[edge] * length);
+            if (cosine > most) {
+                most = cosine;
+                found = other;
+            }
+        }
+        return found;
+    }
+
+    void linkAround(int vertex, std::span<const int> around) {
+        for (const int edge : around) {
+            const int other = best(edge, vertex, around);
+            if (other >= 0 && best(other, vertex, around) == edge) {
+                next_[edge][endAt(edge, vertex)] = other;
+            }
+        }
+    }
+
+    const SurfaceLinks& links_;
+    std::vector<double> lengths_;
+    std::vector<std::array<int, 2>> next_;
+};
+
+/// How far the surface is from flat, per edge: its dihedral angle and the angle defect at its ends,
+/// each in thrice the mesh's own.
+std::vector<double> bendsOf(const SurfaceLinks& links) {
+    std::vector<double> defect(static_cast<std::size_t>(links.vertexCount()), 0), some;
+    for (int v = 0; v < links.vertexCount(); ++v) {
+        if (links.isInner(v)) {
+            defect[v] = std::abs(2 * std::numbers::pi - links.angleAround(v));
+            some.push_back(defect[v]);
+        }
+    }
+    const double deviation = kToDeviation * quantile(some, 0.5);
+    some.clear();
+    std::vector<double> fold(static_cast<std::size_t>(links.edgeCount()), 0);
+    for (int e = 0; e < links.edgeCount(); ++e) {
+        fold[e] = links.foldAngle(e);
+        some.push_back(fold[e]);
+    }
+    const double usualFold = quantile(some, 0.5);
+    const auto bend = [](double value, double usual) {
+        return usual > 0   ? std::min(value / (kUnusual * usual), kMostBends)
+               : value > 0 ? kMostBends
+                           : 0.0;
+    };
+    for (int e = 0; e < links.edgeCount(); ++e) {
+        const auto ends = links.table().edges.row(e);
+        fold[e] = bend(fold[e], usualFold) +
+                  (bend(defect[ends[0]], deviation) + bend(defect[ends[1]], deviation)) / 2;
+    }
+    return fold;
+}
+
+struct Line {
+    std::vector<int> edges, way;
+    double bend = 0;    ///< mean
+    double spread = 0;  ///< of the lengths, as a part of their mean
+};
+
+/// Lines by following continuations both ways from their least edge.
+std::vector<Line> linesOf(const Continuations& continuations, const SurfaceLinks& links,
+                          std::vector<int>& lineOf) {
+    std::vector<Line> lines;
+    lineOf.assign(static_cast<std::size_t>(links.edgeCount()), -1);
+    for (int first = 0; first < links.edgeCount(); ++first) {
+        if (lineOf[first] >= 0) {
+            continue;
+        }
+        Line& line = lines.emplace_back();
+        const int number = static_cast<int>(lines.size()) - 1;
+        line.edges.push_back(first);
+        lineOf[first] = number;
+        for (const int forth : {0, 1}) {
+            int edge = first, end = forth;
+            std::vector<int> way{links.table().edges(edge, end)};
+            while (true) {
+                edge = continuations.next(edge, end);
+                if (edge < 0 || lineOf[edge] >= 0) {
+                    break;
+                }
+                lineOf[edge] = number;
+                line.edges.push_back(edge);
+                end = 1 - continuations.endAt(edge, way.back());
+                way.push_back(links.table().edges(edge, end));
+            }
+            if (forth == 0) {
+                std::ranges::reverse(way);
+            }
+            line.way.insert(line.way.end(), way.begin(), way.end());
+        }
+    }
+    return lines;
+}
+
+void measureLine(Line& line, const Continuations& continuations, const std::vector<double>& bends) {
+    const auto count = static_cast<double>(line.edges.size());
+    double sum = 0, squares = 0;
+    for (const int edge : line.edges) {
+        const double length = continuations.length(edge);
+        sum += length;
+        squares += length * length;
+        line.bend += bends[edge] / count;
+    }
+    const double mean = sum / count;
+    line.spread = std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean;
+}
+
+double likelinessOf(const Line& line, double usual) {
+    const double uneven = line.spread / kEvenSpread;
+    const double worth = static_cast<double>(line.edges.size()) / usual * (kFlatWorth + line.bend) *
+                         2 / (1 + uneven * uneven);
+    return worth / (1 + worth) *
+           (line.edges.size() < static_cast<std::size_t>(kFewEdges) ? kFewFactor : 1);
+}
+
+}  // namespace
+
+MeshLines findMeshLines(const SurfaceLinks& links) {
+    const Continuations continuations(links);
+    const std::vector<double> bends = bendsOf(links);
+    MeshLines found;
+    std::vector<Line> lines = linesOf(continuations, links, found.lineOf);
+    std::vector<double> counts;
+    for (Line& line : lines) {
+        measureLine(line, continuations, bends);
+        counts.insert(counts.end(), line.edges.size(), static_cast<double>(line.edges.size()));
+        found.ways.push_back(std::move(line.way));
+    }
+    const double usual = std::max<double>(kFewEdges, quantile(counts, kUsualQuantile));
+    found.usual = static_cast<int>(usual);
+    for (const Line& line : lines) {
+        found.likeliness.push_back(likelinessOf(line, usual));
+    }
+    return found;
+}
+
+}  // namespace toile

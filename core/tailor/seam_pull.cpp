@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tailor/seam_pull.h"
+
+#include <algorithm>
+
+#include "core/geometry/shortest_paths.h"
+#include "core/mesh/edge_table.h"
+
+namespace toile::tailor {
+namespace {
+
+/// What a line that is a seam for sure saves of the cost.
+constexpr double kSaving = 0.9;
+/// A near corridor, mm, in which any gain counts, and a wide one, which must gain much.
+constexpr double kNear = 60, kWide = 180;
+constexpr double kMuchMore = 0.15, kSure = 0.75;
+constexpr double kOutOfReach = 1e6;
+
+}  // namespace
+
+std::vector<double> SeamPull::eased(std::vector<double> costs) const {
+    for (std::size_t e = 0; e < costs.size(); ++e) {
+        costs[e] *= 1 - kSaving * lines_.at(static_cast<int>(e));
+    }
+    return costs;
+}
+
+double SeamPull::along(const std::vector<int>& way) const {
+    double sum = 0, whole = 0;
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const double length = (ways_.at(way[k]) - ways_.at(way[k - 1])).norm();
+        sum += length * lines_.at(findEdge(ways_.links().table().edges, way[k - 1], way[k]));
+        whole += length;
+    }
+    return whole > 0 ? sum / whole : 0;
+}
+
+std::vector<double> SeamPull::near(const std::vector<int>& way, double corridor,
+                                   std::vector<double> costs) const {
+    const Edges& edges = ways_.links().table().edges;
+    const auto forest =
+        geometry::shortestForest(edges, ways_.links().vertexCount(), ways_.lengths(), {way});
+    for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+        const double far = std::max(forest.distance[edges(e, 0)], forest.distance[edges(e, 1)]);
+        costs[static_cast<std::size_t>(e)] *= far > corridor ? kOutOfReach : 1;
+    }
+    return costs;
+}
+
+std::vector<int> SeamPull::pulled(const std::vector<int>& way, const std::vector<double>& costs,
+                                  const std::vector<int>& from, const std::vector<int>& to) const {
+    if (way.empty()) {
+        return way;
+    }
+    const std::vector<double> less = eased(costs);
+    const double before = along(way);
+    const std::vector<int> close = ways_.cheapest(near(way, kNear, less), from, to);
+    const std::vector<int> wide = ways_.cheapest(near(way, kWide, less), from, to);
+    const double closeBy = along(close), wideBy = along(wide);
+    const bool isCloser = closeBy > before;
+    const double reached = isCloser ? closeBy : before;
+    if (wideBy >= std::max(reached + kMuchMore, kSure)) {
+        return wide;
+    }
+    return isCloser ? close : way;
+}
+
+}  // namespace toile::tailor

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/tailor/body_ways.h"
+#include "core/tailor/mesh_lines.h"
+
+namespace toile {
+
+/// The lines along which tailors cut.
+enum class TailorLine { Side, Underarm, Armhole, Shoulder, Centre, Inseam, Waist, Style };
+
+/// One line along edges, from its first vertex to its last; one that goes all round ends where it
+/// began.
+struct TailorSeam {
+    TailorLine line;
+    int side = 0;           ///< of the mirror plane: -1, 1; 0 in the middle
+    std::vector<int> way;   ///< vertices; neighbours share an edge
+    double likeliness = 0;  ///< mean of `MeshLines` along it, by length
+};
+
+/// Proposes the lines of a top or of trousers: where front meets back along the tubes of trunk,
+/// sleeves and legs, around the arms, along the shoulders. First by the form alone; then each is
+/// pulled to lines of the mesh that look like seams, where there are some near.
+/// Cost: some dozens of searches, O(#E log #E) each. Deterministic. Pure.
+std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines,
+                                    const Progress& progress = {});
+
+}  // namespace toile
