@@ -325,6 +325,7 @@ void Workspace::changeLoading(LoadingChange change) {
         LoadOptions cutAlike = after;
         cutAlike.seams = before.seams;
         cutAlike.autoCut = before.autoCut;
+        cutAlike.cutStyle = before.cutStyle;
         if (document_.isCurrent() && !(cutAlike == before)) {
             after.known = knownPieces(*document_.garment());  // they are to be divided anew
         }
