@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/prepare/layers.h"
 #include "core/prepare/recognise.h"
 #include "core/prepare/scan.h"
 
@@ -63,6 +64,55 @@ void takeSurface(PreparedFile& file, const FileSurface& surface, const Shell& sh
     file.soup = std::make_shared<const PolygonSoup>(sheetOf(*file.soup, surface, shell, which));
 }
 
+/// Says of each face which layer it is of; where one alone is wanted, that is the file.
+/// @param only  from the outermost, 1; 0: all
+void takeLayers(PreparedFile& file, const FileSurface& surface, const Layers& layers, int only,
+                const std::string& name) {
+    std::vector<int> layerOfFace(static_cast<std::size_t>(file.soup->faceCount()), 0);
+    for (std::size_t t = 0; t < layers.of.size(); ++t) {
+        layerOfFace[surface.face[t]] = layers.of[t];
+    }
+    if (only > layers.count) {
+        file.problems.push_back({ErrorCode::CannotReadAs, Subject::file(name),
+                                 worded("layer %1 was asked for, and there are %2; all are taken",
+                                        {figure(only), figure(layers.count)})});
+        only = 0;
+    }
+    if (only == 0) {
+        file.reading.layerOfFace = std::move(layerOfFace);
+        return;
+    }
+    std::vector<int> kept, others;
+    for (std::size_t f = 0; f < layerOfFace.size(); ++f) {
+        (layerOfFace[f] == only - 1 ? kept : others).push_back(static_cast<int>(f));
+    }
+    file.problems.push_back(
+        {ErrorCode::ReadAs, Subject::file(name),
+         worded(
+             "%1 layers of cloth, %2 mm apart: layer %3 from outside is taken, with %4; %5 of "
+             "the others are left out",
+             {figure(layers.count), figure(layers.apart, 1), figure(only),
+              countWording(std::ssize(kept), "face"), countWording(std::ssize(others), "face")})});
+    file.reading.leftOut = facesOf(surface, others);
+    file.soup = std::make_shared<const PolygonSoup>(withFaces(*file.soup, kept));
+}
+
+/// A file that a person says is layers, or of which one layer is wanted.
+void readLayers(PreparedFile& file, const FileSurface& surface, int only, const std::string& name,
+                const Progress& progress) {
+    if (const auto layers = findLayers(surface, progress)) {
+        file.reading.kind = FileKind::Layers;
+        file.reading.evidence = inWords(*layers);
+        takeLayers(file, surface, *layers, only, name);
+        return;
+    }
+    file.problems.push_back(
+        {ErrorCode::CannotReadAs, Subject::file(name),
+         worded("no connected parts lie inside each other; layers that are sewn together by common "
+                "vertices are one part")});
+    file.reading.isStated = false;
+}
+
 Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
     Wording words = worded("a scan of %1", {countWording(effect.trianglesBefore, "triangle")});
     if (effect.fragments > 0) {
@@ -117,7 +167,11 @@ Result<PreparedFile> prepareFile(std::shared_ptr<const PolygonSoup> soup, bool w
     PreparedFile file{std::move(soup), {}, {}};
     FileReading& reading = file.reading;
     reading.isStated = preparation.as.has_value();
-    if (!reading.isStated || *preparation.as == FileKind::Shell) {
+    const bool areLayers =
+        preparation.as == FileKind::Layers || (!reading.isStated && preparation.onlyLayer > 0);
+    if (areLayers) {
+        readLayers(file, surfaceOf(*file.soup, millimetres), preparation.onlyLayer, name, progress);
+    } else if (!reading.isStated || *preparation.as == FileKind::Shell) {
         const FileSurface surface = surfaceOf(*file.soup, millimetres);
         const Recognition found = recognise(surface, progress);
         reading.kind = found.kind;
@@ -128,6 +182,8 @@ Result<PreparedFile> prepareFile(std::shared_ptr<const PolygonSoup> soup, bool w
             file.problems.push_back({ErrorCode::CannotReadAs, Subject::file(name),
                                      worded("no two surfaces a thickness apart were found")});
             reading.isStated = false;
+        } else if (found.layers && found.layers->isSure) {
+            takeLayers(file, surface, *found.layers, 0, name);
         } else if (wasSoup && reading.kind == FileKind::Sheet) {
             reading.kind = FileKind::Soup;
         }

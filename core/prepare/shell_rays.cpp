@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace toile::shell {
@@ -44,7 +45,9 @@ Rays::Rays(const Surface& surface)
              static_cast<std::size_t>(surface.mesh.F.size())}),
       same_(1e-7 * std::sqrt(surface.area.sum())) {}
 
-Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const {
+template <class OnMet>
+void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
+                const OnMet& onMet) const {
     const MeshArrays& mesh = surface_.mesh;
     const auto corner = [&mesh](int t, int k) -> Eigen::Vector3d {
         return mesh.V.row(mesh.F(t, k));
@@ -52,7 +55,6 @@ Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double far
     const Eigen::Vector3d origin =
         (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
     const Eigen::Vector3d inverse = direction.cwiseInverse();
-    Meeting met;
     int visits = 0;
     const auto distanceTo = [&](const auto& box) {
         return visits < kMostVisits ? entry(box, origin, inverse, farthest)
@@ -75,14 +77,34 @@ Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double far
             return;
         }
         const double distance = direction.dot(u * a + v * b + w * c) / sum;
-        if (distance > same_ &&
-            (distance < farthest || (distance == farthest && other < met.triangle))) {
+        if (distance > same_ && distance <= farthest) {
+            onMet(other, distance);
+        }
+    });
+}
+
+Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const {
+    Meeting met;
+    look(triangle, direction, farthest, [&](int other, double distance) {
+        if (distance < farthest || other < met.triangle) {
             farthest = distance;
             met.triangle = other;
         }
     });
     met.way = farthest * direction;
     return met;
+}
+
+std::vector<Meeting> Rays::all(int triangle, const Eigen::Vector3d& direction) const {
+    std::vector<std::pair<double, int>> met;
+    look(triangle, direction, std::numeric_limits<double>::max(),
+         [&met](int other, double distance) { met.emplace_back(distance, other); });
+    std::ranges::sort(met);
+    std::vector<Meeting> meetings;
+    for (const auto& [distance, other] : met) {
+        meetings.push_back({other, distance * direction});
+    }
+    return meetings;
 }
 
 Meeting Rays::opposite(int triangle, Facing facing, double farthest) const {

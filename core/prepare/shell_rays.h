@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "core/geometry/triangle_tree.h"
 #include "core/prepare/shell_pairs.h"
 
@@ -28,7 +30,14 @@ public:
     /// asked and not farther; none where something else is nearer.
     Meeting opposite(int triangle, Facing facing, double farthest) const;
 
+    /// All that one meets from its middle in this direction, nearest first, however turned.
+    std::vector<Meeting> all(int triangle, const Eigen::Vector3d& direction) const;
+
 private:
+    /// @param onMet  (triangle, distance) of one that is not farther; may bring `farthest` nearer
+    template <class OnMet>
+    void look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
+              const OnMet& onMet) const;
     Meeting nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const;
 
     const Surface& surface_;
