@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/layers.h"
 
+#include <algorithm>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/mesh/weld.h"
 #include "core/prepare/prepare_file.h"
 #include "tests/core/prepare/scan_shapes.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/shared_data.h"
 
 namespace toile {
 namespace {
@@ -163,6 +167,47 @@ TEST(Layers, FacesThatAreThereTwiceAreOfOneLayer) {
     EXPECT_EQ(file.layers(), (Numbers{1, 0}));
     const auto found = findLayers(file.surface, Progress());
     EXPECT_EQ(found->of[static_cast<std::size_t>(once.rows()) + 3], 1);
+}
+
+/// The same cloth so far inside: along the normals, by which panels stay sewn together.
+MeshArrays liningOf(const MeshArrays& mesh, double distance) {
+    const std::vector<int> target = findWeld(mesh.F, mesh.V, {.tolerance = 0.01}).target;
+    Points3 normals = Points3::Zero(mesh.V.rows(), 3);
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        for (const int v : mesh.F.row(f)) {
+            normals.row(target[static_cast<std::size_t>(v)]) +=
+                doubleAreaNormal(mesh, f).transpose();
+        }
+    }
+    MeshArrays lining = mesh;
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+        lining.V.row(v) -= distance * normals.row(target[static_cast<std::size_t>(v)]).normalized();
+    }
+    return lining;
+}
+
+TEST(Layers, ALiningOfEverySampleIsFound) {
+    for (const char* name : {"tshirt", "skirt", "trousers", "bodice"}) {
+        Progress progress;
+        const auto soup =
+            readSoup(test::dataFile(std::string("samples/") + name + ".obj"), progress);
+        ASSERT_TRUE(soup) << name;
+        const MeshArrays shell = surfaceOf(*soup, 1).mesh;
+        const LayeredFile file({liningOf(shell, 4), shell});
+        const auto found = findLayers(file.surface, progress);
+        ASSERT_TRUE(found) << name;
+        EXPECT_TRUE(found->isSure) << name;
+        EXPECT_EQ(found->count, 2) << name;
+        EXPECT_NEAR(found->apart, 4, 0.1) << name;
+        const std::size_t half = found->of.size() / 2;
+        const auto wrong = [&](std::size_t first, int layer) {
+            const auto begin = found->of.begin() + static_cast<std::ptrdiff_t>(first);
+            return std::count_if(begin, begin + static_cast<std::ptrdiff_t>(half),
+                                 [layer](int of) { return of != layer; });
+        };
+        EXPECT_EQ(wrong(0, 1), 0) << name;
+        EXPECT_EQ(wrong(half, 0), 0) << name;
+    }
 }
 
 class ReadLayers : public testing::Test {
