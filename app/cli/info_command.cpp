@@ -45,6 +45,15 @@ void printReading(const FileReading& reading, std::ostream& out) {
     if (reading.leftOut.F.rows() > 0) {
         out << ", " << counted(reading.leftOut.F.rows(), "triangle") << " left out";
     }
+    if (reading.kind == FileKind::Solid) {
+        out << "; --auto-cut cuts it open";
+    }
+    if (reading.half) {
+        out << (reading.half->isCompleted
+                    ? ", with the mirror image added to it"
+                    : "; half a garment, it seems: its rims lie over " +
+                          fixed(reading.half->length, 0) + " mm in one plane; --half completes it");
+    }
     out << '\n';
 }
 

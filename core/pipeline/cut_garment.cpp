@@ -9,6 +9,7 @@
 #include "core/pipeline/reuse_pieces.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
+#include "core/seam/mirror_seams.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 #include "core/tailor/tailor_cuts.h"
@@ -139,6 +140,7 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
     }
     made.problems.insert(made.problems.end(), made.seams.notes.begin(), made.seams.notes.end());
     nameAfterCuts(made.seams, made.cuts);
+    nameMirrorSeams(made.seams, made);
     made.seamSettings = withEaseByName(options.seamSettings, made.seams, seams.ease, made.problems);
     applySettings(made.seams, made.seamSettings);
     progress.report(1);

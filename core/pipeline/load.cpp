@@ -12,6 +12,7 @@
 #include "core/io/soup.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
+#include "core/prepare/take_half.h"
 
 namespace toile {
 namespace {
@@ -89,13 +90,17 @@ std::optional<double> weldDistance(const LoadOptions& options) {
                                                   : std::nullopt;
 }
 
+bool isPreparationStated(const LoadOptions& options) {
+    return options.preparing.as || options.preparing.isHalf;
+}
+
 /// The first note that something of the file was left out or read otherwise than written.
 const Error* firstChange(const Problems& problems, const LoadOptions& options) {
     const auto found = std::find_if(problems.begin(), problems.end(), [&](const Error& problem) {
         return problem.code != ErrorCode::UnitGuessed &&
                problem.code != ErrorCode::UnusedVertices &&
                problem.code != ErrorCode::LooksLikeScan &&
-               !(problem.code == ErrorCode::ReadAs && options.preparing.as) &&
+               !(problem.code == ErrorCode::ReadAs && isPreparationStated(options)) &&
                !(problem.code == ErrorCode::VerticesWelded && weldDistance(options));
     });
     return found == problems.end() ? nullptr : &*found;
@@ -143,6 +148,7 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     if (!prepared) {
         return prepared.error();
     }
+    takeHalf(*prepared, options.preparing, file->up, millimetres, name);
     file->soup = std::move(prepared->soup);
     file->reading = std::move(prepared->reading);
     take(prepared->problems);

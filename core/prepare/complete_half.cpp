@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 #include <vector>
 
 #include "core/mesh/edge_table.h"
 #include "core/mesh/repair.h"
-#include "core/mesh/weld.h"
 #include "core/prepare/file_surface.h"
 
 namespace toile {
@@ -16,11 +16,7 @@ namespace {
 
 /// Per position: whether it is on the border, by itself or by another one in the same place.
 std::vector<char> onBorder(const MeshArrays& mesh) {
-    const Weld weld = findWeld(mesh.F, mesh.V, {});
-    Triangles F = mesh.F;
-    for (int& v : cornersOf(F)) {
-        v = weld.target[v];
-    }
+    const Triangles F = weldedFaces(mesh);
     const EdgeTable table = buildEdgeTable(F, static_cast<int>(mesh.V.rows()));
     std::vector<char> border(static_cast<std::size_t>(mesh.V.rows()), 0);
     for (int e = 0; e < table.edges.rows(); ++e) {
@@ -28,10 +24,23 @@ std::vector<char> onBorder(const MeshArrays& mesh) {
             border[table.edges(e, 0)] = border[table.edges(e, 1)] = 1;
         }
     }
-    for (int v = 0; v < mesh.V.rows(); ++v) {
-        border[v] = border[weld.target[v]];
+    for (Eigen::Index i = 0; i < F.size(); ++i) {
+        border[mesh.F.data()[i]] = border[F.data()[i]];
     }
     return border;
+}
+
+/// Adds the mirror image of a UV map, to its right. @return what is to be added to an index
+int mirrorMap(std::vector<Eigen::Vector2d>& uvs) {
+    constexpr double kGap = 0.05;  // of the map's width
+    const auto count = static_cast<int>(uvs.size());
+    const auto [least, most] = std::ranges::minmax(
+        uvs | std::views::transform([](const auto& uv) { return uv.allFinite() ? uv.x() : 0; }));
+    const double sum = 2 * most + kGap * (most - least);
+    for (int k = 0; k < count; ++k) {
+        uvs.emplace_back(sum - uvs[k].x(), uvs[k].y());
+    }
+    return count;
 }
 
 template <class T>
@@ -82,11 +91,13 @@ std::optional<CompletedHalf> completeHalf(const PolygonSoup& half,
     if (!soup.positionText.empty()) {
         soup.positionText.resize(soup.positions.size());
     }
+    const int toImage = half.uvs.empty() ? 0 : mirrorMap(soup.uvs);
     for (int face = 0; face < half.faceCount(); ++face) {
         for (int corner = half.faceStart[face + 1] - 1; corner >= half.faceStart[face]; --corner) {
             soup.corners.push_back(image[half.corners[corner]]);
             if (!half.cornerUvs.empty()) {
-                soup.cornerUvs.push_back(half.cornerUvs[corner]);
+                const int uv = half.cornerUvs[corner];
+                soup.cornerUvs.push_back(uv < 0 ? uv : uv + toImage);
             }
         }
         soup.faceStart.push_back(static_cast<int>(soup.corners.size()));

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/io/triangulate.h"
+#include "core/mesh/repair.h"
+#include "core/mesh/weld.h"
 
 namespace toile {
 
@@ -16,6 +18,15 @@ FileSurface surfaceOf(const PolygonSoup& soup, double millimetres) {
                                         : Eigen::Vector3d(0, 0, 0);
     }
     return {{std::move(V), std::move(triangles.F)}, std::move(triangles.sourceFace)};
+}
+
+Triangles weldedFaces(const MeshArrays& mesh) {
+    const Weld weld = findWeld(mesh.F, mesh.V, {});
+    Triangles F = mesh.F;
+    for (int& v : cornersOf(F)) {
+        v = weld.target[v];
+    }
+    return F;
 }
 
 PolygonSoup withFaces(const PolygonSoup& soup, const std::vector<int>& faces) {

@@ -18,6 +18,10 @@ struct FileSurface {
 /// Cost: linear. Pure.
 FileSurface surfaceOf(const PolygonSoup& soup, double millimetres);
 
+/// The triangles with corners that lie exactly on each other as one vertex: what hangs together in
+/// space. Cost: linear on average. Pure.
+Triangles weldedFaces(const MeshArrays& mesh);
+
 /// The soup with these faces alone, in their order: positions, names and UV map as they are.
 /// @param faces  of the soup, ascending  Cost: linear. Pure.
 PolygonSoup withFaces(const PolygonSoup& soup, const std::vector<int>& faces);

@@ -59,6 +59,8 @@ TEST(CompleteHalf, KeepsNamesAndMap) {
     EXPECT_EQ(whole->soup.faceCount(), 2 * half.faceCount());
     EXPECT_EQ(whole->soup.faceGroup.size(), 2 * half.faceGroup.size());
     EXPECT_EQ(whole->soup.cornerUvs.size(), whole->soup.corners.size());
+    EXPECT_EQ(whole->soup.cornerUvs.front(), 0);
+    EXPECT_EQ(whole->soup.cornerUvs.back(), 1);
     EXPECT_TRUE(std::equal(half.corners.begin(), half.corners.end(), whole->soup.corners.begin()));
 }
 

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prepare/half_plane.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/geometry/disjoint_sets.h"
+#include "core/mesh/repair.h"
+
+namespace toile {
+namespace {
+
+using Plane = Eigen::Hyperplane<double, 3>;
+
+/// Of a garment's size, how far its rims may lie off the plane.
+constexpr double kHalfTolerance = 1e-3;
+/// Of a garment's size, how far it must stand off the plane, how far apart the rims in it must lie,
+/// seen from above, and how long they are where nobody says that it is half.
+constexpr double kLeastDepth = 0.05, kLeastSpread = 0.05, kOfferedLength = 0.5;
+/// What part of all rims lies in the plane.
+constexpr double kOfferedShare = 0.2, kStatedShare = 0.05, kNoOtherRim = 0.99;
+/// Of the rims in the plane, what is a place of its own.
+constexpr double kChainShare = 0.1;
+
+/// What a search looks at.
+struct HalfRims {
+    const Points3* V = nullptr;
+    std::vector<int> used;                  ///< vertices
+    std::vector<std::pair<int, int>> rims;  ///< edges of the border
+    double length = 0;                      ///< of these, mm
+    bool isOne = false;                     ///< they hang together, as those of a panel
+    double size = 0;                        ///< of the garment, mm
+    Eigen::Vector3d along[2];               ///< the two level axes
+};
+
+double sizeOf(const MeshArrays& mesh) {
+    Eigen::AlignedBox3d box;
+    for (Eigen::Index i = 0; i < mesh.F.size(); ++i) {
+        box.extend(mesh.V.row(mesh.F.data()[i]).transpose());
+    }
+    return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+HalfRims rimsOfHalf(const MeshArrays& mesh, UpAxis up) {
+    HalfRims found;
+    found.V = &mesh.V;
+    found.size = sizeOf(mesh);
+    found.along[0] = Eigen::Vector3d::UnitX();
+    found.along[1] = up == UpAxis::Y ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitY();
+    const std::vector<char> isUsed = usedVertices(mesh.F, mesh.V.rows());
+    for (int v = 0; v < mesh.V.rows(); ++v) {
+        if (isUsed[v] != 0) {
+            found.used.push_back(v);
+        }
+    }
+    const EdgeTable table = buildEdgeTable(weldedFaces(mesh), static_cast<int>(mesh.V.rows()));
+    geometry::DisjointSets loops(static_cast<int>(mesh.V.rows()));
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        if (table.isBorder(e)) {
+            const int a = table.edges(e, 0), b = table.edges(e, 1);
+            found.rims.emplace_back(a, b);
+            found.length += (mesh.V.row(a) - mesh.V.row(b)).norm();
+            loops.join(a, b);
+        }
+    }
+    found.isOne = std::ranges::all_of(found.rims, [&](const auto& rim) {
+        return loops.root(rim.first) == loops.root(found.rims.front().first);
+    });
+    return found;
+}
+
+/// The rims that lie in a plane.
+struct RimsInPlane {
+    double open = 0;    ///< mm, of those that go on outside it
+    double closed = 0;  ///< mm, of openings that lie in it as a whole
+    double spread = 0;  ///< how far they reach, seen from above, mm
+    int chains = 0;     ///< of the open ones, those that are a good part
+};
+
+RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
+    const auto isIn = [&](int v) {
+        return std::abs(plane.signedDistance(half.V->row(v).transpose())) <= tolerance;
+    };
+    geometry::DisjointSets chains(static_cast<int>(half.V->rows()));
+    std::vector<char> goesOn(static_cast<std::size_t>(half.V->rows()), 0);
+    for (const auto& [a, b] : half.rims) {
+        const bool first = isIn(a), second = isIn(b);
+        if (first && second) {
+            chains.join(a, b);
+        } else {
+            goesOn[first ? a : b] |= static_cast<char>(first || second);
+        }
+    }
+    for (int v = 0; v < half.V->rows(); ++v) {
+        if (goesOn[v] != 0) {
+            goesOn[chains.root(v)] = 1;
+        }
+    }
+    const Eigen::Vector3d level = half.along[0].cross(half.along[1]).cross(plane.normal());
+    RimsInPlane found;
+    std::vector<double> ofChain(static_cast<std::size_t>(half.V->rows()), 0);
+    double least = 0, most = 0;
+    bool isAny = false;
+    for (const auto& [a, b] : half.rims) {
+        if (!isIn(a) || !isIn(b)) {
+            continue;
+        }
+        const double length = (half.V->row(a) - half.V->row(b)).norm();
+        const int chain = chains.root(a);
+        (goesOn[chain] != 0 ? found.open : found.closed) += length;
+        ofChain[chain] += goesOn[chain] != 0 ? length : 0;
+        for (const int v : {a, b}) {
+            const double at = half.V->row(v) * level;
+            least = isAny ? std::min(least, at) : at;
+            most = isAny ? std::max(most, at) : at;
+            isAny = true;
+        }
+    }
+    found.spread = most - least;
+    found.chains = static_cast<int>(std::ranges::count_if(
+        ofChain, [&](double length) { return length > 0 && length >= kChainShare * found.open; }));
+    return found;
+}
+
+/// The plane turned so that its normal points at the cloth; none where cloth lies on both sides or
+/// nowhere off it.
+std::optional<Plane> besideCloth(const HalfRims& half, const Plane& plane, double tolerance) {
+    double least = 0, most = 0;
+    for (const int v : half.used) {
+        const double distance = plane.signedDistance(half.V->row(v).transpose());
+        least = std::min(least, distance);
+        most = std::max(most, distance);
+    }
+    if (std::min(-least, most) > tolerance || std::max(-least, most) < kLeastDepth * half.size) {
+        return std::nullopt;
+    }
+    return most >= -least ? plane : Plane(-plane.normal(), -plane.offset());
+}
+
+/// The outline of the rims as they are seen from above, anti-clockwise.
+std::vector<Eigen::Vector2d> outlineFromAbove(const HalfRims& half) {
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& [a, b] : half.rims) {
+        for (const int v : {a, b}) {
+            points.emplace_back(half.V->row(v) * half.along[0], half.V->row(v) * half.along[1]);
+        }
+    }
+    std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    });
+    std::vector<Eigen::Vector2d> hull;
+    const auto add = [&hull](const Eigen::Vector2d& point, std::size_t from) {
+        const auto turnsLeft = [&] {
+            const Eigen::Vector2d before = hull.back() - hull[hull.size() - 2];
+            const Eigen::Vector2d after = point - hull.back();
+            return before.x() * after.y() - before.y() * after.x() > 0;
+        };
+        while (hull.size() >= from + 2 && !turnsLeft()) {
+            hull.pop_back();
+        }
+        hull.push_back(point);
+    };
+    for (const Eigen::Vector2d& point : points) {
+        add(point, 0);
+    }
+    const std::size_t lower = hull.empty() ? 0 : hull.size() - 1;
+    for (auto point = points.rbegin(); point != points.rend(); ++point) {
+        add(*point, lower);
+    }
+    return hull;
+}
+
+/// Planes in which the cloth may be mirrored, the likeliest first; the first two are the file's.
+std::vector<Plane> candidates(const HalfRims& half) {
+    std::vector<Plane> planes{{half.along[0], 0}, {half.along[1], 0}};
+    const std::vector<Eigen::Vector2d> hull = outlineFromAbove(half);
+    for (std::size_t k = 0; k + 1 < hull.size(); ++k) {
+        const Eigen::Vector2d way = hull[k + 1] - hull[k];
+        if (way.norm() >= kLeastSpread * half.size) {
+            const Eigen::Vector2d inwards = Eigen::Vector2d(-way.y(), way.x()).normalized();
+            const Eigen::Vector3d normal =
+                inwards.x() * half.along[0] + inwards.y() * half.along[1];
+            planes.emplace_back(normal, -inwards.dot(hull[k]));
+        }
+    }
+    // A flat panel has no outline from above: its ends.
+    for (const Eigen::Vector3d& axis : half.along) {
+        const Eigen::VectorXd at = (*half.V)(half.used, Eigen::all) * axis;
+        planes.emplace_back(axis, -at.minCoeff());
+        planes.emplace_back(-axis, at.maxCoeff());
+    }
+    return planes;
+}
+
+}  // namespace
+
+double halfTolerance(const MeshArrays& mesh) {
+    return kHalfTolerance * sizeOf(mesh);
+}
+
+std::optional<HalfPlane> findHalfPlane(const FileSurface& surface, UpAxis up, bool isStated) {
+    const HalfRims half = rimsOfHalf(surface.mesh, up);
+    if (half.rims.empty()) {
+        return std::nullopt;
+    }
+    const double tolerance = kHalfTolerance * half.size;
+    std::optional<HalfPlane> best;
+    int index = 0;
+    for (const Plane& candidate : candidates(half)) {
+        const bool isOfFile = index++ < 2;
+        const RimsInPlane in = rimsIn(half, candidate, tolerance);
+        const double length =
+            isStated && in.closed > kNoOtherRim * half.length ? in.closed : in.open;
+        const bool isGood = length >= kOfferedShare * half.length &&
+                            length >= kOfferedLength * half.size &&
+                            in.spread >= kLeastSpread * half.size && (in.chains > 1 || !half.isOne);
+        if (!(isGood || (isStated && length >= kStatedShare * half.length)) ||
+            (best && length <= best->length)) {
+            continue;
+        }
+        if (const auto plane = besideCloth(half, candidate, tolerance)) {
+            best = HalfPlane{*plane, length, false};
+            if (isOfFile && isGood) {
+                break;
+            }
+        }
+    }
+    return best;
+}
+
+}  // namespace toile
