@@ -26,10 +26,11 @@ constexpr std::string_view kBinaryUsd[] = {kUsd, ".usdc", ".usdz"};
 Error unknownEnding(const std::string& name, std::string_view ending) {
     const bool isUsd = std::ranges::any_of(
         kBinaryUsd, [&](std::string_view known) { return equalsIgnoringCase(ending, known); });
-    return {ErrorCode::UnknownFormat, Subject::file(name),
-            isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(ending)})
-            : ending.empty() ? Wording("the name has no ending")
-                             : Wording("\"" + std::string(ending) + "\"")};
+    return {
+        ErrorCode::UnknownFormat, Subject::file(name),
+        isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(std::string(ending))})
+        : ending.empty() ? Wording("the name has no ending")
+                         : Wording("\"" + std::string(ending) + "\"")};
 }
 
 /// USD of either form, of which the one that is text can be read.
