@@ -224,6 +224,33 @@ ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::
             [=](Workspace& on) { return on.loading().*field == value; }, group};
 }
 
+/// What else has been said of the file stays.
+ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer) {
+    return {[=](GarmentActions& on, bool) {
+                Preparation preparing = on.workspace().loading().preparing;
+                preparing.as = kind;
+                preparing.surface = surface;
+                on.workspace().setPreparing(preparing);
+            },
+            {},
+            [=](Workspace& on) {
+                const Preparation& said = on.loading().preparing;
+                return said.as == kind && (kind != FileKind::Shell || said.surface == surface);
+            },
+            ActionGroup::ReadAs};
+}
+
+ActionWork completesHalf() {
+    return {[](GarmentActions& on, bool isOn) {
+                Preparation preparing = on.workspace().loading().preparing;
+                preparing.isHalf = isOn;
+                on.workspace().setPreparing(preparing);
+            },
+            {},
+            [](Workspace& on) { return on.loading().preparing.isHalf; },
+            ActionGroup::Toggle};
+}
+
 ActionWork reads(bool LoadOptions::*field, void (Workspace::*set)(bool)) {
     return {[set](GarmentActions& on, bool isOn) { (on.workspace().*set)(isOn); },
             {},
@@ -541,28 +568,26 @@ std::vector<ActionSpec> makeActions() {
          TR("The garment stands along the file's z axis"),
          reads(Group::UpAxis, &LoadOptions::up, &Workspace::setUpAxis, UpAxis::Z)},
         {ActionId::ReadAuto, "readAuto", TR("&Automatic"), "",
-         TR("Recognise what the file holds: a sheet, a thick shell, a scan"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing, {})},
+         TR("Recognise what the file holds: a sheet, a thick shell, a scan"), readsAs({})},
         {ActionId::ReadSheet, "readSheet", TR("&Plain sheet"), "",
-         TR("Take every face of the file, as it is"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing,
-               {.as = FileKind::Sheet})},
+         TR("Take every face of the file, as it is"), readsAs(FileKind::Sheet)},
         {ActionId::ReadOuter, "readOuter", TR("Thick shell, &outer surface"), "",
          TR("Of cloth with a thickness take the outer surface, without its rims"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing,
-               {.as = FileKind::Shell, .surface = ShellSurface::Outer})},
+         readsAs(FileKind::Shell, ShellSurface::Outer)},
         {ActionId::ReadInner, "readInner", TR("Thick shell, &inner surface"), "",
          TR("Of cloth with a thickness take the inner surface, without its rims"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing,
-               {.as = FileKind::Shell, .surface = ShellSurface::Inner})},
+         readsAs(FileKind::Shell, ShellSurface::Inner)},
         {ActionId::ReadMiddle, "readMiddle", TR("Thick shell, &middle"), "",
          TR("Of cloth with a thickness take what runs midway between its surfaces"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing,
-               {.as = FileKind::Shell, .surface = ShellSurface::Middle})},
-        {ActionId::ReadScan, "readScan", TR("&Scan"), "",
-         TR("Drop debris, close small holes and smooth noise"),
-         reads(Group::ReadAs, &LoadOptions::preparing, &Workspace::setPreparing,
-               {.as = FileKind::Scan})},
+         readsAs(FileKind::Shell, ShellSurface::Middle)},
+        {ActionId::ReadScan,
+         "readScan",
+         TR("&Scan…"),
+         "",
+         TR("Make a sheet of a scan: drop debris, close small holes, smooth noise"),
+         {.enabledWhen = isOpen,
+          .checkedWhen = [](Workspace& on) { return on.loading().preparing.as == FileKind::Scan; },
+          .group = Group::ReadAs}},
         {ActionId::SplitAuto, "splitAuto", TR("&Automatic"), "",
          TR("Divide the garment into pieces by what the file has"),
          reads(Group::Split, &LoadOptions::split, &Workspace::setSplit, SplitMode::Auto)},
@@ -587,6 +612,8 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::AutoCut, "autoCut", TR("&Cut open automatically"), "",
          TR("Cut open every piece that cannot lie flat as it is"),
          reads(&LoadOptions::autoCut, &Workspace::setAutoCut)},
+        {ActionId::CompleteHalf, "completeHalf", TR("Complete &half a garment"), "",
+         TR("Add the mirror image of a garment of which the file has one half"), completesHalf()},
         {ActionId::Weld, "weld", TR("&Weld vertices"), "",
          TR("Join vertices of an object that lie on each other"),
          reads(&LoadOptions::weld, &Workspace::setWeld)},

@@ -108,6 +108,7 @@ enum class ActionId {
     SplitUv,
     SplitSeams,
     AutoCut,
+    CompleteHalf,
     Weld,
     CloseSlits,
     SeamsFromFile,

@@ -120,7 +120,7 @@ std::vector<MenuSpec> makeTable() {
          {Reload, kLine,
           GoToFabric, kLine,
           Submenu{"unitMenu"}, Submenu{"upMenu"}, Submenu{"readAsMenu"}, Submenu{"divideMenu"}, kLine,
-          AutoCut, Weld, CloseSlits, kLine,
+          AutoCut, CompleteHalf, Weld, CloseSlits, kLine,
           SeamsFromFile, SeamsToFile}},
         {"unitMenu", TR("&Unit"),
          {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},

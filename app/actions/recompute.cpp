@@ -59,8 +59,8 @@ Recompute::Order Recompute::due() const {
     if (document_.garment()) {
         const bool usual = !document_.isFlattened() &&
                            (automatic_ || document_.results().empty() || document_.wasFlattened());
-        order.extent.flatten =
-            flattening_ == Flattening::Wanted || (flattening_ == Flattening::AsUsual && usual);
+        order.extent.flatten = !isHeld_ && (flattening_ == Flattening::Wanted ||
+                                            (flattening_ == Flattening::AsUsual && usual));
         order.extent.leaveOut = !order.extent.flatten && document_.isCurrent() && !noScene_ &&
                                 isLeftOutOtherwise(document_.derived(), document_.state());
         order.extent.settle = !order.extent.flatten && document_.isCurrent() &&

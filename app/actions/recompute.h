@@ -45,8 +45,13 @@ public:
     bool isAutomatic() const { return automatic_; }
     /// Whether what was edited is flattened by itself; at first it is.
     void setAutomatic(bool on);
-    /// Flattening is wanted, of what is flat already too.
-    void want() { flattening_ = Flattening::Wanted; }
+    /// Nothing is flattened while it is held back; `catchUp` does it after that.
+    void setHeld(bool held) { isHeld_ = held; }
+    /// Flattening is wanted, of what is flat already too, and held back no longer.
+    void want() {
+        flattening_ = Flattening::Wanted;
+        isHeld_ = false;
+    }
     /// What was declined is as usual again: a step has led back.
     void retry();
     /// To be called with every change of the document.
@@ -85,6 +90,7 @@ private:
     Objection objection_;
     bool automatic_ = true;
     Flattening flattening_ = Flattening::AsUsual;
+    bool isHeld_ = false;
     bool noScene_ = false;                     ///< making one has failed, and would again
     std::optional<std::uint64_t> notSettled_;  ///< revision that is not to be settled
     JobRunner::Ticket ticket_ = 0;

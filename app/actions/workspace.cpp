@@ -100,6 +100,7 @@ void Workspace::open(Paths files) {
     if (!before.empty() && coming.paths != before) {
         coming.loading.unit.reset();
         coming.loading.up.reset();
+        coming.loading.preparing = {};
         coming.loading.seams = {};
         coming.loading.seamSettings.clear();
         coming.loading.known.clear();
@@ -245,6 +246,11 @@ void Workspace::setAutoFlatten(bool on) {
     follow();
 }
 
+void Workspace::holdFlattening(bool held) {
+    recompute_.setHeld(held);
+    follow();
+}
+
 const LoadOptions& Workspace::loading() const {
     return opening_.files() ? opening_.files()->loading : document_.loading();
 }
@@ -290,6 +296,11 @@ void Workspace::setPreparing(Preparation preparing) {
     setLoadingField(tr("Reading"), &LoadOptions::preparing, preparing);
 }
 
+void Workspace::tryPreparing(Preparation preparing, int gesture) {
+    changeLoading({tr("Reading"),
+                   [preparing](LoadOptions& options) { options.preparing = preparing; }, gesture});
+}
+
 void Workspace::setSplit(SplitMode split) {
     setLoadingField(tr("Division"), &LoadOptions::split, split);
 }
@@ -331,7 +342,7 @@ void Workspace::changeLoading(LoadingChange change) {
         }
         DocumentState next = document_.state();
         next.inputs.loading = std::move(after);
-        document_.edit(change.text, std::move(next));
+        document_.edit(change.text, std::move(next), change.gesture);
     } else {
         document_.setLoading(std::move(after));
     }

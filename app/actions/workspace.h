@@ -64,8 +64,8 @@ public:
     Paths openPaths() const;
 
     /// Reads the files as one garment and flattens it. Whatever ran before is cancelled. Files
-    /// other than those before begin anew: the unit, the up axis, cuts and ease that were stated
-    /// were said about another garment.
+    /// other than those before begin anew: the unit, the up axis, what the files are, cuts and ease
+    /// that were stated were said about another garment.
     void open(Paths files);
     /// How the lines of garments that are opened from now on are drawn; a project says so itself.
     void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }
@@ -88,6 +88,9 @@ public:
     void setUpAxis(std::optional<UpAxis> up);
     /// What the files are, and what is done with them before. As setUnit.
     void setPreparing(Preparation preparing);
+    /// The same while a person tries values: one step of the history. @param gesture  as for
+    /// Document::edit
+    void tryPreparing(Preparation preparing, int gesture);
     /// By what files are divided. As setUnit.
     void setSplit(SplitMode split);
     /// Whether pieces that are no disks are cut open. As setUnit.
@@ -159,6 +162,9 @@ public:
     /// always.
     void setAutoFlatten(bool on);
     bool autoFlatten() const { return recompute_.isAutomatic(); }
+    /// Holds flattening back while a person tries values that change the whole garment, until it is
+    /// let go, or asked for.
+    void holdFlattening(bool held);
     /// How the pattern stands to what was edited since.
     PatternAge patternAge() const;
     /// True where there are results to write, and a flat piece among them.
@@ -212,6 +218,7 @@ private:
     struct LoadingChange {
         QString text;
         std::function<void(LoadOptions&)> change;
+        int gesture = -1;  ///< as for Document::edit
     };
 
     void startOpening();

@@ -124,7 +124,7 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
               "Of a scan: make its triangles anew, with edges of this length; 0: not");
     addLength("--weld-within", preparing.weldDistance,
               "Of a soup: join vertices up to this distance; 0: a thousandth of an edge");
-    command.add_flag("--half", preparing.isHalf,
+    command.add_flag("--complete-half", preparing.isHalf,
                      "The files hold half a garment: add its mirror image");
     command.parse_complete_callback([&command, &preparing] {
         static constexpr std::pair<const char*, FileKind> kGoesWith[] = {

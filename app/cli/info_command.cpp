@@ -52,7 +52,8 @@ void printReading(const FileReading& reading, std::ostream& out) {
         out << (reading.half->isCompleted
                     ? ", with the mirror image added to it"
                     : "; half a garment, it seems: its rims lie over " +
-                          fixed(reading.half->length, 0) + " mm in one plane; --half completes it");
+                          fixed(reading.half->length, 0) +
+                          " mm in one plane; --complete-half adds its other half");
     }
     out << '\n';
 }

@@ -4,12 +4,14 @@
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
+#include <vector>
 
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
+#include "core/garment/opening_cuts.h"
 
 namespace toile::app {
 
@@ -137,10 +139,57 @@ QString kindText(const FileReading& reading) {
     return {};
 }
 
+/// Of a file's pieces those that cuts may open.
+std::vector<int> openableOf(const Garment& garment, int file) {
+    std::vector<int> found;
+    for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
+        if (garment.pieces[i]->file == file && isOpenable(*garment.pieces[i])) {
+            found.push_back(static_cast<int>(i));
+        }
+    }
+    return found;
+}
+
+/// Nothing where it has been cut open.
+CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
+    const std::vector<int> pieces = openableOf(garment, index);
+    if (pieces.empty()) {
+        return {};
+    }
+    Preparation asIs = workspace.loading().preparing;
+    asIs.as = FileKind::Solid;
+    return {tr("The file is a form that is to be covered: %1. Cuts make pieces of it; they are "
+               "yours to take back.")
+                .arg(wordingText(garment.files[static_cast<std::size_t>(index)]->reading.evidence)),
+            {{tr("Cut it open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
+             {tr("As it is"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
+}
+
+/// Nothing where it is whole, or has been completed.
+CardQuestion askHalf(const SourceFile& file, Workspace& workspace) {
+    const auto& half = file.reading.half;
+    if (!half || half->isCompleted) {
+        return {};
+    }
+    Preparation completed = workspace.loading().preparing;
+    completed.isHalf = true;
+    return {
+        tr("This looks like half a garment: its rims lie over %1 in one plane, all cloth on one "
+           "side. Add its mirror image?")
+            .arg(saidLength(half->length)),
+        {{tr("Complete it"), false, [&workspace, completed] { workspace.setPreparing(completed); }},
+         {tr("As it is"), true}}};
+}
+
 /// Nothing where the file is a plain sheet, or has been said to be something.
-CardQuestion askReading(const SourceFile& file, Workspace& workspace) {
+CardQuestion askReading(const SourceFile& file, Workspace& workspace,
+                        const std::function<void()>& prepareScan) {
     const FileReading& reading = file.reading;
-    const auto choice = [&workspace](const QString& text, bool present, Preparation preparing) {
+    const auto choice = [&workspace](const QString& text, bool present, FileKind kind,
+                                     ShellSurface surface = ShellSurface::Outer) {
+        Preparation preparing = workspace.loading().preparing;
+        preparing.as = kind;
+        preparing.surface = surface;
         return CardChoice{text, present,
                           [&workspace, preparing] { workspace.setPreparing(preparing); }};
     };
@@ -155,19 +204,18 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace) {
         for (const auto& [surface, text] : {std::pair(ShellSurface::Outer, tr("Outer")),
                                             std::pair(ShellSurface::Inner, tr("Inner")),
                                             std::pair(ShellSurface::Middle, tr("Middle"))}) {
-            question.choices.push_back(choice(text,
-                                              surface == workspace.loading().preparing.surface,
-                                              {.as = FileKind::Shell, .surface = surface}));
+            question.choices.push_back(choice(
+                text, surface == workspace.loading().preparing.surface, FileKind::Shell, surface));
         }
-        question.choices.push_back(choice(tr("As it is"), false, {.as = FileKind::Sheet}));
+        question.choices.push_back(choice(tr("As it is"), false, FileKind::Sheet));
         return question;
     }
     if (reading.kind == FileKind::Scan) {
         return {tr("The file looks like a scan: %1. It can be made a sheet: debris goes, small "
                    "holes are closed, noise is smoothed.")
                     .arg(evidence),
-                {choice(tr("Prepare the scan"), false, {.as = FileKind::Scan}),
-                 choice(tr("As it is"), false, {.as = FileKind::Sheet})}};
+                {{tr("Prepare the scan…"), false, prepareScan},
+                 choice(tr("As it is"), false, FileKind::Sheet)}};
     }
     return {};
 }
@@ -255,13 +303,17 @@ QString garmentReasons(const Document& document) {
                                                          : tr("%1: %2").arg(kindText(file->reading),
                                                                             wordingText(evidence)));
         }
+        if (file->reading.half && file->reading.half->isCompleted) {
+            lines << tr("Half a garment: its mirror image was added");
+        }
         add(tr("Pieces"), file->split.reason,
             tr("%1, as stated").arg(divisionWord(file->split.mode)));
     }
     return lines.join('\n');
 }
 
-GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked) {
+GarmentQuestions garmentQuestions(Workspace& workspace, const std::function<void()>& prepareScan,
+                                  Asked asked) {
     const Document& document = workspace.document();
     GarmentQuestions questions;
     if (!document.garment() || !document.scene()) {
@@ -271,7 +323,12 @@ GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked) {
     int index = 0;
     for (const auto& file : document.garment()->files) {
         if (questions.reading.choices.empty()) {
-            questions.reading = askReading(*file, workspace);
+            questions.reading = file->reading.kind == FileKind::Solid && !file->reading.isStated
+                                    ? askSolid(*document.garment(), index, workspace)
+                                    : askReading(*file, workspace, prepareScan);
+        }
+        if (questions.half.choices.empty()) {
+            questions.half = askHalf(*file, workspace);
         }
         if ((file->unitInDoubt || always) && questions.unit.choices.empty()) {
             questions.unit = askUnit(*file, extentsOf(document, index), workspace);

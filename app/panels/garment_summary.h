@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 
 #include "app/widgets/garment_card.h"
 
@@ -18,8 +19,10 @@ QString garmentSummary(const Document& document);
 QString garmentReasons(const Document& document);
 enum class Asked { WhereInDoubt, Always };
 /// What to ask the person: the unit and the up axis of the first file where they are in doubt, or
-/// of the first file; and whether to divide otherwise, where more pieces could lie flat then.
-/// Answers are the workspace's, which must outlive them.
-GarmentQuestions garmentQuestions(Workspace& workspace, Asked asked = Asked::WhereInDoubt);
+/// of the first file; what a file is that is no plain sheet; and whether to divide otherwise, where
+/// more pieces could lie flat then. Answers are the workspace's, which must outlive them.
+/// @param prepareScan  asks for the steps that make a sheet of a scan
+GarmentQuestions garmentQuestions(Workspace& workspace, const std::function<void()>& prepareScan,
+                                  Asked asked = Asked::WhereInDoubt);
 
 }  // namespace toile::app

@@ -14,6 +14,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::AlternateBase);
     reading_ = makeRow("readingQuestion");
+    half_ = makeRow("halfQuestion");
     unit_ = makeRow("unitQuestion");
     up_ = makeRow("upQuestion");
     division_ = makeRow("divisionQuestion");
@@ -25,6 +26,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
     rows->addWidget(reading_.widget);
+    rows->addWidget(half_.widget);
     rows->addWidget(unit_.widget);
     rows->addWidget(up_.widget);
     rows->addWidget(division_.widget);
@@ -108,6 +110,7 @@ void GarmentCard::addField(QWidget& buttons, const CardLength& length) {
 
 void GarmentCard::ask(const GarmentQuestions& questions) {
     fillRow(reading_, questions.reading);
+    fillRow(half_, questions.half);
     fillRow(unit_, questions.unit);
     fillRow(up_, questions.up);
     fillRow(division_, questions.division);
@@ -115,8 +118,8 @@ void GarmentCard::ask(const GarmentQuestions& questions) {
 }
 
 QString GarmentCard::sentence() const {
-    return reading_.sentence->text() + unit_.sentence->text() + up_.sentence->text() +
-           division_.sentence->text();
+    return reading_.sentence->text() + half_.sentence->text() + unit_.sentence->text() +
+           up_.sentence->text() + division_.sentence->text();
 }
 
 void GarmentCard::keep() {

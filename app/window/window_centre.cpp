@@ -64,6 +64,7 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
                            Preferences& preferences, QWidget* parent)
     : QWidget(parent),
       workspace_(workspace),
+      actions_(actions),
       tools_(tools),
       preferences_(preferences),
       banner_(new Banner(this)),
@@ -167,9 +168,10 @@ void WindowCentre::connectLooks(const ActionRegistry& actions) {
 
 void WindowCentre::ask() {
     const bool isWanted = !askedAgain_.empty() && askedAgain_ == workspace_.openPaths();
-    card_->ask(isWanted           ? garmentQuestions(workspace_, Asked::Always)
+    const auto prepareScan = [this] { actions_[ActionId::ReadScan].trigger(); };
+    card_->ask(isWanted           ? garmentQuestions(workspace_, prepareScan, Asked::Always)
                : areGuessesKept() ? GarmentQuestions{}
-                                  : garmentQuestions(workspace_));
+                                  : garmentQuestions(workspace_, prepareScan));
 }
 
 void WindowCentre::askAgain() {

@@ -63,6 +63,7 @@ private:
     void connectLooks(const ActionRegistry& actions);
 
     Workspace& workspace_;
+    const ActionRegistry& actions_;
     ToolBox& tools_;
     Preferences& preferences_;
     Banner* banner_;

@@ -16,6 +16,7 @@
 #include "app/panels/help_page.h"
 #include "app/panels/leave_out_dialog.h"
 #include "app/panels/preferences_dialog.h"
+#include "app/panels/scan_form.h"
 #include "app/render/gl_support.h"
 #include "app/views/view_area.h"
 #include "core/base/version.h"
@@ -38,11 +39,13 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
     actions_.on(ActionId::ReportProblem, this, &WindowDialogs::reportProblem);
     actions_.on(ActionId::About, this, &WindowDialogs::showAbout);
     actions_.on(ActionId::LeaveOutSmall, this, &WindowDialogs::askWhatIsSmall);
+    actions_.on(ActionId::ReadScan, this, &WindowDialogs::prepareScan);
     actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
 }
 
 WindowDialogs::~WindowDialogs() {
-    delete compare_;  // it looks at the document to its end
+    delete compare_;  // these look at the document to their end
+    delete window_.findChild<ScanForm*>();
 }
 
 void WindowDialogs::showCommands() {
@@ -80,6 +83,21 @@ void WindowDialogs::askWhatIsSmall() {
     auto* dialog = new LeaveOutDialog(workspace_.document(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+void WindowDialogs::prepareScan() {
+    auto* form = window_.findChild<ScanForm*>();
+    if (!form || !form->isVisible()) {  // one that was closed just now is on its way out
+        form = new ScanForm(workspace_, &window_);
+        form->setAttribute(Qt::WA_DeleteOnClose);
+        form->adjustSize();
+        // Over the pattern, of which there is none meanwhile: the garment is to be seen.
+        constexpr int kAir = 24;
+        form->move(views_.mapToGlobal(QPoint(views_.width() - form->width() - kAir, kAir)));
+    }
+    form->show();
+    form->raise();
+    form->activateWindow();
 }
 
 void WindowDialogs::showHelp() {

@@ -28,6 +28,8 @@ private:
     /// One window, however often it is asked for.
     void compareMethods();
     void askWhatIsSmall();
+    /// One form, however often it is asked for, beside the garment.
+    void prepareScan();
     void editPreferences();
     void showHelp();
     /// @param name  of a page of the documentation

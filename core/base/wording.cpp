@@ -40,6 +40,7 @@ constexpr Noun kNouns[] = {
     {"handle", translatable("1 handle"), translatable("%1 handles")},
     {"hole", translatable("1 hole"), translatable("%1 holes")},
     {"loop", translatable("1 loop"), translatable("%1 loops")},
+    {"opening", translatable("1 opening"), translatable("%1 openings")},
     {"outline vertex", translatable("1 outline vertex"), translatable("%1 outline vertices")},
     {"panel", translatable("1 panel"), translatable("%1 panels")},
     {"triangle", translatable("1 triangle"), translatable("%1 triangles")},

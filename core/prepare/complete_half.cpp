@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,10 +45,35 @@ int mirrorMap(std::vector<Eigen::Vector2d>& uvs) {
     return count;
 }
 
-template <class T>
-void repeat(std::vector<T>& list) {
-    const std::vector<T> before = list;
-    list.insert(list.end(), before.begin(), before.end());
+/// The name of the mirror image: "sleeve_left" of "sleeve_right".
+std::string mirroredName(const std::string& name) {
+    constexpr std::pair<std::string_view, std::string_view> kSides[] = {
+        {"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}};
+    for (const auto& [left, right] : kSides) {
+        for (const auto& [one, other] : {std::pair(left, right), std::pair(right, left)}) {
+            if (const std::size_t at = name.find(one); at != std::string::npos) {
+                return std::string(name).replace(at, one.size(), other);
+            }
+        }
+    }
+    return name;
+}
+
+/// Adds the names of the images, face by face.
+void nameImages(std::vector<int>& perFace, std::vector<std::string>& names) {
+    std::vector<int> image(names.size());
+    for (std::size_t k = 0; k < image.size(); ++k) {
+        std::string name = mirroredName(names[k]);
+        const auto found = std::ranges::find(names, name);
+        image[k] = static_cast<int>(found - names.begin());
+        if (found == names.end()) {
+            names.push_back(std::move(name));
+        }
+    }
+    const std::size_t count = perFace.size();
+    for (std::size_t face = 0; face < count; ++face) {
+        perFace.push_back(perFace[face] < 0 ? -1 : image[perFace[face]]);
+    }
 }
 
 }  // namespace
@@ -102,9 +129,9 @@ std::optional<CompletedHalf> completeHalf(const PolygonSoup& half,
         }
         soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
     }
-    repeat(soup.faceObject);
-    repeat(soup.faceGroup);
-    repeat(soup.faceMaterial);
+    nameImages(soup.faceObject, soup.objects);
+    nameImages(soup.faceGroup, soup.groups);
+    nameImages(soup.faceMaterial, soup.materials);
     return whole;
 }
 

@@ -18,7 +18,8 @@ struct CompletedHalf {
 /// Completes a garment of which a file has one half. Border positions within the tolerance of the
 /// plane move onto it, and both halves share them, so that no seam is left there; inner ones stay,
 /// as cloth that touches the plane from within is not sewn to its image. Images have the names of
-/// their faces and run the other way around; in the UV map they lie beside them, mirrored.
+/// their faces, with left for right, and run the other way around; in the UV map they lie beside
+/// them, mirrored.
 /// @param plane        mm; of unit normal, as Eigen's: normal . x + offset = 0
 /// @param tolerance    mm
 /// @param millimetres  per unit of the file

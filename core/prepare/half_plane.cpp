@@ -27,6 +27,10 @@ constexpr double kChainShare = 0.1;
 
 /// What a search looks at.
 struct HalfRims {
+    double lengthOf(const std::pair<int, int>& rim) const {
+        return (V->row(rim.first) - V->row(rim.second)).norm();
+    }
+
     const Points3* V = nullptr;
     std::vector<int> used;                  ///< vertices
     std::vector<std::pair<int, int>> rims;  ///< edges of the border
@@ -62,7 +66,7 @@ HalfRims rimsOfHalf(const MeshArrays& mesh, UpAxis up) {
         if (table.isBorder(e)) {
             const int a = table.edges(e, 0), b = table.edges(e, 1);
             found.rims.emplace_back(a, b);
-            found.length += (mesh.V.row(a) - mesh.V.row(b)).norm();
+            found.length += found.lengthOf(found.rims.back());
             loops.join(a, b);
         }
     }
@@ -84,6 +88,13 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
     const auto isIn = [&](int v) {
         return std::abs(plane.signedDistance(half.V->row(v).transpose())) <= tolerance;
     };
+    double all = 0;
+    for (const auto& rim : half.rims) {
+        all += isIn(rim.first) && isIn(rim.second) ? half.lengthOf(rim) : 0;
+    }
+    if (all < kStatedShare * half.length) {
+        return {};  // as in most planes: what follows takes longer
+    }
     geometry::DisjointSets chains(static_cast<int>(half.V->rows()));
     std::vector<char> goesOn(static_cast<std::size_t>(half.V->rows()), 0);
     for (const auto& [a, b] : half.rims) {
@@ -108,7 +119,7 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
         if (!isIn(a) || !isIn(b)) {
             continue;
         }
-        const double length = (half.V->row(a) - half.V->row(b)).norm();
+        const double length = half.lengthOf({a, b});
         const int chain = chains.root(a);
         (goesOn[chain] != 0 ? found.open : found.closed) += length;
         ofChain[chain] += goesOn[chain] != 0 ? length : 0;
@@ -203,7 +214,7 @@ double halfTolerance(const MeshArrays& mesh) {
 
 std::optional<HalfPlane> findHalfPlane(const FileSurface& surface, UpAxis up, bool isStated) {
     const HalfRims half = rimsOfHalf(surface.mesh, up);
-    if (half.rims.empty()) {
+    if (half.rims.empty() || !(half.size > 0) || !std::isfinite(half.size)) {
         return std::nullopt;
     }
     const double tolerance = kHalfTolerance * half.size;

@@ -125,6 +125,9 @@ Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
                         {countWording(effect.holes, "hole"),
                          figure(effect.patchArea / kSquareMillimetresPerSquareCentimetre, 1)});
     }
+    if (effect.isSurface) {
+        words += worded("; %1 left", {countWording(effect.openings, "opening")});
+    }
     if (effect.largestMove > 0) {
         words += worded("; noise smoothed by %1 mm on average, %2 mm at most",
                         {figure(effect.meanMove, 2), figure(effect.largestMove, 2)});

@@ -2527,6 +2527,45 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>%1, which no rim joins</source>
         <translation>%1, die kein Rand verbindet</translation>
     </message>
+    <message>
+        <source>1 opening</source>
+        <translation>1 Öffnung</translation>
+    </message>
+    <message>
+        <source>%1 openings</source>
+        <translation>%1 Öffnungen</translation>
+    </message>
+    <message>
+        <source>; %1 left</source>
+        <translation>; %1 geblieben</translation>
+    </message>
+    <message>
+        <source>the plane %1 = %2 mm</source>
+        <translation>der Ebene %1 = %2 mm</translation>
+    </message>
+    <message>
+        <source>the upright plane through %1 mm</source>
+        <translation>der senkrechten Ebene durch %1 mm</translation>
+    </message>
+    <message>
+        <source>half a garment has rims in an upright plane, all cloth on one side of it, and there is no such plane; see which axis points up</source>
+        <translation>ein halbes Kleidungsstück hat Ränder in einer senkrechten Ebene und allen Stoff auf einer Seite davon, und eine solche Ebene gibt es nicht; prüfen Sie, welche Achse nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>half a garment: the mirror image of its %1 was added, joined over %2 mm in %3</source>
+        <translation>ein halbes Kleidungsstück: Zu %1 wurde das Spiegelbild hinzugefügt, verbunden auf %2 mm in %3</translation>
+    </message>
+</context>
+<context>
+    <name>toile::StageReader</name>
+    <message>
+        <source>USD files that state no up axis have y up</source>
+        <translation>USD-Dateien ohne Angabe der Hochachse haben y nach oben</translation>
+    </message>
+    <message>
+        <source>stated in the USD file</source>
+        <translation>in der USD-Datei angegeben</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -4922,14 +4961,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Von Stoff mit einer Dicke nehmen, was mitten zwischen seinen Flächen verläuft</translation>
     </message>
     <message>
-        <source>&amp;Scan</source>
-        <translation>&amp;Scan</translation>
-    </message>
-    <message>
-        <source>Drop debris, close small holes and smooth noise</source>
-        <translation>Bruchstücke entfernen, kleine Löcher schließen und Rauschen glätten</translation>
-    </message>
-    <message>
         <source>&amp;Read as</source>
         <translation>&amp;Lesen als</translation>
     </message>
@@ -4978,16 +5009,52 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Datei sieht nach einem Scan aus: %1. Sie kann zu einer Fläche gemacht werden: Bruchstücke entfallen, kleine Löcher werden geschlossen, Rauschen geglättet.</translation>
     </message>
     <message>
-        <source>Prepare the scan</source>
-        <translation>Scan aufbereiten</translation>
-    </message>
-    <message>
         <source>Read as</source>
         <translation>Gelesen als</translation>
     </message>
     <message>
         <source>The file is cloth with a thickness: %1. Which of its surfaces is the sheet?</source>
         <translation>Die Datei ist Stoff mit einer Dicke: %1. Welche ihrer Flächen soll es sein?</translation>
+    </message>
+    <message>
+        <source>&amp;Scan…</source>
+        <translation>&amp;Scan…</translation>
+    </message>
+    <message>
+        <source>Make a sheet of a scan: drop debris, close small holes, smooth noise</source>
+        <translation>Aus einem Scan eine Fläche machen: Bruchstücke entfernen, kleine Löcher schließen, Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>Complete &amp;half a garment</source>
+        <translation>&amp;Halbes Kleidungsstück ergänzen</translation>
+    </message>
+    <message>
+        <source>Add the mirror image of a garment of which the file has one half</source>
+        <translation>Das Spiegelbild eines Kleidungsstücks hinzufügen, von dem die Datei eine Hälfte hat</translation>
+    </message>
+    <message>
+        <source>The file is a form that is to be covered: %1. Cuts make pieces of it; they are yours to take back.</source>
+        <translation>Die Datei ist eine Form, die bezogen werden soll: %1. Einschnitte machen Schnittteile daraus; Sie können sie zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Cut it open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>This looks like half a garment: its rims lie over %1 in one plane, all cloth on one side. Add its mirror image?</source>
+        <translation>Das sieht nach einem halben Kleidungsstück aus: Seine Ränder liegen auf %1 in einer Ebene, aller Stoff auf einer Seite. Das Spiegelbild hinzufügen?</translation>
+    </message>
+    <message>
+        <source>Complete it</source>
+        <translation>Ergänzen</translation>
+    </message>
+    <message>
+        <source>Prepare the scan…</source>
+        <translation>Scan aufbereiten…</translation>
+    </message>
+    <message>
+        <source>Half a garment: its mirror image was added</source>
+        <translation>Halbes Kleidungsstück: Das Spiegelbild wurde hinzugefügt</translation>
     </message>
 </context>
 <context>
@@ -7278,6 +7345,49 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>its unit is in doubt, taken for %1</source>
         <translation>seine Einheit ist zweifelhaft, angenommen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ScanForm</name>
+    <message>
+        <source>Drop &amp;debris</source>
+        <translation>&amp;Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Prepare the scan</source>
+        <translation>Scan aufbereiten</translation>
+    </message>
+    <message>
+        <source>Leave out fragments that are too small for a piece; what comes as several of a kind, such as buttons, stays</source>
+        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind; was mehrfach gleich vorkommt, etwa Knöpfe, bleibt</translation>
+    </message>
+    <message>
+        <source>Close &amp;holes of a perimeter up to</source>
+        <translation>&amp;Löcher schließen bis zu einem Umfang von</translation>
+    </message>
+    <message>
+        <source>Patches go on as the cloth around them does; neck, sleeves and hem stay open however short they are</source>
+        <translation>Flicken setzen den Stoff ringsum fort; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth noise by at most</source>
+        <translation>&amp;Rauschen glätten um höchstens</translation>
+    </message>
+    <message>
+        <source>No point moves farther; folds and hems stay</source>
+        <translation>Kein Punkt bewegt sich weiter; Falten und Säume bleiben</translation>
+    </message>
+    <message>
+        <source>Make &amp;triangles anew, with edges of</source>
+        <translation>&amp;Dreiecke neu machen, mit Kanten von</translation>
+    </message>
+    <message>
+        <source>All about as large; names and UV map of the file go</source>
+        <translation>Alle etwa gleich groß; Namen und UV-Karte der Datei entfallen</translation>
+    </message>
+    <message>
+        <source>Reading…</source>
+        <translation>Wird gelesen…</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <QTreeWidget>
 #include <array>
 #include <fstream>
+#include <numbers>
 #include <set>
 
 #include "app/panels/pieces_model.h"
@@ -16,6 +17,7 @@
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
+#include "tests/core/support/shapes.h"
 
 using namespace toile;
 using namespace toile::app;
@@ -72,6 +74,17 @@ MeshArrays thickSheet() {
     return thick;
 }
 
+/// The right half of a skirt, 600 high.
+MeshArrays halfSkirt() {
+    MeshArrays half = test::makeSheet(std::numbers::pi, 600, 20, 30);
+    for (auto point : half.V.rowwise()) {
+        const double angle = point[0];
+        point[0] = 150 * std::sin(angle);
+        point[2] = 150 * std::cos(angle);
+    }
+    return half;
+}
+
 }  // namespace
 
 /// How a garment is read, and what the window asks and offers about it.
@@ -101,6 +114,10 @@ private slots:
         writeWithUv(fixture_.path("small.obj").toStdString(), 0.05);
         writeWithUv(fixture_.path("sure.obj").toStdString(), 2.0);
         test::writeObj(fixture_.path("thick.obj").toStdString(), {{"panel", thickSheet()}});
+        test::writeObj(fixture_.path("half.obj").toStdString(), {{"skirt", halfSkirt()}});
+        MeshArrays cushion = test::octahedron();
+        cushion.V *= 300;
+        test::writeObj(fixture_.path("cushion.obj").toStdString(), {{"cushion", cushion}});
         // 14.4 units, as MakeHuman's suits are.
         writeWithUv(fixture_.path("decimetres.obj").toStdString(), 0.06);
         // Flatter along y than along z, and not by enough.
@@ -232,6 +249,55 @@ private slots:
         QVERIFY(document().scene()->garmentLines.leftOut.empty());
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(!document().garment()->pieces[0]->defect);
+    }
+
+    void halfAGarmentIsCompleted() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("half.obj")));
+        QVERIFY(card().isVisible());
+        QVERIFY(card().sentence().contains("1.20 m"));
+        QVERIFY(cardButton("As it is")->isChecked());
+        const double width = document().scene()->box.sizes().x();
+        QTest::mouseClick(cardButton("Complete it"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!card().isVisible());
+        QVERIFY(fixture_.action(ActionId::CompleteHalf).isChecked());
+        QVERIFY(std::abs(document().scene()->box.sizes().x() - 2 * width) < 1e-6);
+        QVERIFY(fixture_.find<QToolButton>("garmentSummary").toolTip().contains("Half a garment"));
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(std::abs(document().scene()->box.sizes().x() - width) < 1e-9);
+        QVERIFY(!fixture_.action(ActionId::CompleteHalf).isChecked());
+        QTest::mouseClick(cardButton("As it is"), Qt::LeftButton);
+        QVERIFY(!card().isVisible());
+        // What else is said of the file stays.
+        fixture_.action(ActionId::CompleteHalf).trigger();
+        fixture_.action(ActionId::ReadSheet).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(fixture_.action(ActionId::ReadSheet).isChecked());
+        QVERIFY(document().garment()->files[0]->reading.half->isCompleted);
+        // Another garment is another matter.
+        QVERIFY(fixture_.openAndWait(fixture_.path("sure.obj")));
+        QVERIFY(!fixture_.action(ActionId::CompleteHalf).isChecked());
+        QVERIFY(fixture_.action(ActionId::ReadAuto).isChecked());
+    }
+
+    void aSolidIsOfferedCuts() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("cushion.obj")));
+        QCOMPARE(document().garment()->files[0]->reading.kind, FileKind::Solid);
+        QVERIFY(document().garment()->pieces[0]->defect);
+        QVERIFY(card().isVisible());
+        QTest::mouseClick(cardButton("Cut it open"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(!document().loading().seams.cuts.empty(), test::kPatience);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!document().garment()->pieces[0]->defect);
+        QVERIFY(!card().isVisible());
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(card().isVisible());
+        QTest::mouseClick(cardButton("As it is"), Qt::LeftButton);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(!card().isVisible());
+        QCOMPARE(fixture_.workspace().loading().preparing.as, std::optional(FileKind::Solid));
     }
 
     void whatIsNoShellIsNotReadAsOne() {

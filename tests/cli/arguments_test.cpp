@@ -165,7 +165,7 @@ TEST(Arguments, WhatIsDoneWithAFileGoesWithWhatItIs) {
     EXPECT_EQ(parse({"a.obj", "--surface", "inner"}).load.preparing.surface, ShellSurface::Inner);
     EXPECT_EQ(parse({"a.obj", "--as", "soup", "--weld-within", "2"}).load.preparing.weldDistance,
               2);
-    EXPECT_TRUE(parse({"a.obj", "--half"}).load.preparing.isHalf);
+    EXPECT_TRUE(parse({"a.obj", "--complete-half"}).load.preparing.isHalf);
     for (const std::vector<const char*>& odd :
          {std::vector<const char*>{"info", "a.obj", "--remesh", "8"},
           {"info", "a.obj", "--as", "sheet", "--remesh", "8"},
