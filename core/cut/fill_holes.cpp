@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/cut/ring_width.h"
+
 namespace toile {
 namespace {
 
@@ -43,6 +45,11 @@ Eigen::Vector3d capMiddle(const MeshArrays& mesh, const RimLoop& hole) {
 
 /// Three quarters of a turn: what a flat piece must turn by at least.
 constexpr double kNearlyATurn = 1.5 * std::numbers::pi;
+
+/// A ring that must stretch across by more than this to be worn, once its rims lie flat at their
+/// lengths, is a tube. It is the mean: where it is so much, it is a quarter near a rim, which is
+/// more than any cloth takes (diagnose/doubt.h).
+constexpr double kMostStrainAcross = 0.15;
 
 /// By how much the rim turns to the side of the cloth, radians: a disk's outline by 2 pi.
 double turning(const SurfaceLinks& links, const RimLoop& loop) {
@@ -113,11 +120,25 @@ SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
         outline = std::ranges::max_element(turns) - turns.begin();
     }
     const bool isFlat = turns[outline] >= kNearlyATurn;
+    const auto isShort = [&](std::ptrdiff_t k) {
+        return k != outline && loops[k].perimeter < smallHole * longest;
+    };
+    const auto turnsAsHole = [&](std::ptrdiff_t k) {
+        return k != outline && !isShort(k) && isFlat && turns[k] <= -kNearlyATurn;
+    };
+    std::vector<RimLoop> longHoles;
+    for (std::ptrdiff_t k = 0; smallHole > 0 && k < std::ssize(loops); ++k) {
+        if (turnsAsHole(k)) {
+            longHoles.push_back(loops[k]);
+        }
+    }
+    const std::vector<double> strains =
+        strainsAcross(links, loops[outline], longHoles, kMostStrainAcross);
+    auto strain = strains.begin();
     for (std::ptrdiff_t k = 0; k < std::ssize(loops); ++k) {
-        const bool hole =
-            smallHole > 0 && k != outline &&
-            (loops[k].perimeter < smallHole * longest || (isFlat && turns[k] <= -kNearlyATurn));
-        (hole ? sorted.holes : sorted.openings).push_back(std::move(loops[k]));
+        const bool isHole =
+            smallHole > 0 && (isShort(k) || (turnsAsHole(k) && *strain++ <= kMostStrainAcross));
+        (isHole ? sorted.holes : sorted.openings).push_back(std::move(loops[k]));
     }
     return sorted;
 }

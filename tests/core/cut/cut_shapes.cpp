@@ -83,6 +83,22 @@ MeshArrays closedTorus(int around, int across) {
     return mesh;
 }
 
+MeshArrays revolution(const std::vector<Eigen::Vector2d>& profile, int around) {
+    const int rows = static_cast<int>(profile.size());
+    MeshArrays mesh{Points3(rows * around, 3), Triangles(2 * (rows - 1) * around, 3)};
+    for (int v = 0; v < rows * around; ++v) {
+        const double angle = 2 * std::numbers::pi * (v % around) / around;
+        const Eigen::Vector2d& p = profile[v / around];
+        mesh.V.row(v) << p.x() * std::cos(angle), p.y(), p.x() * std::sin(angle);
+    }
+    for (int q = 0; q < (rows - 1) * around; ++q) {
+        const int next = q / around * around + (q + 1) % around;
+        mesh.F.row(2 * q) << q, q + around, next;
+        mesh.F.row(2 * q + 1) << next, q + around, next + around;
+    }
+    return mesh;
+}
+
 MeshArrays sphere(int rings) {
     const int around = 2 * rings;
     MeshArrays mesh{Points3((rings - 1) * around + 2, 3), Triangles(2 * around * (rings - 1), 3)};

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <set>
+#include <vector>
 
 #include "core/mesh/mesh_arrays.h"
 
@@ -21,6 +22,8 @@ MeshArrays openBox(int n, double side);
 MeshArrays closedBox(int n, double side);
 /// piercedTorus with its last triangle put back.
 MeshArrays closedTorus(int around, int across);
+/// A profile of radius and height turned about the y axis: a ring between its two ends.
+MeshArrays revolution(const std::vector<Eigen::Vector2d>& profile, int around);
 /// A sphere of radius 50 with poles on the z axis.
 MeshArrays sphere(int rings);
 /// The mesh without some faces, and without the vertices that no face uses any more.
