@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/text.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"
@@ -13,9 +14,10 @@
 namespace toile {
 namespace {
 
-Garment readAs(const std::filesystem::path& file, const Preparation& preparing) {
+Garment readAs(const std::filesystem::path& file, const Preparation& preparing,
+               bool autoCut = false) {
     Progress progress;
-    auto garment = loadGarment({file}, {.preparing = preparing}, progress);
+    auto garment = loadGarment({file}, {.preparing = preparing, .autoCut = autoCut}, progress);
     EXPECT_TRUE(garment) << file;
     return garment ? *garment : Garment{};
 }
@@ -36,23 +38,59 @@ std::string piecesOf(const Garment& garment) {
     return cell;
 }
 
+/// Mean strain by `curvature`, over the area of all that lies flat, percent; a dash where none
+/// does.
+std::string strainOf(const Garment& garment) {
+    Progress progress;
+    FlattenOptions options;
+    options.method = Method::Curvature;
+    double area = 0, strain = 0;
+    for (const auto& result : flattenGarment(garment, options, progress)) {
+        if (result->quality && result->quality->strainMeanAbs) {
+            area += result->quality->area3d;
+            strain += result->quality->area3d * *result->quality->strainMeanAbs;
+        }
+    }
+    return area > 0 ? fixed(100 * strain / area, 1) : "–";
+}
+
+/// What was done with the file to read it as it was taken.
+std::string stepsOf(const Garment& garment) {
+    for (const Error& problem : garment.files.front()->problems) {
+        if (problem.code == ErrorCode::ReadAs) {
+            return problem.detail;
+        }
+    }
+    return "";
+}
+
 std::string row(const std::string& name) {
     const auto file = test::sharedFile(name);
     const Garment plain = readAs(file, {.as = FileKind::Sheet}), taken = readAs(file, {});
     const FileReading& reading = taken.files.front()->reading;
     std::string said(wordOf(kFileKindWords, reading.kind));
     said += reading.evidence.empty() ? "" : ": " + reading.evidence;
-    std::string after = piecesOf(taken);
+    Preparation chosen;
+    std::string after = piecesOf(taken), steps = stepsOf(taken);
     if (reading.kind == FileKind::Scan) {
-        after = piecesOf(readAs(file, {.as = FileKind::Scan})) + " with `--as scan`";
+        chosen.as = FileKind::Scan;
+        const Garment prepared = readAs(file, chosen);
+        after = piecesOf(prepared) + " with `--as scan`";
+        steps = stepsOf(prepared);
     }
-    return "| `" + name + "` | " + said + " | " + piecesOf(plain) + " | " + after + " |\n";
+    const std::string strain = strainOf(readAs(file, {.as = FileKind::Sheet}, true));
+    const bool isAsBefore = steps.empty();
+    return "| `" + name + "` | " + said + " | " + steps + " | " + piecesOf(plain) + " | " + strain +
+           " | " + (isAsBefore ? "" : after) + " | " +
+           (isAsBefore ? "" : strainOf(readAs(file, chosen, true))) + " |\n";
 }
 
 TEST(InputKinds, EveryFileIsTakenForWhatTheTableSays) {
     TOILE_NEEDS_SHARED(test::sharedFile("thick"));
     std::string table =
-        "| File | Taken for | Pieces, read as a sheet | read as that |\n|---|---|---|---|\n";
+        "| File | Taken for | Steps | Pieces, read as a sheet | mean strain % | read as that | "
+        "mean "
+        "strain % |\n|---|---|---|---|--:|---|--:|\n";
     for (const char* name : {"thick/dress_thick.obj",
                              "thick/tee_sim_thick.obj",
                              "scans/dress_scan.obj",
@@ -77,7 +115,7 @@ TEST(InputKinds, EveryFileIsTakenForWhatTheTableSays) {
                              "nasty/soup.stl"}) {
         table += row(name);
     }
-    test::expectTableInDocs("input.md", "kinds of files", table);
+    test::expectFiguresInDocs("input.md", "kinds of files", table);
 }
 
 TEST(InputKinds, HalfAGarmentIsNamedAndCompleted) {
