@@ -56,6 +56,8 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     derived.inputs.loading = arguments.load;
     derived.garment = std::make_shared<const Garment>(std::move(read));
     DocumentState state;
+    state.settings = settingsOfNew(*derived.garment);
+    state.materials = materialsInUse(state);
     if (arguments.project) {
         state = stateOf(*arguments.project, derived.inputs, *derived.garment);
         addReference(state);

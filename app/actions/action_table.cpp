@@ -225,17 +225,20 @@ ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::
 }
 
 /// What else has been said of the file stays.
-ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer) {
+ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer,
+                   int onlyLayer = 0) {
     return {[=](GarmentActions& on, bool) {
                 Preparation preparing = on.workspace().loading().preparing;
                 preparing.as = kind;
                 preparing.surface = surface;
+                preparing.onlyLayer = onlyLayer;
                 on.workspace().setPreparing(preparing);
             },
             {},
             [=](Workspace& on) {
                 const Preparation& said = on.loading().preparing;
-                return said.as == kind && (kind != FileKind::Shell || said.surface == surface);
+                return said.as == kind && (kind != FileKind::Shell || said.surface == surface) &&
+                       said.onlyLayer == onlyLayer;
             },
             ActionGroup::ReadAs};
 }
@@ -358,6 +361,13 @@ std::vector<ActionSpec> makeActions() {
          asks(&GarmentActions::selectAll, isOpen)},
         {ActionId::SelectNone, "selectNone", TR("Select &none"), "Ctrl+Shift+A",
          TR("Clear the selection of pieces and seams"), asks(&GarmentActions::selectNone, isOpen)},
+        {ActionId::SelectSameMaterial, "selectSameMaterial", TR("Select &same material"), "",
+         TR("Select every piece that is cut from what the selected pieces are cut from"),
+         onPieces(selectSameMaterial, isAnyPiece)},
+        {ActionId::SelectSameLayer, "selectSameLayer", TR("Select same la&yer"), "",
+         TR("Select every piece of the layers of cloth that the selected pieces are of"),
+         onPieces(selectSameLayer,
+                  [](Workspace& on) { return isAnyPiece(on) && hasLayers(on.document()); })},
         {ActionId::Frame, "frame", TR("&Frame"), "F",
          TR("Show the selected pieces or seam, or everything where none is selected"), whenOpen(),
          "frame", TR("Frame")},
@@ -568,7 +578,7 @@ std::vector<ActionSpec> makeActions() {
          TR("The garment stands along the file's z axis"),
          reads(Group::UpAxis, &LoadOptions::up, &Workspace::setUpAxis, UpAxis::Z)},
         {ActionId::ReadAuto, "readAuto", TR("&Automatic"), "",
-         TR("Recognise what the file holds: a sheet, a thick shell, a scan"), readsAs({})},
+         TR("Recognise what the file holds: a sheet, a thick shell, layers, a scan"), readsAs({})},
         {ActionId::ReadSheet, "readSheet", TR("&Plain sheet"), "",
          TR("Take every face of the file, as it is"), readsAs(FileKind::Sheet)},
         {ActionId::ReadOuter, "readOuter", TR("Thick shell, &outer surface"), "",
@@ -580,6 +590,16 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::ReadMiddle, "readMiddle", TR("Thick shell, &middle"), "",
          TR("Of cloth with a thickness take what runs midway between its surfaces"),
          readsAs(FileKind::Shell, ShellSurface::Middle)},
+        {ActionId::ReadLayers, "readLayers", TR("&Layers of cloth, all"), "",
+         TR("Take every sheet of a file in which one lies inside the other, as a lining does: each "
+            "layer is a material"),
+         readsAs(FileKind::Layers)},
+        {ActionId::ReadOuterLayer, "readOuterLayer", TR("Layers of cloth, ou&termost alone"), "",
+         TR("Of sheets that lie inside each other take the outermost"),
+         readsAs(FileKind::Layers, ShellSurface::Outer, 1)},
+        {ActionId::ReadInnerLayer, "readInnerLayer", TR("Layers of cloth, secon&d alone"), "",
+         TR("Of sheets that lie inside each other take the second from outside: the lining"),
+         readsAs(FileKind::Layers, ShellSurface::Outer, 2)},
         {ActionId::ReadScan,
          "readScan",
          TR("&Scan…"),
@@ -638,6 +658,9 @@ std::vector<ActionSpec> makeActions() {
          "",
          TR("Type how many of the selected pieces are cut"),
          {.enabledWhen = isAnyPiece}},
+        {ActionId::NewMaterial, "newMaterial", TR("&New material…"), "",
+         TR("Type what the selected pieces are cut from: a lining, an interfacing"),
+         asks(&GarmentActions::askForMaterial, isAnyPiece)},
         {ActionId::HidePieces, "hidePieces", TR("&Hide"), "Ctrl+H",
          TR("Draw the selected pieces in neither view; files and checks have them nevertheless"),
          onPieces(hidePieces, isAnyPiece)},

@@ -8,6 +8,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/material_menu.h"
 #include "app/actions/own_folders.h"
 #include "app/actions/pattern_printing.h"
 #include "app/actions/project_actions.h"
@@ -31,7 +32,8 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
       preferences_(preferences),
       window_(window),
       project_(new ProjectActions(workspace, preferences, dialogs_, window, this)),
-      printing_(new PatternPrinting(workspace, preferences, dialogs_, window, this)) {
+      printing_(new PatternPrinting(workspace, preferences, dialogs_, window, this)),
+      materials_(new MaterialMenu(workspace.document(), window, this)) {
     connect(project_, &ProjectActions::failed, this, &GarmentActions::failed);
     connect(printing_, &PatternPrinting::failed, this, &GarmentActions::failed);
     connect(printing_, &PatternPrinting::printed, this, &GarmentActions::done);
@@ -257,6 +259,10 @@ void GarmentActions::selectAll() {
 
 void GarmentActions::selectNone() {
     workspace_.document().selectNothing();
+}
+
+void GarmentActions::askForMaterial() {
+    materials_->askForNew();
 }
 
 void GarmentActions::resetEase() {

@@ -12,6 +12,7 @@
 namespace toile::app {
 
 struct GrainShares;
+class MaterialMenu;
 class Preferences;
 class PatternPrinting;
 class ProjectActions;
@@ -32,6 +33,8 @@ public:
     Workspace& workspace() { return workspace_; }
     /// Saving and projects.
     ProjectActions& project() { return *project_; }
+    /// What the selected pieces are cut from.
+    MaterialMenu& materials() { return *materials_; }
     /// Opens what the person has chosen or dropped, a project or meshes, and remembers the folder.
     /// Asks first where changes would be lost.
     void openFiles(const QStringList& files);
@@ -47,6 +50,7 @@ public:
     void askAndWriteSeams();
     void selectAll();
     void selectNone();
+    void askForMaterial();
     /// The ease of the selected seam is that of the garment again.
     void resetEase();
     /// For the selected pieces that are flat, or for all.
@@ -83,6 +87,7 @@ private:
     FileDialogs dialogs_ = FileDialogs::native();
     ProjectActions* project_;
     PatternPrinting* printing_;
+    MaterialMenu* materials_;
     JobRunner::Ticket grain_ = 0;  ///< finds the grain
 };
 

@@ -27,8 +27,11 @@ struct ListsPlace {};
 /// What the window fills in: the files that were opened last.
 struct RecentPlace {};
 
-using MenuItem =
-    std::variant<ActionId, MenuSeparator, MenuHeading, Submenu, ListsPlace, RecentPlace>;
+/// What the window fills in: what pieces of the garment are cut from.
+struct MaterialsPlace {};
+
+using MenuItem = std::variant<ActionId, MenuSeparator, MenuHeading, Submenu, ListsPlace,
+                              RecentPlace, MaterialsPlace>;
 
 enum class MenuPlace { Bar, Submenu, Context };
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/base/text.h"
+#include "app/jobs/derivation.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/text/error_text.h"
@@ -124,9 +125,11 @@ void Workspace::startOpening() {
             DocumentState next;
             next.options = document_.options();
             next.lines = newLines_;
+            next.settings = settingsOfNew(*made.garment);
             if (again || !document_.garment()) {
                 next.fabric = document_.fabric();
             }
+            next.materials = materialsInUse(next);
             document_.open(std::move(next), made);
         });
     }));

@@ -33,6 +33,8 @@ struct Typed {
 constexpr Word<ViewsShown> kViewWords[] = {
     {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
 
+constexpr int kMostLayers = 1000;
+
 constexpr Word<bool> kNotchesWords[] = {{true, "auto"}, {false, "none"}};
 constexpr Word<bool> kFailOnWords[] = {{false, "fault"}, {true, "doubt"}};
 constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
@@ -108,6 +110,11 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
     addChoice(command, "--surface", preparing.surface, kShellSurfaceWords,
               "Which surface of a thick shell is the sheet")
         ->default_str("outer");
+    command
+        .add_option("--layer", preparing.onlyLayer,
+                    "Which of several layers of cloth is taken, from the outermost, 1; 0: all")
+        ->type_name("N")
+        ->check(CLI::Range(0, kMostLayers));
     ScanSteps& scan = preparing.scan;
     command.add_flag_callback(
         "--keep-debris", [&scan] { scan.dropDebris = false; },
@@ -130,9 +137,11 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
         static constexpr std::pair<const char*, FileKind> kGoesWith[] = {
             {"--keep-debris", FileKind::Scan}, {"--close-holes", FileKind::Scan},
             {"--smooth", FileKind::Scan},      {"--remesh", FileKind::Scan},
-            {"--weld-within", FileKind::Soup}, {"--surface", FileKind::Shell}};
+            {"--weld-within", FileKind::Soup}, {"--surface", FileKind::Shell},
+            {"--layer", FileKind::Layers}};
         for (const auto& [option, kind] : kGoesWith) {
-            const bool fits = preparing.as == kind || (kind == FileKind::Shell && !preparing.as);
+            const bool isRecognised = kind == FileKind::Shell || kind == FileKind::Layers;
+            const bool fits = preparing.as == kind || (isRecognised && !preparing.as);
             if (command.count(option) > 0 && !fits) {
                 throw CLI::ValidationError(
                     option, "goes with --as " + std::string(wordOf(kFileKindWords, kind)));

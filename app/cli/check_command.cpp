@@ -15,13 +15,10 @@
 namespace toile::app {
 namespace {
 
-/// What a project says of the pieces, for the flat coordinates they have now.
-std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment,
-                                      const PieceResults& results) {
-    if (!arguments.project) {
-        return std::vector<PieceSettings>(garment.pieces.size());
-    }
-    std::vector<PieceSettings> settings = settingsFor(*arguments.project, garment);
+/// What is said of the pieces, for the flat coordinates they have now.
+std::vector<PieceSettings> settingsNow(const Arguments& arguments, const Garment& garment,
+                                       const PieceResults& results) {
+    std::vector<PieceSettings> settings = settingsOf(arguments, garment);
     for (std::size_t i = 0; i < settings.size(); ++i) {
         if (results[i]->flat) {
             settings[i] = anchoredSettings(std::move(settings[i]), results[i]->flat->Q);
@@ -64,8 +61,8 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.pattern = std::make_shared<const Pattern>(makePattern(
         *plan.garment, plan.results, plan.lines, symmetryOf(*plan.garment, plan.lines)));
     plan.fabric = arguments.fabric.value_or(plan.fabric);
-    plan.materials = arguments.project ? arguments.project->materials : MaterialList{};
-    plan.settings = settingsOf(arguments, *plan.garment, plan.results);
+    plan.settings = settingsNow(arguments, *plan.garment, plan.results);
+    plan.materials = materialsOf(arguments, plan.settings);
     const Readiness readiness = readyToCut(plan, progress);
     if (arguments.json) {
         out << writeReadiness(*plan.garment, readiness);

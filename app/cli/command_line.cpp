@@ -9,6 +9,7 @@
 
 #include "app/cli/arguments.h"
 #include "core/pattern/piece_grain.h"
+#include "core/project/layer_materials.h"
 #include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 
@@ -125,23 +126,42 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     return arguments;
 }
 
+std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment) {
+    return arguments.project ? settingsFor(*arguments.project, garment) : usualSettings(garment);
+}
+
+MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSettings>& settings) {
+    if (arguments.project) {
+        return arguments.project->materials;
+    }
+    std::vector<std::string> used;
+    for (const PieceSettings& piece : settings) {
+        used.push_back(piece.material);
+    }
+    return materialsInUse({}, used, arguments.fabric.value_or(fabricPresets().front()));
+}
+
 namespace {
 
 LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garment,
                                const PieceResults& results) {
-    if (!arguments.project) {
+    std::vector<PieceSettings> settings = settingsOf(arguments, garment);
+    if (!arguments.project && std::ranges::all_of(settings, [](const PieceSettings& said) {
+            return said == PieceSettings{};
+        })) {
         return inRows(garment, results, arguments.lines, arguments.stated.byHalf);
     }
     const auto symmetry = symmetryOf(garment, arguments.lines);
-    const Pattern pattern = makePattern(garment, results, arguments.lines, symmetry);
-    std::vector<PieceSettings> settings =
-        placedSettings(settingsFor(*arguments.project, garment), results,
-                       std::vector<std::optional<FlatMotion>>(results.size()), &pattern);
+    if (arguments.project) {
+        const Pattern pattern = makePattern(garment, results, arguments.lines, symmetry);
+        settings = placedSettings(std::move(settings), results,
+                                  std::vector<std::optional<FlatMotion>>(results.size()), &pattern);
+    }
     for (PieceSettings& piece : settings) {
         piece.byHalf = piece.byHalf || arguments.stated.byHalf;
     }
     LaidOutPattern laid = layOut(garment, results, settings, {}, arguments.lines, symmetry);
-    laid.pattern.materials = arguments.project->materials;
+    laid.pattern.materials = materialsOf(arguments, settings);
     return laid;
 }
 

@@ -34,6 +34,11 @@ int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err);
 /// back as it is. What cannot be done comes back as a Message; notes are printed.
 Arguments withProject(Arguments arguments, std::ostream& err);
 
+/// What the project says of the pieces; as nobody had said anything without one.
+std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment);
+/// What pieces of such settings may be cut from beside the garment's fabric.
+MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSettings>& settings);
+
 /// The pattern laid out, cut and called as the project says; in rows without a project.
 LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
                        const PieceResults& results);

@@ -12,6 +12,7 @@
 #include "core/export/writers.h"
 #include "core/garment/slits.h"
 #include "core/io/assimp_reader.h"
+#include "core/project/layer_materials.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {
@@ -56,6 +57,19 @@ void printReading(const FileReading& reading, std::ostream& out) {
                           " mm in one plane; --complete-half adds its other half");
     }
     out << '\n';
+}
+
+/// How many pieces each layer of a file has.
+void printLayers(const Garment& garment, int file, std::ostream& out) {
+    const std::vector<int> layers = layersOf(garment);
+    std::vector<int> pieces(static_cast<std::size_t>(layerCount(garment.files[file]->reading)), 0);
+    for (std::size_t p = 0; p < layers.size(); ++p) {
+        pieces[layers[p]] += garment.pieces[p]->file == file ? 1 : 0;
+    }
+    for (std::size_t k = 0; pieces.size() > 1 && k < pieces.size(); ++k) {
+        out << "layer " << k + 1 << (k == 0 ? ", the outermost" : "") << ": "
+            << counted(pieces[k], "piece") << (k + 1 == pieces.size() ? "\n" : "; ");
+    }
 }
 
 void printFile(const SourceFile& file, std::ostream& out) {
@@ -166,8 +180,9 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     if (arguments.json) {
         out << writeInfo(*garment);
     } else {
-        for (const auto& file : garment->files) {
-            printFile(*file, out);
+        for (std::size_t k = 0; k < garment->files.size(); ++k) {
+            printFile(*garment->files[k], out);
+            printLayers(*garment, static_cast<int>(k), out);
         }
         out << '\n';
         printCuts(*garment, out);

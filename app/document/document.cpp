@@ -315,6 +315,9 @@ void Document::show(Derived derived, SettingsById settings) {
     DocumentChanges what;
     what.setFlag(DocumentChange::Settings, settings != state_.settings);
     state_.settings = std::move(settings);
+    MaterialList materials = materialsInUse(state_);
+    what.setFlag(DocumentChange::Fabric, materials != state_.materials);
+    state_.materials = std::move(materials);
     state_.inputs = derived.inputs;
     currentAt_ = history_.index();
     tell(what | showOther(std::move(derived)));

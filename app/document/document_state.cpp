@@ -3,7 +3,17 @@
 
 #include <algorithm>
 
+#include "core/project/layer_materials.h"
+
 namespace toile::app {
+
+MaterialList materialsInUse(const DocumentState& state) {
+    std::vector<std::string> used;
+    for (const auto& [id, said] : state.settings) {
+        used.push_back(said.material);
+    }
+    return toile::materialsInUse(state.materials, used, state.fabric);
+}
 
 std::set<PieceId> leftOut(const SettingsById& settings) {
     std::set<PieceId> found;

@@ -54,6 +54,8 @@ struct Derived {
     bool operator==(const Derived&) const = default;
 };
 
+/// The state's materials, with all that its pieces are cut from, and without those that nothing is.
+MaterialList materialsInUse(const DocumentState& state);
 /// Pieces that are left out.
 std::set<PieceId> leftOut(const SettingsById& settings);
 /// True where every piece has the result that the state asks for.

@@ -2,12 +2,14 @@
 #include "app/document/piece_edits.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
+#include "core/project/layer_materials.h"
 #include "core/project/left_out.h"
 #include "core/project/piece_names.h"
 
@@ -81,19 +83,50 @@ void setMaterial(Document& document, const std::vector<int>& pieces, const QStri
     const std::string name = shown.toStdString();
     DocumentState next = withSettings(
         document, there, [&name](int, PieceSettings& settings) { settings.material = name; });
-    std::erase_if(next.materials, [&next](const Material& known) {
-        return known.fabric == next.fabric &&
-               std::ranges::none_of(next.settings, [&known](const auto& entry) {
-                   return entry.second.material == known.name;
-               });
-    });
-    if (!name.empty() && !findMaterial(name, next.materials)) {
-        next.materials.push_back({name, next.fabric});
-    }
+    next.materials = materialsInUse(next);
     const QString text =
         name.empty() ? tr("Material of %1: as the garment").arg(nameOfPieces(document, there))
                      : tr("Material of %1: %2").arg(nameOfPieces(document, there), shown);
     document.edit(text, std::move(next));
+}
+
+namespace {
+
+/// @param groups  one per piece
+template <class Group>
+void selectAlike(Document& document, const std::vector<int>& pieces,
+                 const std::vector<Group>& groups) {
+    std::set<Group> meant;
+    Document::Selection selection(pieces.begin(), pieces.end());
+    for (const int piece : pieces) {
+        meant.insert(groups[static_cast<std::size_t>(piece)]);
+    }
+    for (int i = 0; i < document.pieceCount(); ++i) {
+        if (!isHidden(document, i) && meant.contains(groups[static_cast<std::size_t>(i)])) {
+            selection.insert(i);
+        }
+    }
+    document.setSelection(std::move(selection));
+}
+
+}  // namespace
+
+void selectSameMaterial(Document& document, const std::vector<int>& pieces) {
+    std::vector<std::string> materials;
+    for (const PieceSettings& said : document.settings()) {
+        materials.push_back(said.material);
+    }
+    selectAlike(document, inGarment(document, pieces), materials);
+}
+
+void selectSameLayer(Document& document, const std::vector<int>& pieces) {
+    if (hasLayers(document)) {
+        selectAlike(document, inGarment(document, pieces), layersOf(*document.garment()));
+    }
+}
+
+bool hasLayers(const Document& document) {
+    return document.garment() && !layersOf(*document.garment()).empty();
 }
 
 void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) {

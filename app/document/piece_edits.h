@@ -35,6 +35,12 @@ void setMirroredPair(Document& document, const std::vector<int>& pieces, bool is
 ///                  one that no piece has any more goes, unless it has a fabric of its own.
 void setMaterial(Document& document, const std::vector<int>& pieces, const QString& material);
 
+/// Selects, with these pieces, all seen ones that are cut from the same material; of the same layer
+/// of cloth (`layersOf`), where the garment has several.
+void selectSameMaterial(Document& document, const std::vector<int>& pieces);
+void selectSameLayer(Document& document, const std::vector<int>& pieces);
+bool hasLayers(const Document& document);
+
 /// @param pieces  two that mirror each other, or one that is symmetric in itself
 /// @param byHalf  only one half of them is drawn (Cutting::byHalf); mirrored pieces are made equal
 ///                for it where they are not yet

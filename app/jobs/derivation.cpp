@@ -6,9 +6,11 @@
 
 #include "app/document/disposal.h"
 #include "app/render/scene_builder.h"
+#include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/project/layer_materials.h"
 #include "core/project/left_out.h"
 
 namespace toile::app {
@@ -48,6 +50,15 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
     return found;
 }
 
+/// What pieces are usually cut from, in the person's language.
+std::vector<std::string> materialsOfNew(const Garment& garment) {
+    std::vector<std::string> materials;
+    for (const Wording& words : usualMaterials(garment)) {
+        materials.push_back(wordingText(words).toStdString());
+    }
+    return materials;
+}
+
 /// Takes other results in.
 void become(Derivation& made, PieceResults results) {
     made.motions = flatMotions(made.derived.results, results);
@@ -69,6 +80,13 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
     derivation.hasOtherGarment = true;
     if (before.garment) {
         derivation.carried = carriedFrom(*before.garment, settingsBefore, before.results, *garment);
+        const std::vector<std::string> was = materialsOfNew(*before.garment),
+                                       is = materialsOfNew(*garment);
+        for (std::size_t p = 0; p < is.size(); ++p) {
+            const int from = derivation.carried[p].piece;
+            derivation.materials.emplace_back(
+                from < 0 ? std::string() : was[static_cast<std::size_t>(from)], is[p]);
+        }
     }
     Derived& derived = derivation.derived;
     derived.inputs = {state.inputs.files, resolveNames(state.inputs.loading, *garment)};
@@ -155,11 +173,27 @@ void draw(Derived& derived, Progress& progress) {
     }
 }
 
+SettingsById settingsOfNew(const Garment& garment) {
+    SettingsById settings;
+    const std::vector<std::string> materials = materialsOfNew(garment);
+    for (std::size_t p = 0; p < materials.size(); ++p) {
+        if (!materials[p].empty()) {
+            settings[garment.pieces[p]->id].material = materials[p];
+        }
+    }
+    return settings;
+}
+
 SettingsById settingsAfter(const Derivation& made, SettingsById settings,
                            const std::vector<PieceSettings>& before) {
     const Garment& garment = *made.derived.garment;
     if (made.hasOtherGarment && !made.carried.empty()) {
         carrySettings(settings, before, made.carried, garment);
+        for (std::size_t p = 0; p < made.materials.size(); ++p) {
+            const auto& [was, is] = made.materials[p];
+            std::string& material = settings[garment.pieces[p]->id].material;
+            material = material == was ? is : material;
+        }
     }
     if (made.motions.empty()) {
         return settings;

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/document/document_state.h"
@@ -27,6 +29,8 @@ struct Derivation {
     std::vector<CarriedFrom> carried{};                ///< of another garment
     std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
     std::vector<std::optional<double>> grains{};       ///< by LineSettings::grain; else empty
+    /// Of another garment, per piece: what it was usually cut from before, and is now.
+    std::vector<std::pair<std::string, std::string>> materials{};
 };
 
 /// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
@@ -48,11 +52,14 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
 void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings);
 /// Puts cold results in the place of warm ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
+/// What is said of the pieces of a garment that is new, in the person's language.
+SettingsById settingsOfNew(const Garment& garment);
 /// Makes its pattern and its scene.
 void draw(Derived& derived, Progress& progress);
 
 /// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those
-/// without a place, or without a grain where there is a rule for it, get one. Idempotent.
+/// without a place, or without a grain where there is a rule for it, get one. A piece of the
+/// material that is usual for its layer follows it. Idempotent.
 /// @param settings  as said, now  @param before  the same of the pieces before, in their order
 SettingsById settingsAfter(const Derivation& made, SettingsById settings,
                            const std::vector<PieceSettings>& before);

@@ -59,6 +59,7 @@ Result<Project> projectNow(DocumentState state, const Derived& derived,
     }
     state.inputs = made->derived.inputs;
     state.settings = settingsAfter(*made, std::move(state.settings), settings);
+    state.materials = materialsInUse(state);
     return projectOf(state, made->derived, view);
 }
 

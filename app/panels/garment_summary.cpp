@@ -12,6 +12,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "core/garment/opening_cuts.h"
+#include "core/project/layer_materials.h"
 
 namespace toile::app {
 
@@ -181,6 +182,38 @@ CardQuestion askHalf(const SourceFile& file, Workspace& workspace) {
          {tr("As it is"), true}}};
 }
 
+/// Which of the layers of a file are to be cut.
+CardQuestion askLayers(const FileReading& reading, Workspace& workspace) {
+    constexpr int kListed = 4;
+    const int count = layerCount(reading);
+    CardQuestion question{count == 1
+                              ? tr("The file may hold layers of cloth: %1. What is it?")
+                                    .arg(wordingText(reading.evidence))
+                              : tr("The file holds %1 layers of cloth: %2. Which are to be cut?")
+                                    .arg(count)
+                                    .arg(wordingText(reading.evidence))};
+    const auto add = [&](const QString& text, bool present, FileKind kind, int only = 0) {
+        Preparation preparing = workspace.loading().preparing;
+        preparing.as = kind;
+        preparing.onlyLayer = only;
+        question.choices.push_back(
+            {text, present, [&workspace, preparing] { workspace.setPreparing(preparing); }});
+    };
+    if (count == 1) {
+        add(tr("Layers"), false, FileKind::Layers);
+    } else {
+        add(tr("All"), true, FileKind::Layers);
+    }
+    for (int layer = 1; count > 1 && layer <= std::min(count, kListed); ++layer) {
+        const QString text = layer == 1   ? tr("Outer only")
+                             : count == 2 ? tr("Inner only")
+                                          : tr("Layer %1 only").arg(layer);
+        add(text, false, FileKind::Layers, layer);
+    }
+    add(count == 1 ? tr("As it is") : tr("No layers"), false, FileKind::Sheet);
+    return question;
+}
+
 /// Nothing where the file is a plain sheet, or has been said to be something.
 CardQuestion askReading(const SourceFile& file, Workspace& workspace,
                         const std::function<void()>& prepareScan) {
@@ -190,6 +223,7 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace,
         Preparation preparing = workspace.loading().preparing;
         preparing.as = kind;
         preparing.surface = surface;
+        preparing.onlyLayer = 0;
         return CardChoice{text, present,
                           [&workspace, preparing] { workspace.setPreparing(preparing); }};
     };
@@ -209,6 +243,9 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace,
         }
         question.choices.push_back(choice(tr("As it is"), false, FileKind::Sheet));
         return question;
+    }
+    if (reading.kind == FileKind::Layers) {
+        return askLayers(reading, workspace);
     }
     if (reading.kind == FileKind::Scan) {
         return {tr("The file looks like a scan: %1. It can be made a sheet: debris goes, small "

@@ -20,6 +20,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
+#include "core/project/layer_materials.h"
 
 namespace toile::app {
 
@@ -51,6 +52,7 @@ QString whyNotFlat(const Document& document, const PieceResult& result) {
 PiecesModel::PiecesModel(const Document& document, QObject* parent)
     : ColumnsModel(ColumnCount, parent), document_(document) {
     setRows(document.pieceCount());
+    followLayers();
     connect(&document_, &Document::changed, this, &PiecesModel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &PiecesModel::showAgain);
 }
@@ -59,6 +61,7 @@ void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         beginResetModel();
         setRows(document_.pieceCount());
+        followLayers();
         endResetModel();
         return;
     }
@@ -72,6 +75,10 @@ void PiecesModel::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Options)) {
         showColumns(Method, Method);
     }
+}
+
+void PiecesModel::followLayers() {
+    layers_ = document_.garment() ? layersOf(*document_.garment()) : std::vector<int>();
 }
 
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
@@ -190,6 +197,11 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             return {{}, settings(row).mirroredPair ? 1 : 0};  // a box to check
         case MaterialName:
             return {QString::fromStdString(settings(row).material)};
+        case Layer: {
+            const auto at = static_cast<std::size_t>(row);
+            const int layer = at < layers_.size() ? layers_[at] + 1 : 1;
+            return {QLocale().toString(layer), layer};
+        }
         case Method:
             return {known ? methodName(known->options.method) : QString(kUnknown)};
         case Status:
@@ -335,6 +347,7 @@ std::vector<PiecesModel::Heading> PiecesModel::headings() const {
         {tr("Quantity"), tr("How many of the piece are cut")},
         {tr("Pair"), tr("Each is also cut mirrored: left and right")},
         {tr("Material"), tr("What the piece is cut from; empty: the garment's own fabric")},
+        {tr("Layer"), tr("Which layer of cloth the piece is of; 1 is the outermost")},
         {tr("Method"), tr("How the piece was flattened; grey until it is flattened anew")},
         {tr("Triangles"), tr("Triangles of the mesh")},
         {tr("Area %1").arg(areaUnit()), tr("Area of the flat piece")},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <vector>
+
 #include "app/document/document_change.h"
 #include "app/widgets/columns_model.h"
 
@@ -28,6 +30,7 @@ public:
         Quantity,
         Pair,
         MaterialName,
+        Layer,
         Method,
         Triangles,
         Area,
@@ -56,6 +59,8 @@ public:
     bool hasReference() const;
     /// True where a piece is cut from another fabric than the garment's own.
     bool hasMaterials() const;
+    /// True where the garment is of several layers of cloth.
+    bool hasLayers() const { return !layers_.empty(); }
     /// Whether some piece has a flip, or a crossing; or pieces were flattened by different methods.
     /// @param column  Flips, Crossings or Method
     bool isTelling(int column) const;
@@ -77,6 +82,7 @@ protected:
 
 private:
     void onChanged(DocumentChanges what);
+    void followLayers();
     const PieceSettings& settings(int row) const;
     /// A figure of a flat piece.
     static Cell figure(const PieceQuality& quality, int column);
@@ -91,6 +97,7 @@ private:
     bool isStale(int row) const;
 
     const Document& document_;
+    std::vector<int> layers_;  ///< per piece, from the outermost, 0; or empty
 };
 
 }  // namespace toile::app

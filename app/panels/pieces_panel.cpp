@@ -48,7 +48,7 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
       table_(new PiecesView(this)),
       columns_(
           new ColumnChooser(*table_->header(),
-                            {"name", "status", "quantity", "pair", "material", "method",
+                            {"name", "status", "quantity", "pair", "material", "layer", "method",
                              "triangles", "area", "outline", "outlineError", "strainMean",
                              "strainRange", "flips", "crossings", "referenceRms", "referenceMax"},
                             this)),
@@ -181,7 +181,8 @@ void PiecesPanel::fitColumns() {
         table_->setColumnHidden(column,
                                 columns_->isHidden(column) ||
                                     (PiecesModel::isAboutReference(column) && !hasReference) ||
-                                    (column == PiecesModel::MaterialName && !hasMaterials));
+                                    (column == PiecesModel::MaterialName && !hasMaterials) ||
+                                    (column == PiecesModel::Layer && !model_->hasLayers()));
         if (table_->isColumnHidden(column)) {
             continue;
         }

@@ -69,13 +69,14 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
       status_(std::make_unique<WindowStatus>(*statusBar(), workspace_, actions_,
                                              garmentActions_->project().session(), checker())),
       dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences)),
-      contextMenus_(
-          std::make_unique<WindowContextMenus>(*this, workspace_.document(), actions_, views())) {
+      contextMenus_(std::make_unique<WindowContextMenus>(*this, workspace_.document(), actions_,
+                                                         garmentActions_->materials(), views())) {
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setUnifiedTitleAndToolBarOnMac(true);
     setCentralWidget(centre_.get());
-    fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent());
+    fillMenuBar(*this, actions_, docks_->all(), garmentActions_->project().recent(),
+                garmentActions_->materials());
     app::addToolBar(*this, actions_, workspace_);
     contextMenus_->serve(docks_->list(Panel::Pieces), "pieceContext");
     contextMenus_->serve(docks_->list(Panel::Seams), "seamContext");

@@ -65,8 +65,13 @@ const char* menuOfSelection(const Document& document) {
 }  // namespace
 
 WindowContextMenus::WindowContextMenus(QWidget& window, Document& document,
-                                       const ActionRegistry& actions, ViewArea& views)
-    : window_(window), document_(document), actions_(actions), views_(views) {
+                                       const ActionRegistry& actions, MaterialMenu& materials,
+                                       ViewArea& views)
+    : window_(window),
+      document_(document),
+      actions_(actions),
+      materials_(materials),
+      views_(views) {
     for (SceneView* view :
          std::initializer_list<SceneView*>{views.garmentView(), views.patternView()}) {
         if (view) {
@@ -145,7 +150,7 @@ void WindowContextMenus::show(const char* menu, const QPoint& onScreen) {
     if (shown_ && shown_->isVisible()) {
         return;  // the same key, heard of twice
     }
-    shown_ = makeContextMenu(menu, actions_, &window_);
+    shown_ = makeContextMenu(menu, actions_, materials_, &window_);
     shown_->setAttribute(Qt::WA_DeleteOnClose);
     connect(shown_, &QMenu::aboutToHide, this, [this] {
         // What was chosen is done in between.

@@ -14,6 +14,7 @@ namespace toile::app {
 
 class ActionRegistry;
 class Document;
+class MaterialMenu;
 class SceneView;
 class ViewArea;
 
@@ -26,7 +27,7 @@ class WindowContextMenus : public QObject {
 public:
     /// All must outlive this.
     WindowContextMenus(QWidget& window, Document& document, const ActionRegistry& actions,
-                       ViewArea& views);
+                       MaterialMenu& materials, ViewArea& views);
 
     /// Shows one of the table's menus (menu_table.h) on the rows of a list.
     void serve(QAbstractItemView& list, const char* menu);
@@ -47,6 +48,7 @@ private:
     QWidget& window_;
     Document& document_;
     const ActionRegistry& actions_;
+    MaterialMenu& materials_;
     ViewArea& views_;
     QPointer<QMenu> shown_;
     std::optional<WorstSpot> pointed_;  ///< as long as the menu is there

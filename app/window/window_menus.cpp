@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <map>
 
+#include "app/actions/material_menu.h"
 #include "app/actions/menu_table.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
@@ -67,6 +68,7 @@ void followBelow(const QMenu& menu, QAction& heading) {
 struct MenuMaker {
     const ActionRegistry& actions;
     QList<QDockWidget*> lists;
+    MaterialMenu& materials;
     RecentFiles* recent;  ///< of menus that have no such place null
     std::map<std::string_view, const MenuSpec*> table{};
 
@@ -97,6 +99,7 @@ struct MenuMaker {
         }
     }
     void add(QMenu& menu, RecentPlace) { recent->fill(menu); }
+    void add(QMenu& menu, MaterialsPlace) { materials.fill(menu); }
     void add(QMenu& menu, ListsPlace) {
         for (QDockWidget* list : lists) {
             menu.addAction(list->toggleViewAction());
@@ -116,8 +119,8 @@ void glowWhenWanted(QWidget& button, Workspace& workspace) {
 }
 
 MenuMaker makerOf(const ActionRegistry& actions, const QList<QDockWidget*>& lists,
-                  RecentFiles* recent) {
-    MenuMaker maker{actions, lists, recent};
+                  MaterialMenu& materials, RecentFiles* recent) {
+    MenuMaker maker{actions, lists, materials, recent};
     for (const MenuSpec& spec : menuTable()) {
         maker.table.emplace(spec.name, &spec);
     }
@@ -126,16 +129,17 @@ MenuMaker makerOf(const ActionRegistry& actions, const QList<QDockWidget*>& list
 
 }  // namespace
 
-QMenu* makeContextMenu(const char* name, const ActionRegistry& actions, QWidget* parent) {
-    MenuMaker maker = makerOf(actions, {}, nullptr);
+QMenu* makeContextMenu(const char* name, const ActionRegistry& actions, MaterialMenu& materials,
+                       QWidget* parent) {
+    MenuMaker maker = makerOf(actions, {}, materials, nullptr);
     auto* menu = new QMenu(parent);
     maker.fill(*menu, *maker.table.at(name));
     return menu;
 }
 
 void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
-                 const QList<QDockWidget*>& lists, RecentFiles& recent) {
-    MenuMaker maker = makerOf(actions, lists, &recent);
+                 const QList<QDockWidget*>& lists, RecentFiles& recent, MaterialMenu& materials) {
+    MenuMaker maker = makerOf(actions, lists, materials, &recent);
     for (const MenuSpec& spec : menuTable()) {
         if (spec.place == MenuPlace::Bar) {
             maker.fill(*window.menuBar()->addMenu(menuText(spec.title)), spec);

@@ -121,12 +121,20 @@ UsdUnit unitOfStage(const io::UsdStage& stage) {
             metres};
 }
 
+StatedUp upOfStage(const io::UsdStage& stage) {
+    const auto up = stage.metadata.find("upAxis");
+    return up == stage.metadata.end()
+               ? StatedUp{UpAxis::Y, worded("USD files that state no up axis have y up")}
+               : StatedUp{up->second == "Z" ? UpAxis::Z : UpAxis::Y,
+                          worded("stated in the USD file")};
+}
+
 class StageReader {
 public:
     StageReader(const io::UsdStage& stage, const std::string& name)
         : stage_(stage), builder_(name, "face"), soup_(builder_.soup()) {
         takeUnit();
-        takeUpAxis();
+        soup_.statedUp = upOfStage(stage_);
     }
 
     Result<PolygonSoup> read(const Progress& progress) {
@@ -141,16 +149,6 @@ private:
         UsdUnit unit = unitOfStage(stage_);
         soup_.statedUnit = std::move(unit.stated);
         scale_ = unit.scale;
-    }
-
-    void takeUpAxis() {
-        const auto up = stage_.metadata.find("upAxis");
-        if (up == stage_.metadata.end()) {
-            soup_.statedUp = {UpAxis::Y, worded("USD files that state no up axis have y up")};
-        } else {
-            soup_.statedUp = {up->second == "Z" ? UpAxis::Z : UpAxis::Y,
-                              worded("stated in the USD file")};
-        }
     }
 
     /// What is wrong; null where nothing is. No deeper than the text may be.

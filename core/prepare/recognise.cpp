@@ -31,10 +31,15 @@ Recognition recognise(const FileSurface& surface, const Progress& progress) {
     if (auto shell = findShell(surface, progress)) {
         // Two panels behind each other look like that too: nothing of them may go by itself.
         const bool hasRims = std::ranges::find(shell->side, ShellSide::Rim) != shell->side.end();
-        const Wording evidence =
-            hasRims ? evidenceOf(*shell) : worded(kWithoutRims, {evidenceOf(*shell)});
-        return {hasRims ? FileKind::Shell : FileKind::Layers, evidence, std::move(shell),
-                hasRims ? std::nullopt : findLayers(surface, progress)};
+        if (hasRims) {
+            const Wording evidence = evidenceOf(*shell);
+            return {FileKind::Shell, evidence, std::move(shell)};
+        }
+        auto layers = findLayers(surface, progress);
+        const Wording evidence = layers && layers->isSure
+                                     ? inWords(*layers)
+                                     : worded(kWithoutRims, {evidenceOf(*shell)});
+        return {FileKind::Layers, evidence, std::move(shell), std::move(layers)};
     }
     if (const Debris debris = findDebris(surface.mesh); debris.fragments >= kFewestFragments) {
         return {FileKind::Scan, worded("%1 beside one large surface",

@@ -2388,6 +2388,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>USD-Dateien ohne Angabe einer Einheit sind in cm</translation>
     </message>
     <message>
+        <source>USD files that state no up axis have y up</source>
+        <translation>USD-Dateien ohne Angabe der Hochachse haben y nach oben</translation>
+    </message>
+    <message>
         <source>stated in the USD file</source>
         <translation>in der USD-Datei angegeben</translation>
     </message>
@@ -2555,16 +2559,25 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>half a garment: the mirror image of its %1 was added, joined over %2 mm in %3</source>
         <translation>ein halbes Kleidungsstück: Zu %1 wurde das Spiegelbild hinzugefügt, verbunden auf %2 mm in %3</translation>
     </message>
-</context>
-<context>
-    <name>toile::StageReader</name>
     <message>
-        <source>USD files that state no up axis have y up</source>
-        <translation>USD-Dateien ohne Angabe der Hochachse haben y nach oben</translation>
+        <source>layer %1 was asked for, and there are %2; all are taken</source>
+        <translation>Lage %1 war verlangt, es gibt %2; alle werden genommen</translation>
     </message>
     <message>
-        <source>stated in the USD file</source>
-        <translation>in der USD-Datei angegeben</translation>
+        <source>%1 layers of cloth, %2 mm apart: layer %3 from outside is taken, with %4; %5 of the others are left out</source>
+        <translation>%1 Stofflagen, %2 mm auseinander: Die Lage %3 von außen wird genommen, mit %4; weggelassen: %5 der anderen</translation>
+    </message>
+    <message>
+        <source>no connected parts lie inside each other; layers that are sewn together by common vertices are one part</source>
+        <translation>keine zusammenhängenden Stücke liegen ineinander; Lagen, die gemeinsame Eckpunkte haben, sind ein Stück</translation>
+    </message>
+    <message>
+        <source>Lining</source>
+        <translation>Futter</translation>
+    </message>
+    <message>
+        <source>Layer %1</source>
+        <translation>Lage %1</translation>
     </message>
 </context>
 <context>
@@ -4925,10 +4938,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Maßstäbliche Karos auf dem Stoff</translation>
     </message>
     <message>
-        <source>Recognise what the file holds: a sheet, a thick shell, a scan</source>
-        <translation>Erkennen, was in der Datei ist: eine Fläche, eine dicke Schale, ein Scan</translation>
-    </message>
-    <message>
         <source>&amp;Plain sheet</source>
         <translation>&amp;Einfache Fläche</translation>
     </message>
@@ -5055,6 +5064,94 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Half a garment: its mirror image was added</source>
         <translation>Halbes Kleidungsstück: Das Spiegelbild wurde hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Select &amp;same material</source>
+        <translation>Gleiche Stoffart aus&amp;wählen</translation>
+    </message>
+    <message>
+        <source>Select every piece that is cut from what the selected pieces are cut from</source>
+        <translation>Alle Teile auswählen, die aus demselben geschnitten werden wie die ausgewählten</translation>
+    </message>
+    <message>
+        <source>Select same la&amp;yer</source>
+        <translation>Gleiche &amp;Lage auswählen</translation>
+    </message>
+    <message>
+        <source>Select every piece of the layers of cloth that the selected pieces are of</source>
+        <translation>Alle Teile der Stofflagen auswählen, zu denen die ausgewählten gehören</translation>
+    </message>
+    <message>
+        <source>Recognise what the file holds: a sheet, a thick shell, layers, a scan</source>
+        <translation>Erkennen, was die Datei enthält: eine Lage Stoff, eine dicke Schale, mehrere Lagen, einen Scan</translation>
+    </message>
+    <message>
+        <source>&amp;Layers of cloth, all</source>
+        <translation>Stoff&amp;lagen, alle</translation>
+    </message>
+    <message>
+        <source>Take every sheet of a file in which one lies inside the other, as a lining does: each layer is a material</source>
+        <translation>Alle Lagen einer Datei nehmen, in der eine in der anderen liegt, wie ein Futter: Jede Lage wird eine Stoffart</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, ou&amp;termost alone</source>
+        <translation>Stofflagen, nur die ä&amp;ußerste</translation>
+    </message>
+    <message>
+        <source>Of sheets that lie inside each other take the outermost</source>
+        <translation>Von Lagen, die ineinander liegen, die äußerste nehmen</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, secon&amp;d alone</source>
+        <translation>Stofflagen, nur die &amp;zweite</translation>
+    </message>
+    <message>
+        <source>Of sheets that lie inside each other take the second from outside: the lining</source>
+        <translation>Von Lagen, die ineinander liegen, die zweite von außen nehmen: das Futter</translation>
+    </message>
+    <message>
+        <source>&amp;New material…</source>
+        <translation>&amp;Neue Stoffart …</translation>
+    </message>
+    <message>
+        <source>Type what the selected pieces are cut from: a lining, an interfacing</source>
+        <translation>Eingeben, woraus die ausgewählten Teile geschnitten werden: ein Futter, eine Einlage</translation>
+    </message>
+    <message>
+        <source>Mater&amp;ial</source>
+        <translation>&amp;Stoffart</translation>
+    </message>
+    <message>
+        <source>The file may hold layers of cloth: %1. What is it?</source>
+        <translation>Die Datei enthält vielleicht Stofflagen: %1. Was ist sie?</translation>
+    </message>
+    <message>
+        <source>The file holds %1 layers of cloth: %2. Which are to be cut?</source>
+        <translation>Die Datei enthält %1 Stofflagen: %2. Welche sollen zugeschnitten werden?</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Outer only</source>
+        <translation>Nur äußere</translation>
+    </message>
+    <message>
+        <source>Inner only</source>
+        <translation>Nur innere</translation>
+    </message>
+    <message>
+        <source>Layer %1 only</source>
+        <translation>Nur Lage %1</translation>
+    </message>
+    <message>
+        <source>No layers</source>
+        <translation>Keine Lagen</translation>
     </message>
 </context>
 <context>
@@ -6207,6 +6304,25 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::MaterialMenu</name>
+    <message>
+        <source>Cut the selected pieces from it</source>
+        <translation>Die ausgewählten Teile daraus schneiden</translation>
+    </message>
+    <message>
+        <source>The garment&apos;s &amp;fabric</source>
+        <translation>Der Sto&amp;ff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>New material</source>
+        <translation>Neue Stoffart</translation>
+    </message>
+    <message>
+        <source>What %1 is cut from:</source>
+        <translation>Woraus %1 geschnitten wird:</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::MeasureTool</name>
     <message>
         <source>the same</source>
@@ -6800,6 +6916,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>How many are cut. Double-click to change it, of all selected pieces at once</source>
         <translation>Wie oft es zugeschnitten wird. Doppelklick ändert es, bei allen ausgewählten Schnittteilen zugleich</translation>
+    </message>
+    <message>
+        <source>Layer</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Which layer of cloth the piece is of; 1 is the outermost</source>
+        <translation>Zu welcher Stofflage das Teil gehört; 1 ist die äußerste</translation>
     </message>
 </context>
 <context>

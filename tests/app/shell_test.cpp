@@ -141,7 +141,8 @@ private slots:
             auto* menu = window().findChild<QMenu*>(spec.name);
             QVERIFY(!menu || spec.place != MenuPlace::Context);
             if (!menu) {
-                context.reset(makeContextMenu(spec.name, window().actions(), nullptr));
+                context.reset(makeContextMenu(spec.name, window().actions(),
+                                              window().garmentActions().materials(), nullptr));
                 menu = context.get();
             } else {
                 QCOMPARE(menu->title(), QString(spec.title));
