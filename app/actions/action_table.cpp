@@ -243,6 +243,17 @@ ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSur
             ActionGroup::ReadAs};
 }
 
+ActionWork cutsAsTailors() {
+    return {[](GarmentActions& on, bool isOn) {
+                on.workspace().setCutStyle(isOn ? CutStyle::Tailor : CutStyle::Topology);
+            },
+            {},
+            [](Workspace& on) {
+                return on.loading().autoCut && on.loading().cutStyle != CutStyle::Topology;
+            },
+            ActionGroup::Toggle};
+}
+
 ActionWork completesHalf() {
     return {[](GarmentActions& on, bool isOn) {
                 Preparation preparing = on.workspace().loading().preparing;
@@ -634,6 +645,10 @@ std::vector<ActionSpec> makeActions() {
          reads(&LoadOptions::autoCut, &Workspace::setAutoCut)},
         {ActionId::CompleteHalf, "completeHalf", TR("Complete &half a garment"), "",
          TR("Add the mirror image of a garment of which the file has one half"), completesHalf()},
+        {ActionId::TailorCuts, "tailorCuts", TR("Cut as &tailors do"), "",
+         TR("Cut a garment of one skin open along armholes, sides and shoulders, where it is seen "
+            "how it is worn"),
+         cutsAsTailors()},
         {ActionId::Weld, "weld", TR("&Weld vertices"), "",
          TR("Join vertices of an object that lie on each other"),
          reads(&LoadOptions::weld, &Workspace::setWeld)},

@@ -113,6 +113,7 @@ enum class ActionId {
     SplitUv,
     SplitSeams,
     AutoCut,
+    TailorCuts,
     CompleteHalf,
     Weld,
     CloseSlits,

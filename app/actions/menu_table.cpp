@@ -122,7 +122,7 @@ std::vector<MenuSpec> makeTable() {
          {Reload, kLine,
           GoToFabric, kLine,
           Submenu{"unitMenu"}, Submenu{"upMenu"}, Submenu{"readAsMenu"}, Submenu{"divideMenu"}, kLine,
-          AutoCut, CompleteHalf, Weld, CloseSlits, kLine,
+          AutoCut, TailorCuts, CompleteHalf, Weld, CloseSlits, kLine,
           SeamsFromFile, SeamsToFile}},
         {"unitMenu", TR("&Unit"),
          {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},

@@ -312,6 +312,13 @@ void Workspace::setAutoCut(bool on) {
     setLoadingField(tr("Automatic cuts"), &LoadOptions::autoCut, on);
 }
 
+void Workspace::setCutStyle(CutStyle style) {
+    changeLoading({tr("Automatic cuts"), [style](LoadOptions& options) {
+                       options.cutStyle = style;
+                       options.autoCut = options.autoCut || style != CutStyle::Topology;
+                   }});
+}
+
 void Workspace::setWeld(bool on) {
     setLoadingField(tr("Welding"), &LoadOptions::weld, on);
 }

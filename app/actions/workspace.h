@@ -95,6 +95,8 @@ public:
     void setSplit(SplitMode split);
     /// Whether pieces that are no disks are cut open. As setUnit.
     void setAutoCut(bool on);
+    /// As tailors do also makes automatic cuts where there were none.
+    void setCutStyle(CutStyle style);
     /// Whether vertices that lie on each other are joined. As setUnit.
     void setWeld(bool on);
     /// Whether both sides of the slits inside pieces are made one. As setUnit.
