@@ -178,11 +178,8 @@ private slots:
     }
 
     void piecesAreGroupedInTheViewsToo() {
-        const MeshArrays& mesh = document().garment()->pieces[0]->mesh;
-        const Eigen::RowVector3i corners = mesh.F.row(mesh.F.rows() / 2);
-        const Eigen::Vector3d middle = mesh.V(corners.array(), Eigen::all).colwise().mean();
-        const Eigen::Vector2d pixel = fixture_.garmentView().camera().project(middle);
-        const QPointF at(pixel.x(), pixel.y());
+        const QPointF at =
+            *fixture_.garmentView().onScreen(0, 300, Eigen::Vector3d::Constant(1.0 / 3));
         test::moveTo(fixture_.garmentView(), at);
         test::sendMouse(fixture_.garmentView(), QEvent::MouseButtonPress, at, Qt::RightButton,
                         Qt::RightButton);
