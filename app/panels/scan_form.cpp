@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScopedValueRollback>
@@ -76,9 +77,6 @@ ScanForm::ScanForm(Workspace& workspace, QWidget* parent)
 
     auto* buttons = new QDialogButtonBox(
         QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this);
-    for (QAbstractButton* button : buttons->buttons()) {
-        static_cast<QPushButton*>(button)->setAutoDefault(false);  // Enter takes what was typed
-    }
     buttons->button(QDialogButtonBox::Ok)->setObjectName("scanDone");
     buttons->button(QDialogButtonBox::Cancel)->setObjectName("scanCancel");
     connect(buttons, &QDialogButtonBox::accepted, this, &ScanForm::accept);
@@ -109,6 +107,13 @@ ScanForm::ScanForm(Workspace& workspace, QWidget* parent)
     showSteps(before_.inputs.loading.preparing.scan);
     workspace_.holdFlattening(true);
     tryNow();
+}
+
+void ScanForm::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isEnter) {  // which has taken what was typed, and is to do no more
+        QDialog::keyPressEvent(event);
+    }
 }
 
 ScanForm::Step ScanForm::addStep(QGridLayout& grid, const char* name, const QString& text,

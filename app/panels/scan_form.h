@@ -29,6 +29,9 @@ public:
     void accept() override;
     void reject() override;
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     /// A step with the length that it goes by.
     struct Step {

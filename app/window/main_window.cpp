@@ -171,6 +171,9 @@ void MainWindow::onChanged(DocumentChanges what) {
         centre_->ask();
     }
     if (!what.testFlag(DocumentChange::Garment)) {
+        if (what.testFlag(DocumentChange::Seams)) {
+            centre_->ask();  // the same pieces, of files that were read as something else
+        }
         return;
     }
     if (what.testFlag(DocumentChange::Opened)) {

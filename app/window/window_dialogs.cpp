@@ -92,8 +92,8 @@ void WindowDialogs::prepareScan() {
         form->setAttribute(Qt::WA_DeleteOnClose);
         form->adjustSize();
         // Over the pattern, of which there is none meanwhile: the garment is to be seen.
-        constexpr int kAir = 24;
-        form->move(views_.mapToGlobal(QPoint(views_.width() - form->width() - kAir, kAir)));
+        constexpr int kAir = 24, kBelowBar = 88;
+        form->move(views_.mapToGlobal(QPoint(views_.width() - form->width() - kAir, kBelowBar)));
     }
     form->show();
     form->raise();

@@ -22,6 +22,8 @@ constexpr double kHalfTolerance = 1e-3;
 constexpr double kLeastDepth = 0.05, kLeastSpread = 0.05, kOfferedLength = 0.5;
 /// What part of all rims lies in the plane.
 constexpr double kOfferedShare = 0.2, kStatedShare = 0.05, kNoOtherRim = 0.99;
+/// Of the rims in the plane, what must go up or down: those of panels that lie flat do not.
+constexpr double kRising = 0.3;
 /// Of the rims in the plane, what is a place of its own.
 constexpr double kChainShare = 0.1;
 
@@ -81,6 +83,7 @@ struct RimsInPlane {
     double open = 0;    ///< mm, of those that go on outside it
     double closed = 0;  ///< mm, of openings that lie in it as a whole
     double spread = 0;  ///< how far they reach, seen from above, mm
+    double rise = 0;    ///< how much of the open ones goes up or down, mm
     int chains = 0;     ///< of the open ones, those that are a good part
 };
 
@@ -110,7 +113,8 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
             goesOn[chains.root(v)] = 1;
         }
     }
-    const Eigen::Vector3d level = half.along[0].cross(half.along[1]).cross(plane.normal());
+    const Eigen::Vector3d upright = half.along[0].cross(half.along[1]);
+    const Eigen::Vector3d level = upright.cross(plane.normal());
     RimsInPlane found;
     std::vector<double> ofChain(static_cast<std::size_t>(half.V->rows()), 0);
     double least = 0, most = 0;
@@ -122,7 +126,10 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
         const double length = half.lengthOf({a, b});
         const int chain = chains.root(a);
         (goesOn[chain] != 0 ? found.open : found.closed) += length;
-        ofChain[chain] += goesOn[chain] != 0 ? length : 0;
+        if (goesOn[chain] != 0) {
+            ofChain[chain] += length;
+            found.rise += std::abs((half.V->row(b) - half.V->row(a)) * upright);
+        }
         for (const int v : {a, b}) {
             const double at = half.V->row(v) * level;
             least = isAny ? std::min(least, at) : at;
@@ -134,6 +141,13 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
     found.chains = static_cast<int>(std::ranges::count_if(
         ofChain, [&](double length) { return length > 0 && length >= kChainShare * found.open; }));
     return found;
+}
+
+/// Whether these rims alone say that the garment is there by half.
+bool mayBeOffered(const HalfRims& half, const RimsInPlane& in) {
+    return in.open >= kOfferedShare * half.length && in.open >= kOfferedLength * half.size &&
+           in.spread >= kLeastSpread * half.size && in.rise >= kRising * in.open &&
+           (in.chains > 1 || !half.isOne);
 }
 
 /// The plane turned so that its normal points at the cloth; none where cloth lies on both sides or
@@ -218,28 +232,36 @@ std::optional<HalfPlane> findHalfPlane(const FileSurface& surface, UpAxis up, bo
         return std::nullopt;
     }
     const double tolerance = kHalfTolerance * half.size;
-    std::optional<HalfPlane> best;
+    std::vector<HalfPlane> offered;  // the file's own first
+    std::optional<HalfPlane> longest;
     int index = 0;
     for (const Plane& candidate : candidates(half)) {
         const bool isOfFile = index++ < 2;
         const RimsInPlane in = rimsIn(half, candidate, tolerance);
         const double length =
             isStated && in.closed > kNoOtherRim * half.length ? in.closed : in.open;
-        const bool isGood = length >= kOfferedShare * half.length &&
-                            length >= kOfferedLength * half.size &&
-                            in.spread >= kLeastSpread * half.size && (in.chains > 1 || !half.isOne);
-        if (!(isGood || (isStated && length >= kStatedShare * half.length)) ||
-            (best && length <= best->length)) {
-            continue;
-        }
-        if (const auto plane = besideCloth(half, candidate, tolerance)) {
-            best = HalfPlane{*plane, length, false};
-            if (isOfFile && isGood) {
+        const bool isGood = mayBeOffered(half, in);
+        const auto plane = isGood || (isStated && length >= kStatedShare * half.length)
+                               ? besideCloth(half, candidate, tolerance)
+                               : std::nullopt;
+        if (plane && isGood) {
+            offered.push_back({*plane, length, false});
+            if (isOfFile && isStated) {
                 break;
             }
         }
+        if (plane && (!longest || length > longest->length)) {
+            longest = HalfPlane{*plane, length, false};
+        }
     }
-    return best;
+    if (isStated) {
+        return offered.empty() ? longest : offered.front();
+    }
+    // Panels that are not sewn yet have such rims on both sides.
+    const bool isOnBothSides = std::ranges::any_of(offered, [&](const HalfPlane& other) {
+        return other.plane.normal().dot(offered.front().plane.normal()) < 0;
+    });
+    return offered.empty() || isOnBothSides ? std::nullopt : std::optional(offered.front());
 }
 
 }  // namespace toile

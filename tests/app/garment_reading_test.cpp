@@ -290,7 +290,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!document().loading().seams.cuts.empty(), test::kPatience);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(!document().garment()->pieces[0]->defect);
-        QVERIFY(!card().isVisible());
+        QVERIFY2(!card().isVisible(), qPrintable(card().sentence()));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(fixture_.waitForResults());
         QVERIFY(card().isVisible());

@@ -46,6 +46,12 @@ private:
         QTest::mouseClick(&fixture_.find<QPushButton>(button), Qt::LeftButton);
     }
 
+    /// At its box: beside the text is nothing to click at.
+    void toggle(const char* name) {
+        auto& box = fixture_.find<QCheckBox>(name);
+        QTest::mouseClick(&box, Qt::LeftButton, {}, {8, box.height() / 2});
+    }
+
     void type(const char* name, const QString& text) {
         auto& field = fixture_.find<LengthEdit>(name);
         field.setFocus();
@@ -116,21 +122,21 @@ private slots:
         const int before = document().history().index();
         openForm();
         QVERIFY(isShown("1 hole closed"));
-        QTest::mouseClick(&fixture_.find<QCheckBox>("scanHoles"), Qt::LeftButton);
+        toggle("scanHoles");
         QVERIFY(!fixture_.find<LengthEdit>("scanHolesLength").isEnabled());
         QVERIFY(isShown("3 openings"));
         QVERIFY(!effect().contains("closed"));
-        QTest::mouseClick(&fixture_.find<QCheckBox>("scanDebris"), Qt::LeftButton);
+        toggle("scanDebris");
         QTRY_VERIFY_WITH_TIMEOUT(document().isCurrent() && !effect().contains("fragments"),
                                  test::kPatience);
-        QTest::mouseClick(&fixture_.find<QCheckBox>("scanDebris"), Qt::LeftButton);
-        QTest::mouseClick(&fixture_.find<QCheckBox>("scanTriangles"), Qt::LeftButton);
+        toggle("scanDebris");
+        toggle("scanTriangles");
         type("scanTrianglesLength", "2 cm");
         QVERIFY(form()->isVisible());  // Enter takes the value, no more
         QVERIFY(isShown("made anew"));
         QCOMPARE(said().scan, (ScanSteps{true, 0, 1, 20}));
         QCOMPARE(document().history().index(), before + 1);
-        QTest::mouseClick(&fixture_.find<QCheckBox>("scanSmoothing"), Qt::LeftButton);
+        toggle("scanSmoothing");
         click("scanDone");  // at once
         QVERIFY(isGone());
         QCOMPARE(said().scan, (ScanSteps{true, 0, 0, 20}));

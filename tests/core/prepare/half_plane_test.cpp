@@ -103,6 +103,13 @@ TEST(HalfPlane, LevelRimsAndOpeningsAreNone) {
     }
 }
 
+TEST(HalfPlane, PanelsThatAreNotSewnYetAreNone) {
+    const MeshArrays panel = test::planeGrid(8, 12, 20);
+    const MeshArrays pair = test::beside(panel, panel, {0, 0, 100});
+    EXPECT_FALSE(findHalfPlane({pair, {}}, UpAxis::Y, false));
+    EXPECT_FALSE(findHalfPlane({pair, {}}, UpAxis::Z, false));  // lying on each other
+}
+
 TEST(HalfPlane, OfOneFlatPanelIsFoundWhereItIsStated) {
     MeshArrays panel = test::planeGrid(8, 12, 20);
     EXPECT_FALSE(findHalfPlane({panel, {}}, UpAxis::Y, false));
