@@ -39,7 +39,25 @@ std::string brokenByTriangles(const PolygonSoup& soup) {
     return "";
 }
 
-std::string brokenByPiece(const Piece& piece, const PolygonSoup& soup) {
+std::string brokenByDivision(const SourceFile& file, const DivideOptions& options) {
+    DividedFile divided = divide(file, 0, "", options);
+    for (const bool areShut : {false, true}) {
+        if (areShut) {
+            closeSlits(divided.pieces);
+        }
+        for (const auto& piece : divided.pieces) {
+            std::string broken = whatBreaksIn(*piece, *file.soup);
+            if (!broken.empty()) {
+                return broken;
+            }
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string whatBreaksIn(const Piece& piece, const PolygonSoup& soup) {
     if (static_cast<Eigen::Index>(piece.sourceVertex.size()) != piece.mesh.V.rows() ||
         static_cast<Eigen::Index>(piece.sourceFace.size()) != piece.mesh.F.rows()) {
         return "a piece does not say where each vertex and face comes from";
@@ -54,24 +72,6 @@ std::string brokenByPiece(const Piece& piece, const PolygonSoup& soup) {
     }
     return piece.defect && sentence(*piece.defect).empty() ? "a defect without words" : "";
 }
-
-std::string brokenByDivision(const SourceFile& file, const DivideOptions& options) {
-    DividedFile divided = divide(file, 0, "", options);
-    for (const bool areShut : {false, true}) {
-        if (areShut) {
-            closeSlits(divided.pieces);
-        }
-        for (const auto& piece : divided.pieces) {
-            std::string broken = brokenByPiece(*piece, *file.soup);
-            if (!broken.empty()) {
-                return broken;
-            }
-        }
-    }
-    return "";
-}
-
-}  // namespace
 
 std::string whatBreaks(ReadFunction reader, std::string bytes) {
     if (bytes.size() > kMaxBytes) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/garment/piece.h"
 #include "core/io/soup.h"
 
 namespace toile::fuzz {
@@ -21,5 +22,9 @@ inline constexpr int kMaxFaces = 5000;
 ///         every refusal that gives its reason
 /// Cost: linear in the bytes but for polygons of many corners. Re-entrant.
 std::string whatBreaks(ReadFunction reader, std::string bytes);
+
+/// Promises of a piece as divided: where everything comes from, indices in range, an outline or a
+/// defect in words. Empty where all are kept. Linear.
+std::string whatBreaksIn(const Piece& piece, const PolygonSoup& soup);
 
 }  // namespace toile::fuzz

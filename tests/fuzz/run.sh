@@ -19,12 +19,12 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl usdmesh project seams dxf svg garmentcode pdf plt glb usda garment}; do
+for format in ${FORMATS:-obj off ply stl usdmesh project seams dxf svg garmentcode pdf plt glb usda prepare garment}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"
     case $format in
-        garment) words=off ;; # the whole pipeline starts from an OFF file
+        garment | prepare) words=off ;; # they start from an OFF file
         project | seams) words=json ;;
         glb) words=garmentcode ;; # its JSON
         usdmesh) words=usda ;;

@@ -8,6 +8,7 @@
 #include "tests/fuzz/check_documents.h"
 #include "tests/fuzz/check_garment.h"
 #include "tests/fuzz/check_patterns.h"
+#include "tests/fuzz/check_prepare.h"
 #include "tests/fuzz/check_reader.h"
 
 namespace toile::fuzz {
@@ -18,7 +19,7 @@ std::string whatBreaksIn(std::string bytes) {
     return whatBreaks(reader, std::move(bytes));
 }
 
-constexpr std::array<Target, 15> kTargets = {{{"obj", whatBreaksIn<readObj>},
+constexpr std::array<Target, 16> kTargets = {{{"obj", whatBreaksIn<readObj>},
                                               {"off", whatBreaksIn<readOff>},
                                               {"ply", whatBreaksIn<readPly>},
                                               {"stl", whatBreaksIn<readStl>},
@@ -32,6 +33,7 @@ constexpr std::array<Target, 15> kTargets = {{{"obj", whatBreaksIn<readObj>},
                                               {"plt", whatBreaksInPlt},
                                               {"glb", whatBreaksInGlb},
                                               {"usda", whatBreaksInUsda},
+                                              {"prepare", whatBreaksInPreparing},
                                               {"garment", whatBreaksOnTheWay}}};
 
 }  // namespace
