@@ -14,6 +14,7 @@
 
 #include "app/document/document.h"
 #include "app/settings/length_display.h"
+#include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 
@@ -118,8 +119,11 @@ void CutsPanel::rebuild() {
             auto* row = new QTreeWidgetItem(table_);
             row->setText(CutName, QString::fromStdString(cut.name));
             const bool own = cut.author == CutAuthor::User;
+            const QString evidence = wordingText(cut.evidence);
             row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(row->text(CutName))
-                                         : row->text(CutName));
+                                     : evidence.isEmpty()
+                                         ? row->text(CutName)
+                                         : tr("%1: %2").arg(row->text(CutName), evidence));
             row->setData(CutName, kIsOwn, own);
             row->setData(CutName, kCutId, static_cast<qulonglong>(cut.id.value));
             row->setText(Author, own ? tr("you") : tr("Toile"));

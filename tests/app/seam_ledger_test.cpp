@@ -6,6 +6,8 @@
 #include <QSignalSpy>
 #include <QTreeView>
 #include <QTreeWidget>
+#include <cmath>
+#include <numbers>
 
 #include "app/actions/garment_actions.h"
 #include "app/panels/seams_model.h"
@@ -22,6 +24,32 @@
 
 using namespace toile;
 using namespace toile::app;
+
+namespace {
+
+/// A tube that is 700 mm wide at the hem and 300 at the waist, 600 high.
+MeshArrays skirt() {
+    constexpr int kAround = 48, kAlong = 20;
+    MeshArrays mesh{Points3(kAround * (kAlong + 1), 3), Triangles(2 * kAround * kAlong, 3)};
+    for (int j = 0; j <= kAlong; ++j) {
+        const double radius = 350 - 200.0 * j / kAlong;
+        for (int i = 0; i < kAround; ++i) {
+            const double angle = 2 * std::numbers::pi * i / kAround;
+            mesh.V.row(kAround * j + i) << radius * std::cos(angle), 30.0 * j,
+                -0.6 * radius * std::sin(angle);
+        }
+    }
+    for (int j = 0, f = 0; j < kAlong; ++j) {
+        for (int i = 0; i < kAround; ++i) {
+            const int a = kAround * j + i, b = kAround * j + (i + 1) % kAround;
+            mesh.F.row(f++) << a, b, b + kAround;
+            mesh.F.row(f++) << a, b + kAround, a + kAround;
+        }
+    }
+    return mesh;
+}
+
+}  // namespace
 
 /// The ledger in the window: a cap of two parts, freely flattened, so that its seam does not match.
 class SeamLedgerTest : public QObject {
@@ -57,6 +85,7 @@ private slots:
     void initTestCase() {
         SKIP_WITHOUT_GL();
         test::writeObj(fixture_.path("cap.obj").toStdString(), test::sewnCapParts());
+        test::writeObj(fixture_.path("skirt.obj").toStdString(), {{"skirt", skirt()}});
         test::writeObj(fixture_.path("tube.obj").toStdString(),
                        {{"tetrahedron", test::makeTetrahedron(300)}});
         test::writeObj(fixture_.path("alone.obj").toStdString(),
@@ -279,6 +308,25 @@ private slots:
         QCOMPARE(cuts.topLevelItemCount(), int(document().garment()->cuts.size()));
         QCOMPARE(cuts.topLevelItem(0)->text(1), QString("Toile"));
         QCOMPARE(cuts.topLevelItem(0)->text(2), QString("tetrahedron"));
+    }
+
+    void aSkirtIsCutAsTailorsDo() {
+        fixture_.action(ActionId::TailorCuts).trigger();
+        QVERIFY(fixture_.action(ActionId::TailorCuts).isChecked());
+        QVERIFY(fixture_.action(ActionId::AutoCut).isChecked());
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        QVERIFY(fixture_.openAndWait(fixture_.path("skirt.obj")));
+        QCOMPARE(document().pieceCount(), 2);  // front and back
+        auto& cuts = fixture_.find<QTreeWidget>("cutTable");
+        QCOMPARE(cuts.topLevelItemCount(), 2);
+        QVERIFY(cuts.topLevelItem(0)->text(0).endsWith("side"));
+        QVERIFY(cuts.topLevelItem(0)->toolTip(0).contains(": "));
+        fixture_.action(ActionId::TailorCuts).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 1);  // one cut is enough
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(document().pieceCount(), 2);
     }
 
     void seamsFileIsReadAndABadOneIsSaid() {
