@@ -28,10 +28,10 @@ struct SortedLoops {
 
 /// A loop is a hole in the cloth, which lies flat without any cut, where it is short, or where the
 /// piece is flat: then the longest loop turns by one full turn and the hole by minus one, while the
-/// ends of a tube turn by none (Gauss-Bonnet). Three quarters of a turn are enough. Both are asked
-/// for, since the rim of a hem folded inwards turns like a hole too.
+/// ends of a tube turn by none (Gauss-Bonnet): three quarters of a turn are enough of both, as a
+/// folded hem turns like a hole, too; and the ring must have room in the plane (`strainsAcross`).
 /// @param smallHole  fraction of the longest loop below which a loop is short; 0: no hole at all
-/// Precondition: manifold and oriented. Linear.
+/// Precondition: manifold and oriented. Linear but for long holes: n log n with these.
 SortedLoops sortLoops(const SurfaceLinks& links, double smallHole = kSmallHole);
 
 }  // namespace toile
