@@ -65,6 +65,10 @@ void PiecesModel::onChanged(DocumentChanges what) {
         endResetModel();
         return;
     }
+    if (what.testFlag(DocumentChange::Seams)) {
+        followLayers();  // the same pieces, of files that were read as something else
+        showColumns(0, ColumnCount - 1);
+    }
     if (what & (DocumentChange::Results | DocumentChange::Settings)) {
         showColumns(0, ColumnCount - 1);
         return;

@@ -117,7 +117,8 @@ void PiecesPanel::makeTable() {
 }
 
 void PiecesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Reference) ||
+    if (what & (DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Results |
+                DocumentChange::Reference) ||
         (what.testFlag(DocumentChange::Settings) &&
          table_->isColumnHidden(PiecesModel::MaterialName) == model_->hasMaterials())) {
         fitColumns();

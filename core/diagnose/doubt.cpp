@@ -84,7 +84,8 @@ std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>&
     }
     double cuts = 0;
     for (const AppliedCut& cut : record.cuts) {
-        cuts += cut.author == CutAuthor::Automatic ? cut.length : 0;
+        // A tailor's have a reason.
+        cuts += cut.author == CutAuthor::Automatic && cut.evidence.empty() ? cut.length : 0;
     }
     const std::vector<double> loops = loopLengths(*record.whole);
     const double outline = std::accumulate(loops.begin(), loops.end(), 0.0);

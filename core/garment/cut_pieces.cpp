@@ -99,8 +99,8 @@ bool cutsCanRepair(ErrorCode defect) {
 class Cutter {
 public:
     Cutter(const std::vector<PiecePointer>& uncut, bool automatic,
-           const std::vector<CutRecord>& before)
-        : automatic_(automatic) {
+           const std::vector<CutRecord>& before, const ProposeCuts& propose)
+        : automatic_(automatic), propose_(propose), namesPiece_(uncut.size() > 1) {
         for (const PiecePointer& whole : uncut) {
             names_.take(whole->name);
         }
@@ -109,25 +109,22 @@ public:
         }
     }
 
-    void cut(const PiecePointer& whole, std::vector<UserCut> asked,
-             std::vector<ProposedCut> proposed, const Progress& progress) {
-        if (!asked.empty() || !isToOpen(*whole)) {
-            proposed.clear();
-        }
+    void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
+        const bool isProposed = propose_ && asked.empty() && isToOpen(*whole);
         if (asked.empty() && !isToOpen(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
         const auto known = before_.find(whole.get());
         if (known != before_.end() && known->second->asked == asked &&
-            known->second->proposed == proposed && known->second->automatic == automatic_ &&
-            areFree(*known->second)) {
+            known->second->isProposed == isProposed && known->second->namesPiece == namesPiece_ &&
+            known->second->automatic == automatic_ && areFree(*known->second)) {
             done_ = *known->second;
             for (const PiecePointer& part : done_.pieces) {
                 names_.take(part->name);
             }
         } else {
-            done_ = {whole, std::move(asked), automatic_, std::move(proposed)};
+            done_ = {whole, std::move(asked), automatic_, isProposed, namesPiece_};
             cutAnew(whole, progress);
         }
         const auto append = [](auto& list, const auto& more) {
@@ -156,7 +153,9 @@ private:
     }
 
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
-        std::vector<Piece> parts = byHand(*whole, Progress(progress, kByHandShare));
+        const Progress first(progress, kByHandShare);
+        std::vector<Piece> parts =
+            done_.isProposed ? byProposal(whole, first) : byHand(*whole, done_.asked, first);
         if (parts.empty()) {  // no cut of the user's, or none that could be made
             if (!isToOpen(*whole)) {
                 done_.pieces.push_back(whole);
@@ -178,31 +177,54 @@ private:
         }
     }
 
-    /// The parts after the user's cuts, or those proposed; none where no cut was made.
-    std::vector<Piece> byHand(const Piece& piece, const Progress& progress) {
-        std::vector<ProposedCut> cuts = done_.proposed;
-        for (const UserCut& asked : done_.asked) {
-            cuts.push_back({asked});
+    /// The parts after the cuts that are proposed, if cuts can open what these leave closed.
+    std::vector<Piece> byProposal(const PiecePointer& piece, const Progress& progress) {
+        std::vector<ProposedCut> proposed = propose_(piece, progress);
+        std::vector<UserCut> cuts;
+        for (ProposedCut& one : proposed) {
+            cuts.push_back(std::move(one.cut));
+            if (namesPiece_) {
+                cuts.back().name = piece->name + ", " + cuts.back().name;
+            }
+            cuts.back().id = CutId{hashOf({piece->id.value, 'p', cuts.size()})};
         }
+        std::vector<Piece> parts = byHand(*piece, cuts, progress);
+        done_.problems.clear();  // what could not be made of them nobody has asked for
+        const bool isHopeless = std::ranges::any_of(parts, [](const Piece& part) {
+            return part.defect && !cutsCanRepair(part.defect->code);
+        });
+        if (parts.empty() || isHopeless) {
+            done_.cuts.clear();
+            done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
+            return {};
+        }
+        for (AppliedCut& cut : done_.cuts) {
+            const auto at = std::ranges::find(cuts, cut.id, &UserCut::id) - cuts.begin();
+            cut.author = CutAuthor::Automatic;
+            cut.evidence = proposed[static_cast<std::size_t>(at)].evidence;
+        }
+        return parts;
+    }
+
+    /// The parts after some cuts; none where no cut was made.
+    std::vector<Piece> byHand(const Piece& piece, const std::vector<UserCut>& cuts,
+                              const Progress& progress) {
         if (cuts.empty()) {
             return {};
         }
-        const bool isProposal = done_.asked.empty();
-        const auto author = isProposal ? CutAuthor::Automatic : CutAuthor::User;
         const SurfaceLinks links(piece.mesh, piece.table);
         const NearestSurface nearest(piece.mesh);
         std::vector<PathPolyline> paths;
-        std::vector<const ProposedCut*> traced;
+        std::vector<const UserCut*> traced;
         std::vector<CutId> ids;
         for (std::size_t c = 0; c < cuts.size() && !progress.isCancelled(); ++c) {
-            auto path = traceUserCut(links, nearest, cuts[c].cut, progress);
+            auto path = traceUserCut(links, nearest, cuts[c], progress);
             if (path) {
                 paths.push_back(std::move(*path));
                 traced.push_back(&cuts[c]);
-                ids.push_back(isProposal ? CutId{hashOf({piece.id.value, 'p', c})}
-                                         : cuts[c].cut.id);
-            } else if (!isProposal) {
-                failIn(piece, cuts[c].cut, path.error());
+                ids.push_back(cuts[c].id);
+            } else {
+                failIn(piece, cuts[c], path.error());
             }
             progress.report(kTracingShare * static_cast<double>(c + 1) /
                             static_cast<double>(cuts.size()));
@@ -214,19 +236,22 @@ private:
         auto parts = cutPiece(piece, paths, ids, {.leavesOut = true}, progress, opened);
         bool areAllOut = true;
         for (std::size_t c = 0; c < traced.size(); ++c) {
-            const UserCut& cut = traced[c]->cut;
+            const UserCut& cut = *traced[c];
             if (!parts || opened[c].error) {
-                if (!isProposal) {
-                    failIn(piece, cut, parts ? *opened[c].error : parts.error());
-                }
+                failIn(piece, cut, parts ? *opened[c].error : parts.error());
                 continue;
             }
             areAllOut = false;
             if (opened[c].length > 0) {
-                done_.cuts.push_back({cut.name, author, cut.kind, piece.name, opened[c].length,
-                                      ids[c], traced[c]->evidence,
+                done_.cuts.push_back({cut.name,
+                                      CutAuthor::User,
+                                      cut.kind,
+                                      piece.name,
+                                      opened[c].length,
+                                      ids[c],
+                                      {},
                                       positionsOf(piece.mesh, paths[c])});
-            } else if (!isProposal) {
+            } else {
                 done_.problems.push_back(cutError(
                     subjectOf(cut),
                     toile::worded("in %1 it runs along the outline or along another cut, and "
@@ -279,6 +304,8 @@ private:
     }
 
     const bool automatic_;
+    const ProposeCuts& propose_;
+    const bool namesPiece_;
     std::unordered_map<const Piece*, const CutRecord*> before_;
     UniqueNames names_;
     CutRecord done_;  ///< with the piece at hand
@@ -293,14 +320,13 @@ CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut>
     proposed.resize(uncut.size());
     giveIds(cuts);
     CutOwners owners = findCutOwners(uncut, cuts, progress);
-    Cutter cutter(uncut, automatic, before);
+    Cutter cutter(uncut, automatic, before, propose);
     for (Error& problem : owners.problems) {
         cutter.fail(std::move(problem));
     }
     const auto count = static_cast<double>(uncut.size());
     for (std::size_t p = 0; p < uncut.size() && !progress.isCancelled(); ++p) {
-        cutter.cut(uncut[p], std::move(owners.cutsOf[p]), std::move(proposed[p]),
-                   Progress(progress, 1 / count));
+        cutter.cut(uncut[p], std::move(owners.cutsOf[p]), Progress(progress, 1 / count));
         progress.report(static_cast<double>(p + 1) / count);
     }
     return cutter.take();

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "core/garment/file_space.h"
-#include "core/garment/opening_cuts.h"
 #include "core/garment/piece.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
@@ -23,6 +22,7 @@ constexpr double kCuttingShare = 0.6;
 /// From here on a line of the mesh is named as the reason for a cut.
 constexpr double kSeamLikely = 0.6;
 
+/// What tailors would cut.
 std::vector<ProposedCut> proposedFor(const std::shared_ptr<const Piece>& piece,
                                      const Progress& progress) {
     std::vector<ProposedCut> cuts;
@@ -34,37 +34,6 @@ std::vector<ProposedCut> proposedFor(const std::shared_ptr<const Piece>& piece,
         cuts.push_back({std::move(cut.cut), std::move(evidence)});
     }
     return cuts;
-}
-
-/// What tailors would cut, of each piece that cannot lie flat; what was proposed before for the
-/// same piece is not worked out again.
-std::vector<std::vector<ProposedCut>> proposalsFor(
-    const std::vector<std::shared_ptr<const Piece>>& pieces, const LoadOptions& options,
-    const std::vector<CutRecord>& before, Problems& problems, const Progress& progress) {
-    std::vector<std::vector<ProposedCut>> proposals(pieces.size());
-    if (!options.autoCut || options.cutStyle == CutStyle::Topology) {
-        return proposals;
-    }
-    int worn = 0;
-    for (std::size_t p = 0; p < pieces.size() && !progress.isCancelled(); ++p) {
-        if (!isOpenable(*pieces[p])) {
-            continue;
-        }
-        const auto known = std::ranges::find(before, pieces[p], &CutRecord::whole);
-        proposals[p] = known != before.end() && !known->proposed.empty()
-                           ? known->proposed
-                           : proposedFor(pieces[p], progress);
-        worn += proposals[p].empty() ? 0 : 1;
-        if (proposals[p].empty()) {
-            problems.push_back({ErrorCode::NoBodySeen, subjectOf(*pieces[p])});
-        }
-    }
-    for (std::size_t p = 0; p < pieces.size() && worn > 1; ++p) {
-        for (ProposedCut& cut : proposals[p]) {
-            cut.cut.name = pieces[p]->name + ", " + cut.cut.name;
-        }
-    }
-    return proposals;
 }
 
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.
@@ -121,17 +90,16 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                                      Progress(progress, kJoiningShare));
     reusePieces(joined.pieces, garment);
     progress.report(kJoiningShare);
-    auto proposed =
-        proposalsFor(joined.pieces, options, garment.cutRecords, made.problems, progress);
-    CutPieces cut =
-        cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
-                  Progress(progress, kCuttingShare), garment.cutRecords, std::move(proposed));
+    const ProposeCuts propose =
+        options.cutStyle == CutStyle::Topology ? ProposeCuts() : ProposeCuts(proposedFor);
+    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
+                              Progress(progress, kCuttingShare), garment.cutRecords, propose);
     progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
     made.cuts = std::move(cut.cuts);
     made.cutRecords = std::move(cut.records);
     made.joins = std::move(joined.joins);
-    made.problems.insert(made.problems.end(), joined.problems.begin(), joined.problems.end());
+    made.problems = std::move(joined.problems);
     made.problems.insert(made.problems.end(), cut.problems.begin(), cut.problems.end());
     noteHoles(made);
     made.seams = findSeams(made.pieces, {}, Progress(progress, 1 - kJoiningShare - kCuttingShare));

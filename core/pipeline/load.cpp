@@ -90,20 +90,21 @@ std::optional<double> weldDistance(const LoadOptions& options) {
                                                   : std::nullopt;
 }
 
-bool isPreparationStated(const LoadOptions& options) {
-    return options.preparing.as || options.preparing.isHalf;
-}
-
-/// The first note that something of the file was left out or read otherwise than written.
-const Error* firstChange(const Problems& problems, const LoadOptions& options) {
-    const auto found = std::find_if(problems.begin(), problems.end(), [&](const Error& problem) {
-        return problem.code != ErrorCode::UnitGuessed &&
-               problem.code != ErrorCode::UnusedVertices &&
-               problem.code != ErrorCode::LooksLikeScan &&
-               !(problem.code == ErrorCode::ReadAs && isPreparationStated(options)) &&
-               !(problem.code == ErrorCode::VerticesWelded && weldDistance(options));
-    });
-    return found == problems.end() ? nullptr : &*found;
+/// The first note that something of the file was left out or read otherwise than written, and
+/// nobody has said that it should be.
+const Error* firstChange(const SourceFile& file, const LoadOptions& options) {
+    const Preparation& said = options.preparing;
+    const bool isReadingStated =
+        said.as || said.onlyLayer > 0 || (said.isHalf && file.reading.leftOut.F.rows() == 0);
+    const auto found =
+        std::find_if(file.problems.begin(), file.problems.end(), [&](const Error& problem) {
+            return problem.code != ErrorCode::UnitGuessed &&
+                   problem.code != ErrorCode::UnusedVertices &&
+                   problem.code != ErrorCode::LooksLikeScan &&
+                   !(problem.code == ErrorCode::ReadAs && isReadingStated) &&
+                   !(problem.code == ErrorCode::VerticesWelded && weldDistance(options));
+        });
+    return found == file.problems.end() ? nullptr : &*found;
 }
 
 /// Everything about one file up to its pieces.
@@ -162,7 +163,7 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     file->split = std::move(divided.split);
     take(divided.problems);
     if (options.strict) {
-        if (const Error* change = firstChange(file->problems, options)) {
+        if (const Error* change = firstChange(*file, options)) {
             return *change;
         }
     }

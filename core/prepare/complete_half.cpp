@@ -2,6 +2,7 @@
 #include "core/prepare/complete_half.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <ranges>
 #include <string>
@@ -51,7 +52,14 @@ std::string mirroredName(const std::string& name) {
         {"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}};
     for (const auto& [left, right] : kSides) {
         for (const auto& [one, other] : {std::pair(left, right), std::pair(right, left)}) {
-            if (const std::size_t at = name.find(one); at != std::string::npos) {
+            const std::size_t at = name.find(one);
+            const auto isLetter = [&name](std::size_t k) {
+                return k < name.size() && std::islower(static_cast<unsigned char>(name[k])) != 0;
+            };
+            // A word of its own, as in "sleeveLeft": no "bright", no "Leftover".
+            const bool isWithin = at != std::string::npos &&
+                                  ((isLetter(at) && isLetter(at - 1)) || isLetter(at + one.size()));
+            if (at != std::string::npos && !isWithin) {
                 return std::string(name).replace(at, one.size(), other);
             }
         }

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/cut/surface_paths.h"
-#include "core/geometry/shortest_paths.h"
 
 namespace toile {
 namespace {
@@ -31,7 +30,7 @@ double medianOf(std::vector<double> values) {
 }
 
 /// Normals of the vertices, smoothed; not of unit length where the cloth turns sharply.
-Points3 smoothNormals(const SurfaceLinks& links, double usualEdge) {
+Points3 smoothNormals(const SurfaceLinks& links, double usualEdge, const Progress& progress) {
     const MeshArrays& mesh = links.mesh();
     const Edges& edges = links.table().edges;
     Points3 normals = Points3::Zero(mesh.V.rows(), 3);
@@ -46,9 +45,9 @@ Points3 smoothNormals(const SurfaceLinks& links, double usualEdge) {
         degree[edges(e, 0)] += 1;
         degree[edges(e, 1)] += 1;
     }
-    const double wide = kSmoothing / usualEdge;
+    const double wide = kSmoothing / std::max(usualEdge, kSmoothing / kMostRounds);
     const int rounds = std::clamp(static_cast<int>(wide * wide), 1, kMostRounds);
-    for (int round = 0; round < rounds; ++round) {
+    for (int round = 0; round < rounds && !progress.isCancelled(); ++round) {
         normals.rowwise().normalize();
         Points3 sum = normals;
         for (Eigen::Index e = 0; e < edges.rows(); ++e) {
@@ -63,9 +62,13 @@ Points3 smoothNormals(const SurfaceLinks& links, double usualEdge) {
 
 }  // namespace
 
-BodyWays::BodyWays(const SurfaceLinks& links, const GarmentBody& body)
-    : links_(links), body_(body), lengths_(edgeLengths(links.mesh(), links.table().edges)) {
-    const Eigen::VectorXd facing = smoothNormals(links, medianOf(lengths_)) * body.forward;
+BodyWays::BodyWays(const SurfaceLinks& links, const GarmentBody& body, const Progress& progress)
+    : links_(links),
+      body_(body),
+      progress_(progress),
+      lengths_(edgeLengths(links.mesh(), links.table().edges)) {
+    const Eigen::VectorXd facing =
+        smoothNormals(links, medianOf(lengths_), progress) * body.forward;
     facing_.assign(facing.data(), facing.data() + facing.size());
     silhouette_ = costs([this](int v) { return kSilhouette + std::abs(facing_[v]); });
 }
@@ -129,10 +132,16 @@ std::vector<int> BodyWays::cheapest(const std::vector<double>& costs, const std:
         return {};
     }
     const Edges& edges = links_.table().edges;
-    const auto forest = geometry::shortestForest(edges, links_.vertexCount(), costs, {from});
+    const auto forest =
+        geometry::shortestForest(edges, links_.vertexCount(), costs, {from}, -1, progress_);
     const int end =
         *std::ranges::min_element(to, {}, [&forest](int v) { return forest.distance[v]; });
     return std::isfinite(forest.distance[end]) ? forest.pathTo(end, edges) : std::vector<int>{};
+}
+
+geometry::ShortestForest BodyWays::waysFrom(int vertex, const std::vector<double>& costs) const {
+    return geometry::shortestForest(links_.table().edges, links_.vertexCount(), costs, {{vertex}},
+                                    -1, progress_);
 }
 
 }  // namespace toile

@@ -4,17 +4,21 @@
 #include <functional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/cut/surface_links.h"
+#include "core/geometry/shortest_paths.h"
 #include "core/tailor/garment_body.h"
 
 namespace toile {
 
 /// Cheapest ways along the edges of a garment, by costs that tailors' lines follow. Keeps
-/// references: links and body must outlive it.
+/// references: links, body and progress must outlive it. Cancelled, ways are empty or short.
 class BodyWays {
 public:
     /// Cost: linear in the triangles, and some rounds of smoothing their normals.
-    BodyWays(const SurfaceLinks& links, const GarmentBody& body);
+    BodyWays(const SurfaceLinks& links, const GarmentBody& body, const Progress& progress);
+
+    bool isCancelled() const { return progress_.isCancelled(); }
 
     const SurfaceLinks& links() const { return links_; }
     const GarmentBody& body() const { return body_; }
@@ -40,12 +44,16 @@ public:
 
     /// The cheapest way from any of some vertices to any of others; empty where there is none.
     /// Cost: O(#E log #E).
+    /// @param costs  of edges, not negative
     std::vector<int> cheapest(const std::vector<double>& costs, const std::vector<int>& from,
                               const std::vector<int>& to) const;
+    /// The cheapest ways from one vertex to everywhere.
+    geometry::ShortestForest waysFrom(int vertex, const std::vector<double>& costs) const;
 
 private:
     const SurfaceLinks& links_;
     const GarmentBody& body_;
+    const Progress& progress_;
     std::vector<double> lengths_, facing_, silhouette_;
 };
 

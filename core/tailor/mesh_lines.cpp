@@ -25,6 +25,8 @@ constexpr double kUsualQuantile = 0.9;
 /// What even a flat line is worth, next to bends of as many medians.
 constexpr double kFlatWorth = 0.3;
 constexpr double kMostBends = 3;
+/// Below, radians, the mesh's own bends are rounding.
+constexpr double kLeastFold = 0.01, kLeastDefect = 1e-3;
 /// From how many medians on a bend is one.
 constexpr double kUnusual = 3;
 /// Median of |x| to the standard deviation of x, of a normal distribution.
@@ -120,18 +122,16 @@ std::vector<double> bendsOf(const SurfaceLinks& links) {
             some.push_back(defect[v]);
         }
     }
-    const double deviation = kToDeviation * quantile(some, 0.5);
+    const double deviation = std::max(kToDeviation * quantile(some, 0.5), kLeastDefect);
     some.clear();
     std::vector<double> fold(static_cast<std::size_t>(links.edgeCount()), 0);
     for (int e = 0; e < links.edgeCount(); ++e) {
         fold[e] = links.foldAngle(e);
         some.push_back(fold[e]);
     }
-    const double usualFold = quantile(some, 0.5);
+    const double usualFold = std::max(quantile(some, 0.5), kLeastFold);
     const auto bend = [](double value, double usual) {
-        return usual > 0   ? std::min(value / (kUnusual * usual), kMostBends)
-               : value > 0 ? kMostBends
-                           : 0.0;
+        return std::min(value / (kUnusual * usual), kMostBends);
     };
     for (int e = 0; e < links.edgeCount(); ++e) {
         const auto ends = links.table().edges.row(e);
@@ -192,7 +192,7 @@ void measureLine(Line& line, const Continuations& continuations, const std::vect
         line.bend += bends[edge] / count;
     }
     const double mean = sum / count;
-    line.spread = std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean;
+    line.spread = mean > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) / mean : 0;
 }
 
 double likelinessOf(const Line& line, double usual) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace toile::tailor {
@@ -49,8 +50,7 @@ std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
     return best;
 }
 
-std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
-                           const std::array<std::vector<int>, 2>& sides) {
+std::vector<int> waistLine(const BodyWays& ways, const std::array<std::vector<int>, 2>& sides) {
     double least = -std::numeric_limits<double>::infinity(), most = -least;
     for (const std::vector<int>& side : sides) {
         least = std::max(least, ways.height(side.back()));
@@ -81,7 +81,6 @@ std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
         }
         around.insert(around.end(), half.begin() + (isFront ? 0 : 1), half.end());
     }
-    (void)pull;
     return around;
 }
 

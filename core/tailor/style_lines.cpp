@@ -2,7 +2,10 @@
 #include "core/tailor/style_lines.h"
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
 
 #include "core/geometry/shortest_paths.h"
 
@@ -17,6 +20,38 @@ constexpr double kLikelyLead = 0.7, kShortLead = 40;
 /// Of its mirror image, what must lie on other likely lines.
 constexpr double kMirroredPart = 0.7;
 
+/// Points in space, and whether some are near a place.
+class PointCloud {
+public:
+    void add(const Eigen::Vector3d& point) { cells_[cellOf(point)].push_back(point); }
+
+    bool hasNear(const Eigen::Vector3d& place) const {
+        const Cell middle = cellOf(place);
+        for (int k = 0; k < 27; ++k) {
+            const auto cell = cells_.find(
+                {middle[0] + k % 3 - 1, middle[1] + k / 3 % 3 - 1, middle[2] + k / 9 - 1});
+            if (cell != cells_.end() && std::ranges::any_of(cell->second, [&](const auto& point) {
+                    return (point - place).squaredNorm() < kByKnown * kByKnown;
+                })) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    using Cell = std::array<long long, 3>;
+
+    static Cell cellOf(const Eigen::Vector3d& point) {
+        const auto at = [&point](int axis) {
+            return std::llround(std::floor(point[axis] / kByKnown));
+        };
+        return {at(0), at(1), at(2)};
+    }
+
+    std::map<Cell, std::vector<Eigen::Vector3d>> cells_;
+};
+
 class StyleLines {
 public:
     StyleLines(const BodyWays& ways, const MeshLines& lines, const SeamPull& pull)
@@ -25,20 +60,27 @@ public:
           pull_(pull),
           easedLengths_(pull.eased(ways.lengths())),
           isInNetwork_(static_cast<std::size_t>(ways.links().vertexCount()), 0) {
+        std::vector<int> rim;
         for (int v = 0; v < ways.links().vertexCount(); ++v) {
-            isInNetwork_[v] = ways.links().isInner(v) ? 0 : 1;
+            if (!ways.links().isInner(v)) {
+                rim.push_back(v);
+                likely_.add(ways.at(v));
+            }
         }
-        likely_ = network();
+        addKnown(rim);
         for (std::size_t line = 0; line < lines.ways.size(); ++line) {
-            if (isLikely(line)) {
-                likely_.insert(likely_.end(), lines.ways[line].begin(), lines.ways[line].end());
+            for (std::size_t k = 0; isLikely(line) && k < lines.ways[line].size(); ++k) {
+                likely_.add(ways.at(lines.ways[line][k]));
             }
         }
     }
 
     void addKnown(const std::vector<int>& way) {
         for (const int v : way) {
-            isInNetwork_[v] = 1;
+            if (std::exchange(isInNetwork_[v], 1) == 0) {
+                network_.push_back(v);
+                networkPoints_.add(ways_.at(v));
+            }
         }
     }
 
@@ -54,8 +96,11 @@ public:
         });
         std::vector<std::vector<int>> found;
         for (const std::size_t line : order) {
+            if (ways_.isCancelled()) {
+                return {};
+            }
             const std::vector<int>& way = lines_.ways[line];
-            if (nearPart(way, network(), false) >= kKnownPart ||
+            if (nearPart(way, networkPoints_, false) >= kKnownPart ||
                 nearPart(way, likely_, true) < kMirroredPart) {
                 continue;
             }
@@ -73,26 +118,13 @@ private:
         return lines_.likeliness[line] > kLikely && ways_.length(lines_.ways[line]) > kShortest;
     }
 
-    std::vector<int> network() const {
-        std::vector<int> vertices;
-        for (int v = 0; v < static_cast<int>(isInNetwork_.size()); ++v) {
-            if (isInNetwork_[v] != 0) {
-                vertices.push_back(v);
-            }
-        }
-        return vertices;
-    }
-
     /// Which part of a way, or of its mirror image, is near to some vertices.
-    double nearPart(const std::vector<int>& way, const std::vector<int>& others,
-                    bool isMirrored) const {
+    double nearPart(const std::vector<int>& way, const PointCloud& others, bool isMirrored) const {
         int near = 0;
         for (const int v : way) {
             const Eigen::Vector3d here =
                 isMirrored ? ways_.body().plane.reflected(ways_.at(v)) : ways_.at(v);
-            near += std::ranges::any_of(others, [&](int other) {
-                return (ways_.at(other) - here).squaredNorm() < kByKnown * kByKnown;
-            });
+            near += others.hasNear(here) ? 1 : 0;
         }
         return static_cast<double>(near) / static_cast<double>(way.size());
     }
@@ -103,13 +135,12 @@ private:
         if (way.front() == way.back()) {
             return whole;
         }
-        const std::vector<int> targets = network();
         for (int end = 0; end < 2; ++end) {
             std::ranges::reverse(whole);
             if (isInNetwork_[whole.back()] != 0) {
                 continue;
             }
-            const std::vector<int> lead = ways_.cheapest(easedLengths_, {whole.back()}, targets);
+            const std::vector<int> lead = ways_.cheapest(easedLengths_, {whole.back()}, network_);
             if (lead.empty() ||
                 (pull_.along(lead) <= kLikelyLead && ways_.length(lead) >= kShortLead)) {
                 return {};
@@ -124,7 +155,8 @@ private:
     const SeamPull& pull_;
     const std::vector<double> easedLengths_;
     std::vector<char> isInNetwork_;
-    std::vector<int> likely_;
+    std::vector<int> network_;
+    PointCloud networkPoints_, likely_;
 };
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include "core/tailor/tailor_cuts.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <set>
 
 #include <Eigen/Geometry>
@@ -80,7 +82,7 @@ public:
         }
         for (int round = 0; round < kRounds; ++round) {
             std::vector<Eigen::Vector3d> next = points;
-            for (std::size_t k = 1; k + 1 < n; ++k) {
+            for (std::size_t k = 1; k + 1 < n && !ways_.isCancelled(); ++k) {
                 if (isFree[k] != 0) {
                     const Eigen::Vector3d middle = (points[k - 1] + points[k + 1]) / 2;
                     next[k] = onSurface((points[k] + middle) / 2);
@@ -105,19 +107,73 @@ private:
     std::set<int> held_;  ///< where seams end
 };
 
-void reflect(std::vector<TailorCut>& cuts, const MirrorPlane& plane) {
-    for (TailorCut& cut : cuts) {
-        const auto other = std::ranges::find_if(cuts, [&cut](const TailorCut& one) {
-            return one.line == cut.line && one.side == -cut.side && one.side < 0;
-        });
-        if (other != cuts.end()) {
-            cut.cut.points.clear();
-            for (const Eigen::Vector3d& point : other->cut.points) {
-                cut.cut.points.push_back(plane.reflected(point));
+/// Makes both sides alike: those of one are those of the other, reflected, and the centre lies in
+/// the plane. What met a line that has moved goes along to it.
+class Reflection {
+public:
+    Reflection(std::vector<TailorCut>& cuts, const MirrorPlane& plane)
+        : cuts_(cuts), plane_(plane) {}
+
+    void run() {
+        for (TailorCut& cut : cuts_) {
+            if (cut.line == TailorLine::Centre) {
+                for (Eigen::Vector3d& point : cut.cut.points) {
+                    move(point, (point + plane_.reflected(point)) / 2);
+                }
             }
         }
+        follow();
+        for (TailorCut& cut : cuts_) {
+            const auto other = std::ranges::find_if(cuts_, [&cut](const TailorCut& one) {
+                return one.line == cut.line && one.side == -cut.side && one.side < 0;
+            });
+            if (other != cuts_.end()) {
+                const std::vector<Eigen::Vector3d> before = cut.cut.points;
+                cut.cut.points.clear();
+                for (const Eigen::Vector3d& point : other->cut.points) {
+                    cut.cut.points.push_back(plane_.reflected(point));
+                }
+                for (const Eigen::Vector3d& point : before) {
+                    moved_.emplace(key(point), nearestOf(cut.cut.points, point));
+                }
+            }
+        }
+        follow();
     }
-}
+
+private:
+    using Key = std::array<double, 3>;
+
+    static Key key(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
+
+    static Eigen::Vector3d nearestOf(const std::vector<Eigen::Vector3d>& points,
+                                     const Eigen::Vector3d& place) {
+        return *std::ranges::min_element(points, {}, [&place](const Eigen::Vector3d& point) {
+            return (point - place).squaredNorm();
+        });
+    }
+
+    void move(Eigen::Vector3d& point, const Eigen::Vector3d& to) {
+        moved_.emplace(key(point), to);
+        point = to;
+    }
+
+    /// Takes along what lay on a point that has moved.
+    void follow() {
+        for (TailorCut& cut : cuts_) {
+            for (Eigen::Vector3d& point : cut.cut.points) {
+                if (const auto moved = moved_.find(key(point)); moved != moved_.end()) {
+                    point = moved->second;
+                }
+            }
+        }
+        moved_.clear();
+    }
+
+    std::vector<TailorCut>& cuts_;
+    const MirrorPlane& plane_;
+    std::map<Key, Eigen::Vector3d> moved_;
+};
 
 }  // namespace
 
@@ -128,7 +184,7 @@ std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
         return {};
     }
     const SurfaceLinks links(piece->mesh, piece->table);
-    const BodyWays ways(links, *body);
+    const BodyWays ways(links, *body, progress);
     const MeshLines lines = findMeshLines(links);
     const std::vector<TailorSeam> seams = tailorSeams(ways, lines, progress);
     const Ironing ironing(ways, lines, seams);
@@ -145,7 +201,7 @@ std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
             seam.way.front() == seam.way.back() ? UserCut::Kind::Loop : UserCut::Kind::Path;
     }
     if (body->plane.deviation < kSymmetric) {
-        reflect(cuts, body->plane);
+        Reflection(cuts, body->plane).run();
     }
     return cuts;
 }

@@ -44,7 +44,7 @@ public:
             add(TailorLine::Centre, 0,
                 tailor::centreLine(ways_, pull_, body.find(OpeningKind::Neck)->loop.vertices,
                                    body.find(OpeningKind::Hem)->loop.vertices));
-            add(TailorLine::Waist, 0, tailor::waistLine(ways_, pull_, sides));
+            add(TailorLine::Waist, 0, tailor::waistLine(ways_, sides));
         }
     }
 

@@ -22,14 +22,12 @@ constexpr double kLean = 8 * std::numbers::pi / 180;
 constexpr double kHollow = 0.16;
 /// A line this far off its target, mm, costs double; at most as much as at so many times that.
 constexpr double kOff = 20, kMostOff = 5, kLengthCost = 0.2;
-/// How much less that counts where lines of the mesh may lead.
-constexpr double kKeenWithLines = 0.1;
 /// Which half of the garment a line may run through, by `facing`, and how near the middle.
 constexpr double kHalfFacing = -0.35, kNearMiddle = 20;
 constexpr double kForbidden = 1e4;
 /// How far armpit and shoulder point may go, mm, to meet a line of the mesh, and what that costs.
 constexpr double kArmpitReach = 50, kShoulderReach = 110, kShift = 0.15;
-constexpr int kArmpitTries = 5;
+constexpr int kArmpitTries = 5, kShoulderTries = 11;
 /// From here on a line of the mesh is taken for the armhole seam.
 constexpr double kArmholeSure = 0.45;
 
@@ -87,6 +85,9 @@ public:
         }
         top_.under = pull_.pulled(top_.under, trunk, low, hemHalf);
         top_.ridge = pull_.pulled(top_.ridge, ways_.silhouette(), neckHalf, high);
+        if (top_.under.size() < 3 || top_.ridge.size() < 2) {
+            return std::nullopt;
+        }
         top_.shoulder = top_.ridge.size() - 1;
         if (top_.hasSleeve) {
             findArmpit();
@@ -150,90 +151,85 @@ private:
         }
     }
 
-    /// What an armhole from the armpit to a point of the ridge costs, through one half.
-    std::vector<double> armholeCosts(int armpit, int shoulder, bool isFront, double keen) const {
-        const Eigen::Vector2d from = seen(armpit), way = seen(shoulder) - from;
-        const Eigen::Vector2d inward = Eigen::Vector2d(-way.y(), way.x());
+    /// What an armhole costs in the front or the back: near its target curve, or where lines of the
+    /// mesh may lead it, anywhere.
+    std::vector<double> armholeCosts(bool isFront, bool isLed) const {
+        const Eigen::Vector2d from = seen(top_.under[top_.armpit]);
+        const Eigen::Vector2d way = seen(top_.ridge[top_.shoulder]) - from;
+        const Eigen::Vector2d inward(-way.y(), way.x());
         std::vector<Eigen::Vector2d> target;
         constexpr int kParts = 24;
         for (int k = 0; k <= kParts; ++k) {
             const double t = static_cast<double>(k) / kParts;
             target.push_back(from + t * way + kHollow * 4 * t * (1 - t) * inward);
         }
-        std::vector<char> isTaken(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
-        for (const auto* line : {&top_.under, &top_.ridge}) {
-            for (const int v : *line) {
-                isTaken[v] = v != armpit && v != shoulder;
-            }
-        }
-        return ways_.costs([&](int v) {
+        std::vector<double> costs = ways_.costs([&](int v) {
             const double facing = isFront ? ways_.facing(v) : -ways_.facing(v);
-            if (isTaken[v] != 0 || facing < kHalfFacing || side_ * ways_.across(v) < kNearMiddle) {
+            if (facing < kHalfFacing || side_ * ways_.across(v) < kNearMiddle) {
                 return kForbidden;
             }
-            double off = std::numeric_limits<double>::infinity();
-            for (std::size_t k = 1; k < target.size(); ++k) {
+            double off = isLed ? 0 : kOff * kMostOff;
+            for (std::size_t k = 1; !isLed && k < target.size(); ++k) {
                 off = std::min(off, geometry::distanceToSegment(seen(v), target[k - 1], target[k]));
             }
-            const double far = std::min(off / kOff, kMostOff);
-            return kLengthCost + keen * far * far;
+            const double far = off / kOff;
+            return kLengthCost + far * far;
         });
+        // Never along the lines that it is to part.
+        for (const auto* line : {&top_.under, &top_.ridge}) {
+            for (std::size_t k = 1; k < line->size(); ++k) {
+                costs[findEdge(ways_.links().table().edges, (*line)[k - 1], (*line)[k])] *=
+                    kForbidden;
+            }
+        }
+        return costs;
     }
 
+    /// The best armhole from one of some armpits to one of some shoulder points.
     struct Armhole {
         std::vector<int> way;
+        std::size_t armpit = 0, shoulder = 0;
         double cost = std::numeric_limits<double>::infinity();
     };
 
-    double costOf(const std::vector<int>& way, const std::vector<double>& costs) const {
-        double sum = 0;
-        for (std::size_t k = 1; k < way.size(); ++k) {
-            sum += costs[findEdge(ways_.links().table().edges, way[k - 1], way[k])];
-        }
-        return sum;
-    }
-
-    Armhole armhole(std::size_t armpit, std::size_t shoulder, bool isEased) const {
-        const int low = top_.under[armpit], high = top_.ridge[shoulder];
-        Armhole found{{}, 0};
-        for (const bool isFront : {true, false}) {
-            std::vector<double> costs =
-                armholeCosts(low, high, isFront, isEased ? kKeenWithLines : 1);
-            if (isEased) {
-                costs = pull_.eased(std::move(costs));
+    Armhole bestArmhole(const std::vector<std::size_t>& armpits,
+                        const std::vector<std::size_t>& shoulders, const std::vector<double>& front,
+                        const std::vector<double>& back) const {
+        const Edges& edges = ways_.links().table().edges;
+        Armhole best;
+        for (const std::size_t armpit : armpits) {
+            const int low = top_.under[armpit];
+            const auto ahead = ways_.waysFrom(low, front), behind = ways_.waysFrom(low, back);
+            for (const std::size_t shoulder : shoulders) {
+                const int high = top_.ridge[shoulder];
+                const double cost = ahead.distance[high] + behind.distance[high] +
+                                    kShift * (shiftOf(top_.under, top_.armpit, armpit) +
+                                              shiftOf(top_.ridge, top_.shoulder, shoulder));
+                if (cost < best.cost) {
+                    best = {ahead.pathTo(high, edges), armpit, shoulder, cost};
+                    const std::vector<int> down = behind.pathTo(high, edges);
+                    best.way.insert(best.way.end(), down.rbegin() + 1, down.rend());
+                }
             }
-            std::vector<int> half = isFront ? ways_.cheapest(costs, {low}, {high})
-                                            : ways_.cheapest(costs, {high}, {low});
-            if (half.empty()) {
+            if (ways_.isCancelled()) {
                 return {};
             }
-            found.cost += costOf(half, costs);
-            found.way.insert(found.way.end(), half.begin() + (isFront ? 0 : 1), half.end());
         }
-        return found;
+        return best;
     }
 
     void findArmhole() {
-        top_.armhole = armhole(top_.armpit, top_.shoulder, false).way;
-        const std::size_t armpit = top_.armpit, shoulder = top_.shoulder;
-        Armhole best;
-        std::size_t bestArmpit = armpit, bestShoulder = shoulder;
-        for (const std::size_t low : within(top_.under, armpit, kArmpitReach, kArmpitTries)) {
-            for (const std::size_t high : within(top_.ridge, shoulder, kShoulderReach, 11)) {
-                Armhole one = armhole(low, high, true);
-                one.cost += kShift * (shiftOf(top_.under, armpit, low) +
-                                      shiftOf(top_.ridge, shoulder, high));
-                if (one.cost < best.cost) {
-                    best = std::move(one);
-                    bestArmpit = low;
-                    bestShoulder = high;
-                }
-            }
-        }
-        if (pull_.along(best.way) > kArmholeSure) {
-            top_.armhole = std::move(best.way);
-            top_.armpit = bestArmpit;
-            top_.shoulder = bestShoulder;
+        top_.armhole = bestArmhole({top_.armpit}, {top_.shoulder}, armholeCosts(true, false),
+                                   armholeCosts(false, false))
+                           .way;
+        Armhole led = bestArmhole(within(top_.under, top_.armpit, kArmpitReach, kArmpitTries),
+                                  within(top_.ridge, top_.shoulder, kShoulderReach, kShoulderTries),
+                                  pull_.eased(armholeCosts(true, true)),
+                                  pull_.eased(armholeCosts(false, true)));
+        if (pull_.along(led.way) > kArmholeSure) {
+            top_.armhole = std::move(led.way);
+            top_.armpit = led.armpit;
+            top_.shoulder = led.shoulder;
         }
     }
 

@@ -84,26 +84,28 @@ constexpr Truth kTruths[] = {{"tee_sim.obj", 6, 0.8, 0.7, true, true},
 
 struct Found {
     double recall, precision;
-    std::size_t cuts, pieces;
+    std::size_t pieces;
     bool areSleevesApart;
 };
 
 Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<Segment>& truth) {
-    std::vector<ProposedCut> cuts;
     bool hasArmholes = false;
-    for (const TailorCut& cut : tailorCuts(skin)) {
-        cuts.push_back({cut.cut, {}});
-        hasArmholes = hasArmholes || cut.line == TailorLine::Armhole;
-    }
-    const std::size_t proposed = cuts.size();
-    const CutPieces made = cutPieces({skin}, {}, true, Progress(), {}, {std::move(cuts)});
+    const CutPieces made =
+        cutPieces({skin}, {}, true, Progress(), {}, [&](const auto& piece, const auto& progress) {
+            std::vector<ProposedCut> cuts;
+            for (const TailorCut& cut : tailorCuts(piece, progress)) {
+                cuts.push_back({cut.cut, {}});
+                hasArmholes = hasArmholes || cut.line == TailorLine::Armhole;
+            }
+            return cuts;
+        });
     std::vector<Segment> lines;
     for (const AppliedCut& cut : made.cuts) {
         for (std::size_t k = 1; k < cut.points.size(); ++k) {
             lines.emplace_back(cut.points[k - 1], cut.points[k]);
         }
     }
-    return {partNear(truth, lines), partNear(lines, truth), proposed, made.pieces.size(),
+    return {partNear(truth, lines), partNear(lines, truth), made.pieces.size(),
             hasArmholes && made.pieces.size() >= 4};
 }
 

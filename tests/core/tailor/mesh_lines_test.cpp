@@ -72,6 +72,15 @@ TEST(MeshLines, OfARegularGridNothingStandsOut) {
     EXPECT_GE(lines.usual, 28);
 }
 
+TEST(MeshLines, RoundingIsNoBend) {
+    for (const int around : {32, 40, 48, 64}) {
+        const MeshArrays cone = test::coneSector(around, 48, 300, 900, 5, 0.3);
+        const EdgeTable table = buildEdgeTable(cone.F, static_cast<int>(cone.V.rows()));
+        const SurfaceLinks links(cone, table);
+        EXPECT_LT(*std::ranges::max_element(findMeshLines(links).likeliness), 0.8) << around;
+    }
+}
+
 TEST(MeshLines, EveryEdgeIsInOneLineAndWaysAreChains) {
     const MeshArrays mesh = sewnSheet();
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));

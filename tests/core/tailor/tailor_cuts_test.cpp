@@ -17,11 +17,13 @@ namespace {
 /// What comes of a garment that is cut as proposed.
 CutPieces cutByTailor(const std::shared_ptr<const Piece>& piece,
                       const std::vector<TailorCut>& proposed) {
-    std::vector<ProposedCut> cuts;
-    for (const TailorCut& cut : proposed) {
-        cuts.push_back({cut.cut, "by the form"});
-    }
-    return cutPieces({piece}, {}, true, Progress(), {}, {cuts});
+    return cutPieces({piece}, {}, true, Progress(), {}, [&proposed](const auto&, const auto&) {
+        std::vector<ProposedCut> cuts;
+        for (const TailorCut& cut : proposed) {
+            cuts.push_back({cut.cut, "by the form"});
+        }
+        return cuts;
+    });
 }
 
 bool areDisks(const CutPieces& made) {
@@ -106,16 +108,58 @@ TEST(TailorCuts, WhatIsNotWornGetsNone) {
 
 TEST(TailorCuts, NothingIsProposedWhereAPersonHasCut) {
     const auto skirt = test::asPiece(test::wornSkirt());
-    std::vector<ProposedCut> proposed;
-    for (const TailorCut& cut : tailorCuts(skirt)) {
-        proposed.push_back({cut.cut, {}});
-    }
     UserCut own;
     own.name = "mine";
     own.points = {{0, 600, -90}, {0, 0, -210}};
-    const CutPieces made = cutPieces({skirt}, {own}, true, Progress(), {}, {proposed});
+    bool isAsked = false;
+    const CutPieces made =
+        cutPieces({skirt}, {own}, true, Progress(), {}, [&](const auto&, const auto&) {
+            isAsked = true;
+            return std::vector<ProposedCut>();
+        });
+    EXPECT_FALSE(isAsked);
     ASSERT_EQ(made.cuts.size(), 1U);
     EXPECT_EQ(made.cuts[0].name, "mine");
+}
+
+TEST(TailorCuts, WhatIsProposedOnceIsNotAskedForAgain) {
+    const auto skirt = test::asPiece(test::wornSkirt());
+    int asked = 0;
+    const ProposeCuts propose = [&asked](const auto& piece, const Progress& progress) {
+        ++asked;
+        std::vector<ProposedCut> cuts;
+        for (const TailorCut& cut : tailorCuts(piece, progress)) {
+            cuts.push_back({cut.cut, "by the form"});
+        }
+        return cuts;
+    };
+    const CutPieces first = cutPieces({skirt}, {}, true, Progress(), {}, propose);
+    const CutPieces again = cutPieces({skirt}, {}, true, Progress(), first.records, propose);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(again.pieces, first.pieces);  // by pointer
+    // Nor is a piece that is not worn, of which it is said.
+    const auto ball = test::asPiece(test::octahedron());
+    const CutPieces none = cutPieces({ball}, {}, true, Progress(), {}, propose);
+    const CutPieces still = cutPieces({ball}, {}, true, Progress(), none.records, propose);
+    EXPECT_EQ(asked, 2);
+    ASSERT_EQ(still.problems.size(), 1U);
+    EXPECT_EQ(still.problems[0].code, ErrorCode::NoBodySeen);
+    EXPECT_FALSE(still.pieces[0]->defect);
+}
+
+TEST(TailorCuts, CutsThatMeetStillMeetWhereNoVertexLiesInTheMiddle) {
+    MeshArrays mesh = test::wornTrousers();
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+        if (mesh.V(v, 0) == 0) {
+            mesh.V(v, 0) = 4;  // and the mirror plane is nearly where it was
+        }
+    }
+    const auto trousers = test::asPiece(mesh);
+    const std::vector<TailorCut> cuts = tailorCuts(trousers);
+    const CutPieces made = cutByTailor(trousers, cuts);
+    EXPECT_EQ(made.pieces.size(), 4U);
+    EXPECT_EQ(made.cuts.size(), cuts.size());
+    EXPECT_TRUE(areDisks(made));
 }
 
 TEST(TailorCuts, CancelledThereAreNone) {
