@@ -44,6 +44,17 @@ std::vector<FaceParts::Part>& FaceParts::parts(int face) {
     return split_[slot_[face]];
 }
 
+int FaceParts::vertexAt(const SurfacePoint& point) const {
+    const Eigen::Vector3d& at = point.barycentric;
+    const auto known = vertexAt_.find({double(point.face), at[0], at[1], at[2]});
+    return known == vertexAt_.end() ? -1 : known->second;
+}
+
+void FaceParts::remember(const SurfacePoint& point, int vertex) {
+    const Eigen::Vector3d& at = point.barycentric;
+    vertexAt_[{double(point.face), at[0], at[1], at[2]}] = vertex;
+}
+
 std::span<const FaceParts::Part> FaceParts::partsOf(int face) const {
     return slot_[face] < 0 ? std::span(&whole_[face], 1) : std::span(split_[slot_[face]]);
 }

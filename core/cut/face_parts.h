@@ -44,6 +44,11 @@ public:
     /// Splits a part into three. @param local  weights in the part, all positive
     int splitPart(int face, std::size_t part, const Eigen::Vector3d& local);
 
+    /// The vertex that a point of a path has become, so that paths that share a point meet there,
+    /// whatever has been split around it since; -1 where it is new.
+    int vertexAt(const SurfacePoint& point) const;
+    void remember(const SurfacePoint& point, int vertex);
+
     /// A path of vertices as it is now: edges that have been split are replaced by their halves.
     std::vector<int> refined(const std::vector<int>& path) const;
 
@@ -69,9 +74,10 @@ private:
     std::vector<Part> whole_;  ///< the source triangles
     std::vector<int> slot_;    ///< per source triangle: index into split_, or -1
     std::vector<std::vector<Part>> split_;
-    std::vector<int> splitFace_;        ///< source triangle of each entry of split_
-    std::vector<Place> places_;         ///< of new vertices
-    std::map<VertexPair, int> middle_;  ///< of edges that are no more
+    std::vector<int> splitFace_;                     ///< source triangle of each entry of split_
+    std::vector<Place> places_;                      ///< of new vertices
+    std::map<VertexPair, int> middle_;               ///< of edges that are no more
+    std::map<std::array<double, 4>, int> vertexAt_;  ///< by face and weights
 };
 
 /// Makes curves into edges of the parts of triangles. Decides on a reference triangle of equal
@@ -91,6 +97,7 @@ public:
     bool connect(int face, int from, int to, std::vector<int>& path);
 
 private:
+    int insertNew(const SurfacePoint& point);
     int step(int face, int from, int to);
 
     FaceParts& parts_;

@@ -31,6 +31,15 @@ int FaceSplitter::insert(const SurfacePoint& point) {
     if (carrier.kind == Carrier::Kind::Vertex) {
         return carrier.index;
     }
+    int vertex = parts_.vertexAt(point);
+    if (vertex < 0) {
+        vertex = insertNew(point);
+        parts_.remember(point, vertex);
+    }
+    return vertex;
+}
+
+int FaceSplitter::insertNew(const SurfacePoint& point) {
     const int face = point.face;
     const Eigen::Vector2d at = onReference(point.barycentric);
     const std::span<const FaceParts::Part> list = parts_.partsOf(face);

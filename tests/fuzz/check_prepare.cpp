@@ -104,7 +104,10 @@ std::string whatBreaksInPreparing(const std::shared_ptr<const PolygonSoup>& soup
                                   const Preparation& preparing) {
     const GarmentInputs inputs{
         {{"fuzz.off", soup}},
-        {.unit = LengthUnit::Millimetre, .preparing = preparing, .autoCut = true}};
+        {.unit = LengthUnit::Millimetre,
+         .preparing = preparing,
+         .autoCut = true,
+         .cutStyle = CutStyle::Auto}};
     Progress progress;
     const Result<Garment> made = makeGarment(inputs, progress);
     const Result<Garment> again = makeGarment(inputs, progress);

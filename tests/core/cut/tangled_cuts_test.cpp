@@ -62,6 +62,25 @@ TEST(TangledCuts, AHundredLinesThroughAFewTrianglesAreCut) {
     EXPECT_GT(test::componentCount(result->mesh), 500);
 }
 
+TEST(TangledCuts, PathsThatEndInOnePointMeetThere) {
+    const Surface s(test::planeGrid(3, 3, 60));
+    std::mt19937 random(11);
+    for (int i = 0; i < 200; ++i) {
+        // From two corners to one point, after others have split the triangles around it.
+        const SurfacePoint meet = test::randomPoint(s.mesh, random);
+        std::vector<PathPolyline> paths;
+        for (const int corner : {0, 15}) {
+            paths.push_back(*geodesicPath(s.links, s.links.atVertex(corner), meet));
+            for (int k = 0; k < 5; ++k) {
+                paths.push_back(*geodesicPath(s.links, meet, test::randomPoint(s.mesh, random)));
+            }
+        }
+        const auto result = cutAlong(s.mesh, paths);
+        ASSERT_TRUE(result) << sentence(result.error());
+        EXPECT_GE(test::componentCount(result->mesh), 2) << i;
+    }
+}
+
 TEST(TangledCuts, ATangleIsRefusedWithItsReason) {
     const Surface s(test::planeGrid(3, 3, 60));
     const auto result = cutAlong(s.mesh, {tangle(s, 3000)});
