@@ -2579,6 +2579,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Layer %1</source>
         <translation>Lage %1</translation>
     </message>
+    <message>
+        <source>the piece is not seen to be a garment that is worn</source>
+        <translation>dem Teil ist nicht anzusehen, wie es getragen wird</translation>
+    </message>
+    <message>
+        <source>It gets the shortest cuts that let it lie flat; draw others where they are wanted</source>
+        <translation>Es bekommt die kürzesten Einschnitte, mit denen es flach liegt; zeichnen Sie andere, wo Sie sie wollen</translation>
+    </message>
+    <message>
+        <source>the mesh has a line there that looks like a seam (%1)</source>
+        <translation>im Netz verläuft dort eine Linie, die wie eine Naht aussieht (%1)</translation>
+    </message>
+    <message>
+        <source>by the form</source>
+        <translation>nach der Form</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -5153,6 +5169,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>No layers</source>
         <translation>Keine Lagen</translation>
     </message>
+    <message>
+        <source>Cut as &amp;tailors do</source>
+        <translation>Wie beim SSchneiden wie beim S&amp;chneidernamp;chneider aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut a garment of one skin open along armholes, sides and shoulders, where it is seen how it is worn</source>
+        <translation>Ein Kleidungsstück aus einer einzigen Haut an Armlöchern, Seiten und Schultern aufschneiden, wenn ihm anzusehen ist, wie es getragen wird</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5560,6 +5584,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Take back</source>
         <translation>&amp;Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
