@@ -316,8 +316,7 @@ private:
 
 CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut> cuts,
                     bool automatic, const Progress& progress, const std::vector<CutRecord>& before,
-                    std::vector<std::vector<ProposedCut>> proposed) {
-    proposed.resize(uncut.size());
+                    const ProposeCuts& propose) {
     giveIds(cuts);
     CutOwners owners = findCutOwners(uncut, cuts, progress);
     Cutter cutter(uncut, automatic, before, propose);
