@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <ranges>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -37,8 +37,16 @@ std::vector<char> onBorder(const MeshArrays& mesh) {
 int mirrorMap(std::vector<Eigen::Vector2d>& uvs) {
     constexpr double kGap = 0.05;  // of the map's width
     const auto count = static_cast<int>(uvs.size());
-    const auto [least, most] = std::ranges::minmax(
-        uvs | std::views::transform([](const auto& uv) { return uv.allFinite() ? uv.x() : 0; }));
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Eigen::Vector2d& uv : uvs) {
+        if (uv.allFinite()) {
+            least = std::min(least, uv.x());
+            most = std::max(most, uv.x());
+        }
+    }
+    if (least > most) {
+        least = most = 0;  // no number among them
+    }
     const double sum = 2 * most + kGap * (most - least);
     for (int k = 0; k < count; ++k) {
         uvs.emplace_back(sum - uvs[k].x(), uvs[k].y());
