@@ -77,7 +77,8 @@ TEST(MeshLines, RoundingIsNoBend) {
         const MeshArrays cone = test::coneSector(around, 48, 300, 900, 5, 0.3);
         const EdgeTable table = buildEdgeTable(cone.F, static_cast<int>(cone.V.rows()));
         const SurfaceLinks links(cone, table);
-        EXPECT_LT(*std::ranges::max_element(findMeshLines(links).likeliness), 0.8) << around;
+        const MeshLines lines = findMeshLines(links);
+        EXPECT_LT(*std::ranges::max_element(lines.likeliness), 0.8) << around;
     }
 }
 
