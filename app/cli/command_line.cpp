@@ -135,6 +135,7 @@ MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSett
         return arguments.project->materials;
     }
     std::vector<std::string> used;
+    used.reserve(settings.size());
     for (const PieceSettings& piece : settings) {
         used.push_back(piece.material);
     }

@@ -42,7 +42,7 @@ const char* selectAt(const SceneView& view, Document& document, const QPointF& a
 std::optional<WorstSpot> placeAt(const SceneView& view, const Document& document,
                                  const QPointF& at) {
     constexpr double kOnMark = 12;  // pixels
-    if (const auto spot = view.markedSpotAt(at, kOnMark)) {
+    if (auto spot = view.markedSpotAt(at, kOnMark)) {
         return spot;
     }
     const auto hit = view.hitAt(at);
@@ -122,7 +122,7 @@ std::optional<WorstSpot> WindowContextMenus::placeForDart() const {
     const auto isOfSelected = [this](const WorstSpot& spot) {
         return document_.isSelected(spot.piece);
     };
-    if (const auto ring = views_.shownSpot(); ring && isOfSelected(*ring)) {
+    if (auto ring = views_.shownSpot(); ring && isOfSelected(*ring)) {
         return ring;
     }
     const SceneView* pattern = views_.patternView();

@@ -87,6 +87,7 @@ void attach(std::vector<PartDepth>& seen, const SurfaceParts& parts,
 /// The layers numbered without gaps. @return how many
 int renumber(std::vector<PartDepth>& seen) {
     std::vector<int> layers;
+    layers.reserve(seen.size());
     for (const PartDepth& part : seen) {
         layers.push_back(part.layer);
     }

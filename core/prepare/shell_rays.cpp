@@ -101,6 +101,7 @@ std::vector<Meeting> Rays::all(int triangle, const Eigen::Vector3d& direction) c
          [&met](int other, double distance) { met.emplace_back(distance, other); });
     std::ranges::sort(met);
     std::vector<Meeting> meetings;
+    meetings.reserve(met.size());
     for (const auto& [distance, other] : met) {
         meetings.push_back({other, distance * direction});
     }

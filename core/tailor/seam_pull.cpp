@@ -54,8 +54,8 @@ std::vector<int> SeamPull::pulled(const std::vector<int>& way, const std::vector
     }
     const std::vector<double> less = eased(costs);
     const double before = along(way);
-    const std::vector<int> close = ways_.cheapest(near(way, kNear, less), from, to);
-    const std::vector<int> wide = ways_.cheapest(near(way, kWide, less), from, to);
+    std::vector<int> close = ways_.cheapest(near(way, kNear, less), from, to);
+    std::vector<int> wide = ways_.cheapest(near(way, kWide, less), from, to);
     const double closeBy = along(close), wideBy = along(wide);
     const bool isCloser = closeBy > before;
     const double reached = isCloser ? closeBy : before;

@@ -44,7 +44,7 @@ const char* wordOfLine(TailorLine line) {
 
 /// "left side": as the wearer has it.
 std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
-    const std::string word = wordOfLine(seam.line);
+    std::string word = wordOfLine(seam.line);
     if (seam.side == 0) {
         return word;
     }
