@@ -122,7 +122,7 @@ void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
 void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts) {
     std::map<CutId, std::size_t> order;
     for (std::size_t c = 0; c < cuts.size(); ++c) {
-        if (cuts[c].author == CutAuthor::User) {
+        if (cuts[c].author == CutAuthor::User || !cuts[c].evidence.empty()) {
             order.emplace(cuts[c].id, c);
         }
     }
