@@ -34,7 +34,7 @@ void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
 /// side, mm, its ends among them.
 UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces);
 
-/// Gives a seam the name of the user's or a tailor's cut that it came of: "inseam"; of several left,
+/// Gives a seam the name of the user's or the tailor's cut it came of: "inseam"; of several,
 /// "inseam 1", "inseam 2" in the order of the graph; where two cuts run on into one seam, the
 /// first cut's name. Names stay unique. Other seams keep theirs. n log n.
 void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts);
