@@ -17,6 +17,8 @@ constexpr double kLikely = 0.8, kShortest = 60;  // mm
 constexpr double kKnownPart = 0.4, kByKnown = 20;
 /// What leads on from its ends: likely, or short, mm.
 constexpr double kLikelyLead = 0.7, kShortLead = 40;
+/// Where more of all edges than this look like seams, as those of a lathe do, none are.
+constexpr double kMostSeams = 0.25;
 /// Of its mirror image, what must lie on other likely lines.
 constexpr double kMirroredPart = 0.7;
 
@@ -86,10 +88,15 @@ public:
 
     std::vector<std::vector<int>> run() {
         std::vector<std::size_t> order;
+        std::size_t edges = 0;
         for (std::size_t line = 0; line < lines_.ways.size(); ++line) {
             if (isLikely(line)) {
                 order.push_back(line);
+                edges += lines_.ways[line].size() - 1;
             }
+        }
+        if (static_cast<double>(edges) > kMostSeams * static_cast<double>(lines_.lineOf.size())) {
+            return {};
         }
         std::ranges::stable_sort(order, std::ranges::greater{}, [this](std::size_t line) {
             return ways_.length(lines_.ways[line]) * lines_.likeliness[line];

@@ -146,22 +146,21 @@ MeshArrays wornTrousers() {
         .make();
 }
 
-MeshArrays wornSkirt() {
-    constexpr int kAround = 64, kAlong = 30;
-    MeshArrays mesh{Points3(kAround * (kAlong + 1), 3), Triangles(2 * kAround * kAlong, 3)};
-    for (int j = 0; j <= kAlong; ++j) {
-        const double radius = 350 - 200.0 * j / kAlong;
-        for (int i = 0; i < kAround; ++i) {
-            const double angle = 2 * std::numbers::pi * i / kAround;
-            mesh.V.row(kAround * j + i) << radius * std::cos(angle), kSquare * j,
+MeshArrays wornSkirt(int around, int along) {
+    MeshArrays mesh{Points3(around * (along + 1), 3), Triangles(2 * around * along, 3)};
+    for (int j = 0; j <= along; ++j) {
+        const double radius = 350 - 200.0 * j / along;
+        for (int i = 0; i < around; ++i) {
+            const double angle = 2 * std::numbers::pi * i / around;
+            mesh.V.row(around * j + i) << radius * std::cos(angle), 600.0 * j / along,
                 -0.6 * radius * std::sin(angle);
         }
     }
-    for (int j = 0, f = 0; j < kAlong; ++j) {
-        for (int i = 0; i < kAround; ++i) {
-            const int a = kAround * j + i, b = kAround * j + (i + 1) % kAround;
-            mesh.F.row(f++) << a, b, b + kAround;
-            mesh.F.row(f++) << a, b + kAround, a + kAround;
+    for (int j = 0, f = 0; j < along; ++j) {
+        for (int i = 0; i < around; ++i) {
+            const int a = around * j + i, b = around * j + (i + 1) % around;
+            mesh.F.row(f++) << a, b, b + around;
+            mesh.F.row(f++) << a, b + around, a + around;
         }
     }
     return mesh;

@@ -15,6 +15,6 @@ MeshArrays wornShirt();
 /// Trunk of 400 by 400 mm over two legs of 180 by 400, the crotch at (0, 400, 0).
 MeshArrays wornTrousers();
 /// A tube that widens from 300 to 700 mm of width over 600 of height.
-MeshArrays wornSkirt();
+MeshArrays wornSkirt(int around = 64, int along = 30);
 
 }  // namespace toile::test
