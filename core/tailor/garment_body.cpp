@@ -17,6 +17,8 @@ constexpr double kShortestOpening = 80;  // mm
 constexpr double kMiddle = 0.25;
 /// How far an opening's image lies from its partner at most, as a part of its length.
 constexpr double kPartnerApart = 0.25;
+/// A plane whose normal is as near to upright as this cosine parts no left from right.
+constexpr double kNearlyLevel = 0.5;
 /// Of a neck, the part that is looked at for where it is low.
 constexpr double kLowPart = 0.3;
 
@@ -111,6 +113,37 @@ void guessFront(GarmentBody& body, const Points3& V) {
     }
 }
 
+/// The body on both sides of a plane.
+GarmentBody bodyBeside(const Piece& piece, const MirrorPlane& plane) {
+    GarmentBody body;
+    body.plane = plane;
+    const Eigen::Vector3d upright(0, 1, 0);
+    body.up = (upright - plane.normal.dot(upright) * plane.normal).normalized();
+    body.forward = plane.normal.cross(body.up);
+    const Points3& V = piece.mesh.V;
+    const Eigen::VectorXd x = (V * plane.normal).array() - plane.offset;
+    const double width = x.maxCoeff() - x.minCoeff();
+    const double centreHeight = (V * body.up).mean();
+    const SurfaceLinks links(piece.mesh, piece.table);
+    std::vector<int> middle, aside;
+    for (RimLoop& loop : rimLoops(links)) {
+        if (loop.perimeter < kShortestOpening) {
+            continue;
+        }
+        body.openings.push_back(openingOf(V, std::move(loop)));
+        const BodyOpening& opening = body.openings.back();
+        const bool isMiddle = std::abs(body.across(opening.centre)) < kMiddle * width &&
+                              crossesPlane(body, V, opening.loop);
+        (isMiddle ? middle : aside).push_back(static_cast<int>(body.openings.size()) - 1);
+    }
+    findPartners(body, aside);
+    std::ranges::sort(middle, std::ranges::greater{},
+                      [&body](int i) { return body.height(body.openings[i].centre); });
+    nameOpenings(body, middle, aside, centreHeight);
+    guessFront(body, V);
+    return body;
+}
+
 }  // namespace
 
 const BodyOpening* GarmentBody::find(OpeningKind kind) const {
@@ -132,34 +165,21 @@ std::optional<GarmentBody> readBody(const std::shared_ptr<const Piece>& piece,
                                     const Progress& progress) {
     const auto plane = findMirrorPlane({piece}, progress);
     const Eigen::Vector3d upright(0, 1, 0);
-    if (!plane || std::abs(plane->normal.dot(upright)) > 0.5) {
+    if (!plane || std::abs(plane->normal.dot(upright)) > kNearlyLevel) {
         return std::nullopt;
     }
-    GarmentBody body;
-    body.plane = *plane;
-    body.up = (upright - plane->normal.dot(upright) * plane->normal).normalized();
-    body.forward = plane->normal.cross(body.up);
-    const Points3& V = piece->mesh.V;
-    const Eigen::VectorXd x = (V * plane->normal).array() - plane->offset;
-    const double width = x.maxCoeff() - x.minCoeff();
-    const double centreHeight = (V * body.up).mean();
-    const SurfaceLinks links(piece->mesh, piece->table);
-    std::vector<int> middle, aside;
-    for (RimLoop& loop : rimLoops(links)) {
-        if (loop.perimeter < kShortestOpening) {
-            continue;
+    GarmentBody body = bodyBeside(*piece, *plane);
+    if (body.form == BodyForm::Unknown) {
+        // Front and back may be alike, too, and more so than left and right.
+        MirrorPlane across;
+        across.normal = body.up.cross(plane->normal);
+        across.offset = (piece->mesh.V * across.normal).mean();
+        across.deviation = across.farthest = std::numeric_limits<double>::infinity();
+        GarmentBody other = bodyBeside(*piece, across);
+        if (other.form != BodyForm::Unknown) {
+            return other;
         }
-        body.openings.push_back(openingOf(V, std::move(loop)));
-        const BodyOpening& opening = body.openings.back();
-        const bool isMiddle = std::abs(body.across(opening.centre)) < kMiddle * width &&
-                              crossesPlane(body, V, opening.loop);
-        (isMiddle ? middle : aside).push_back(static_cast<int>(body.openings.size()) - 1);
     }
-    findPartners(body, aside);
-    std::ranges::sort(middle, std::ranges::greater{},
-                      [&body](int i) { return body.height(body.openings[i].centre); });
-    nameOpenings(body, middle, aside, centreHeight);
-    guessFront(body, V);
     return body;
 }
 

@@ -33,8 +33,8 @@ enum class BodyForm {
 
 /// A garment as it is worn, read from its shape alone.
 struct GarmentBody {
-    MirrorPlane plane;                 ///< between left and right; normal . x = offset
-    Eigen::Vector3d up{0, 1, 0};       ///< in the plane
+    MirrorPlane plane;            ///< between left and right; deviation may be unknown: infinite
+    Eigen::Vector3d up{0, 1, 0};  ///< in the plane
     Eigen::Vector3d forward{0, 0, 1};  ///< unit, in the plane, at right angles to `up`; a guess
     BodyForm form = BodyForm::Unknown;
     std::vector<BodyOpening> openings;

@@ -18,7 +18,7 @@ constexpr double kKnownPart = 0.4, kByKnown = 20;
 /// What leads on from its ends: likely, or short, mm.
 constexpr double kLikelyLead = 0.7, kShortLead = 40;
 /// Where more of all edges than this look like seams, as those of a lathe do, none are.
-constexpr double kMostSeams = 0.25;
+constexpr double kMostSeams = 0.05;
 /// Of its mirror image, what must lie on other likely lines.
 constexpr double kMirroredPart = 0.7;
 

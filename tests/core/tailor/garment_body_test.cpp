@@ -43,6 +43,19 @@ TEST(GarmentBody, TrousersAndSkirtsAreToldApart) {
               skirt.height(skirt.find(OpeningKind::Hem)->centre));
 }
 
+TEST(GarmentBody, LeftIsToldFromRightThoughFrontAndBackAreMoreAlike) {
+    MeshArrays mesh = test::wornTrousers();
+    for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+        if (mesh.V(v, 0) > 20 && mesh.V(v, 1) < 300) {
+            mesh.V(v, 0) += 30;  // one leg hangs outwards
+        }
+        if (mesh.V(v, 1) > 770) {
+            mesh.V(v, 1) = 770;  // front and back are of one height
+        }
+    }
+    EXPECT_EQ(bodyOf(mesh).form, BodyForm::Trousers);
+}
+
 TEST(GarmentBody, ItIsTheSameHoweverOneTurnsAboutTheHeight) {
     MeshArrays mesh = test::wornShirt();
     const Eigen::Matrix3d turn =

@@ -136,13 +136,13 @@ MeshArrays wornShirt() {
 
 MeshArrays wornTrousers() {
     return TwoSheets(
-               [](bool, int i, int j) {
-                   const bool isTrunk = -10 <= i && i < 10 && 20 <= j && j < 40;
+               [](bool isFront, int i, int j) {
+                   const bool isTrunk = -10 <= i && i < 10 && 20 <= j && j < (isFront ? 39 : 40);
                    const bool isLeg =
                        ((-10 <= i && i < -1) || (1 <= i && i < 10)) && 0 <= j && j < 20;
                    return isTrunk || isLeg;
                },
-               [](double, double j) { return j == 0 || j == 40; })
+               [](double, double j) { return j == 0 || j == 40 || (j == 39 && std::abs(i) < 10); })
         .make();
 }
 

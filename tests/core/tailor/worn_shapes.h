@@ -12,7 +12,7 @@ namespace toile::test {
 /// Trunk of 400 by 600 mm, sleeves of 160 by 160 at its top; the neck is lower in front. Armpits at
 /// (+-200, 440, 0).
 MeshArrays wornShirt();
-/// Trunk of 400 by 400 mm over two legs of 180 by 400, the crotch at (0, 400, 0).
+/// Trunk of 400 by 400 mm, lower in front, over two legs of 180 by 400; the crotch at (0, 400, 0).
 MeshArrays wornTrousers();
 /// A tube that widens from 300 to 700 mm of width over 600 of height.
 MeshArrays wornSkirt(int around = 64, int along = 30);
