@@ -22,9 +22,9 @@ struct TailorSeam {
     double likeliness = 0;  ///< mean of `MeshLines` along it, by length
 };
 
-/// Proposes the lines of a top, of trousers or of a skirt: where front meets back along the tubes of trunk,
-/// sleeves and legs, around the arms, along the shoulders. First by the form alone; then each is
-/// pulled to lines of the mesh that look like seams, where there are some near.
+/// Proposes the lines of a top, of trousers or of a skirt: where front meets back along the tubes
+/// of trunk, sleeves and legs, around the arms, along the shoulders. First by the form alone; then
+/// each is pulled to lines of the mesh that look like seams, where there are some near.
 /// Cost: some dozens of searches, O(#E log #E) each. Deterministic. Pure.
 std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines,
                                     const Progress& progress = {});

@@ -142,7 +142,7 @@ MeshArrays wornTrousers() {
                        ((-10 <= i && i < -1) || (1 <= i && i < 10)) && 0 <= j && j < 20;
                    return isTrunk || isLeg;
                },
-               [](double, double j) { return j == 0 || j == 40 || (j == 39 && std::abs(i) < 10); })
+               [](double, double j) { return j == 0 || j >= 39; })
         .make();
 }
 
