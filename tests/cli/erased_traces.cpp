@@ -92,8 +92,8 @@ void smoothAlongSurface(MeshArrays& mesh) {
 
 }  // namespace
 
-MeshArrays withoutTraces(MeshArrays mesh) {
-    std::mt19937 random(7);
+MeshArrays withoutTraces(MeshArrays mesh, unsigned seed) {
+    std::mt19937 random(seed);
     for (int round = 0; round < 3; ++round) {
         flipEdges(mesh, random);
         smoothAlongSurface(mesh);

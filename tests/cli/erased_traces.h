@@ -9,6 +9,6 @@ namespace toile::test {
 /// every other edge by chance, where that leaves the surface nearly as it is, and of moving inner
 /// vertices halfway to the middle of their neighbours, along the surface. Same input, same output.
 /// Precondition: oriented, manifold.
-MeshArrays withoutTraces(MeshArrays mesh);
+MeshArrays withoutTraces(MeshArrays mesh, unsigned seed);
 
 }  // namespace toile::test

@@ -51,7 +51,8 @@ std::string strainOf(const Garment& garment) {
             strain += result->quality->area3d * *result->quality->strainMeanAbs;
         }
     }
-    return area > 0 ? fixed(100 * strain / area, 1) : "–";
+    const double percent = area > 0 ? 100 * strain / area : 0;
+    return area <= 0 ? "–" : percent > 1000 ? "beyond 1000" : fixed(percent, 1);
 }
 
 /// What was done with the file to read it as it was taken.
