@@ -32,7 +32,8 @@ class FuzzSeeds : public testing::TestWithParam<Target> {};
 
 TEST_P(FuzzSeeds, BreakNoPromise) {
     const std::string name = GetParam().name;
-    EXPECT_GE(runSeeds(name, GetParam().whatBreaks), name == "garment" || name == "prepare" ? 5 : 10);
+    EXPECT_GE(runSeeds(name, GetParam().whatBreaks),
+              name == "garment" || name == "prepare" ? 5 : 10);
 }
 
 TEST(ReaderSeeds, BreakNoPromiseOnTheWholePipeline) {
