@@ -99,8 +99,8 @@ bool cutsCanRepair(ErrorCode defect) {
 class Cutter {
 public:
     Cutter(const std::vector<PiecePointer>& uncut, bool automatic,
-           const std::vector<CutRecord>& before, const ProposeCuts& propose)
-        : automatic_(automatic), propose_(propose), namesPiece_(uncut.size() > 1) {
+           const std::vector<CutRecord>& before, const CutProposer& proposer)
+        : automatic_(automatic), proposer_(proposer), namesPiece_(uncut.size() > 1) {
         for (const PiecePointer& whole : uncut) {
             names_.take(whole->name);
         }
@@ -110,21 +110,21 @@ public:
     }
 
     void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
-        const bool isProposed = propose_ && asked.empty() && isToOpen(*whole);
+        const int way = proposer_.propose && asked.empty() && isToOpen(*whole) ? proposer_.way : 0;
         if (asked.empty() && !isToOpen(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
         const auto known = before_.find(whole.get());
         if (known != before_.end() && known->second->asked == asked &&
-            known->second->isProposed == isProposed && known->second->namesPiece == namesPiece_ &&
+            known->second->proposer == way && known->second->namesPiece == namesPiece_ &&
             known->second->automatic == automatic_ && areFree(*known->second)) {
             done_ = *known->second;
             for (const PiecePointer& part : done_.pieces) {
                 names_.take(part->name);
             }
         } else {
-            done_ = {whole, std::move(asked), automatic_, isProposed, namesPiece_};
+            done_ = {whole, std::move(asked), automatic_, way, namesPiece_};
             cutAnew(whole, progress);
         }
         const auto append = [](auto& list, const auto& more) {
@@ -155,7 +155,7 @@ private:
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
         const Progress first(progress, kByHandShare);
         std::vector<Piece> parts =
-            done_.isProposed ? byProposal(whole, first) : byHand(*whole, done_.asked, first);
+            done_.proposer != 0 ? byProposal(whole, first) : byHand(*whole, done_.asked, first);
         if (parts.empty()) {  // no cut of the user's, or none that could be made
             if (!isToOpen(*whole)) {
                 done_.pieces.push_back(whole);
@@ -179,7 +179,7 @@ private:
 
     /// The parts after the cuts that are proposed, if cuts can open what these leave closed.
     std::vector<Piece> byProposal(const PiecePointer& piece, const Progress& progress) {
-        std::vector<ProposedCut> proposed = propose_(piece, progress);
+        std::vector<ProposedCut> proposed = proposer_.propose(piece, {}, progress).cuts;
         std::vector<UserCut> cuts;
         for (ProposedCut& one : proposed) {
             cuts.push_back(std::move(one.cut));
@@ -304,7 +304,7 @@ private:
     }
 
     const bool automatic_;
-    const ProposeCuts& propose_;
+    const CutProposer& proposer_;
     const bool namesPiece_;
     std::unordered_map<const Piece*, const CutRecord*> before_;
     UniqueNames names_;
@@ -316,7 +316,7 @@ private:
 
 CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut> cuts,
                     bool automatic, const Progress& progress, const std::vector<CutRecord>& before,
-                    const ProposeCuts& propose) {
+                    const CutProposer& proposer) {
     giveIds(cuts);
     CutOwners owners = findCutOwners(uncut, cuts, progress);
     Cutter cutter(uncut, automatic, before, propose);

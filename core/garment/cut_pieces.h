@@ -34,17 +34,29 @@ struct ProposedCut {
     Wording evidence{};
 };
 
-/// Proposes cuts for a piece that cannot lie flat; none where it has no better idea than the
-/// shortest. The same for the same piece.
-using ProposeCuts =
-    std::function<std::vector<ProposedCut>(const std::shared_ptr<const Piece>&, const Progress&)>;
+/// What would be cut in one piece, and what comes of it.
+struct ProposedCuts {
+    std::vector<ProposedCut> cuts{};
+    /// What a part that the cuts leave is called: "front"; empty: by number. Null: all by number.
+    std::function<std::string(const Piece&)> nameOf{};
+};
+
+/// Proposes cuts for pieces that cannot lie flat; none where it has no better idea than the
+/// shortest. The same for the same piece and the same cuts.
+struct CutProposer {
+    /// @param own  cuts that are made in the piece anyhow
+    std::function<ProposedCuts(const std::shared_ptr<const Piece>&, const std::vector<UserCut>& own,
+                               const Progress&)>
+        propose{};
+    int way = 1;  ///< tells it from others that propose otherwise
+};
 
 /// What was done with one piece that was to be cut.
 struct CutRecord {
     std::shared_ptr<const Piece> whole;
     std::vector<UserCut> asked;
     bool automatic = false;
-    bool isProposed = false;  ///< proposals were asked for
+    int proposer = 0;         ///< its `way`; 0: no proposals were asked for
     bool namesPiece = false;  ///< proposed cuts are called by their piece, too
     std::vector<std::shared_ptr<const Piece>> pieces{};
     std::vector<AppliedCut> cuts{};
@@ -61,19 +73,19 @@ struct CutPieces {
 
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
 /// those that make a disk of every piece that is none: first what is proposed for it, where the
-/// user has drawn nothing in it, then what still is needed (`proposeCuts`). Of proposals those that
-/// cannot be made are left out, and all of them where they leave a part that no cut opens. A piece
-/// that comes apart is numbered: "leggings 1", "leggings 2". A piece without cuts is handed on as
-/// it is, by pointer. A cut that fails leaves the others, and its piece, alone; a piece that no
-/// automatic cut opens keeps its defect, with the reason. Cost: the cuts'; nothing for the pieces
-/// without.
+/// user's own leave anything closed, then what still is needed (`proposeCuts`). Of proposals those
+/// that cannot be made are left out, and all of them where they leave a part that no cut opens. A
+/// piece that comes apart is named by who proposed its cuts, "leggings, left leg", or numbered:
+/// "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by pointer. A cut that
+/// fails leaves the others, and its piece, alone; a piece that no automatic cut opens keeps its
+/// defect, with the reason. Cost: the cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
-/// @param propose   where there is one; a piece for which it has nothing is noted (NoBodySeen)
+/// @param proposer  where there is one; a piece for which it has nothing is noted (NoBodySeen)
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.
 CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
                     std::vector<UserCut> cuts, bool automatic, const Progress& progress,
-                    const std::vector<CutRecord>& before = {}, const ProposeCuts& propose = {});
+                    const std::vector<CutRecord>& before = {}, const CutProposer& proposer = {});
 
 }  // namespace toile

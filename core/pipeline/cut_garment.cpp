@@ -11,7 +11,7 @@
 #include "core/seam/mirror_seams.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
-#include "core/tailor/tailor_cuts.h"
+#include "core/tailor/cut_advice.h"
 
 namespace toile {
 namespace {
@@ -19,21 +19,28 @@ namespace {
 /// Of the time, about; the rest is finding the seams.
 constexpr double kJoiningShare = 0.1;
 constexpr double kCuttingShare = 0.6;
-/// From here on a line of the mesh is named as the reason for a cut.
-constexpr double kSeamLikely = 0.6;
 
-/// What tailors would cut.
-std::vector<ProposedCut> proposedFor(const std::shared_ptr<const Piece>& piece,
-                                     const Progress& progress) {
-    std::vector<ProposedCut> cuts;
-    for (TailorCut& cut : tailorCuts(piece, progress)) {
-        Wording evidence = cut.likeliness > kSeamLikely
-                               ? worded("the mesh has a line there that looks like a seam (%1)",
-                                        {figure(cut.likeliness, 2)})
-                               : worded("by the form");
-        cuts.push_back({std::move(cut.cut), std::move(evidence)});
+/// What is proposed for each piece, as these options have it.
+CutProposer proposerFor(const LoadOptions& options) {
+    if (options.cutStyle == CutStyle::Topology) {
+        return {};
     }
-    return cuts;
+    const AdviceOptions asked{options.isFrontSwapped, options.enoughStrain};
+    const auto propose = [asked](const std::shared_ptr<const Piece>& piece,
+                                 const std::vector<UserCut>& own, const Progress& progress) {
+        CutAdvice advice = adviseCuts(piece, own, asked, progress);
+        ProposedCuts made;
+        for (AdvisedCut& cut : advice.cuts) {
+            if (cut.isNeeded) {
+                made.cuts.push_back({std::move(cut.what.cut), std::move(cut.evidence)});
+            }
+        }
+        made.nameOf = std::move(advice.nameOf);
+        return made;
+    };
+    // Millionths of a strain are all that tells one from the other.
+    const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
+    return {propose, 4 + 2 * static_cast<int>(enough) + (asked.isFrontSwapped ? 1 : 0)};
 }
 
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.
@@ -90,10 +97,9 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                                      Progress(progress, kJoiningShare));
     reusePieces(joined.pieces, garment);
     progress.report(kJoiningShare);
-    const ProposeCuts propose =
-        options.cutStyle == CutStyle::Topology ? ProposeCuts() : ProposeCuts(proposedFor);
-    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
-                              Progress(progress, kCuttingShare), garment.cutRecords, propose);
+    CutPieces cut =
+        cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
+                  Progress(progress, kCuttingShare), garment.cutRecords, proposerFor(options));
     progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
     made.cuts = std::move(cut.cuts);

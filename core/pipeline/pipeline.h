@@ -45,6 +45,10 @@ struct LoadOptions {
     bool strict = false;      ///< refuse a file in which anything had to be left out or repaired
     bool autoCut = false;     ///< cut open what is no disk
     CutStyle cutStyle = CutStyle::Topology;  ///< of automatic cuts
+    bool isFrontSwapped = false;  ///< where tailors' cuts guess the front, it is the back
+    /// A strain at which no further cut is worth its length, part of 1: of what tailors would cut
+    /// as much is cut as that needs, and darts where that is not enough. None: their usual seams.
+    std::optional<double> enoughStrain{};
     /// Cuts and joins, in the unit and axes of the first file; and ease by the names of seams,
     /// which `resolveNames` turns into settings.
     SeamsFile seams{};

@@ -55,6 +55,12 @@ inline constexpr auto kReading = [](auto& at, auto& loading) {
     if (at.kReads || loading.cutStyle != CutStyle::Topology) {
         at.word("cutStyle", loading.cutStyle, kCutStyleWords);
     }
+    if (at.kReads || loading.isFrontSwapped) {
+        at.field("isFrontSwapped", loading.isFrontSwapped);
+    }
+    if (at.kReads || loading.enoughStrain) {
+        at.field("enoughStrain", loading.enoughStrain, 0, kMaxStrain);
+    }
 };
 
 inline constexpr auto kKnownPiece = [](auto& at, auto& piece) {

@@ -38,6 +38,10 @@ const char* wordOfLine(TailorLine line) {
             return "waist";
         case TailorLine::Style:
             return "style line";
+        case TailorLine::Ridge:
+            return "ridge";
+        case TailorLine::Dart:
+            return "dart";
     }
     return "";
 }

@@ -11,7 +11,18 @@
 namespace toile {
 
 /// The lines along which tailors cut.
-enum class TailorLine { Side, Underarm, Armhole, Shoulder, Centre, Inseam, Waist, Style };
+enum class TailorLine {
+    Side,
+    Underarm,
+    Armhole,
+    Shoulder,
+    Centre,
+    Inseam,
+    Waist,
+    Style,
+    Ridge,  ///< an edge of the form: of the lid of a box
+    Dart,
+};
 
 /// One line along edges, from its first vertex to its last; one that goes all round ends where it
 /// began.

@@ -91,15 +91,16 @@ struct Found {
 
 Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<Segment>& truth) {
     bool hasArmholes = false;
-    const CutPieces made =
-        cutPieces({skin}, {}, true, Progress(), {}, [&](const auto& piece, const auto& progress) {
-            std::vector<ProposedCut> cuts;
-            for (const TailorCut& cut : tailorCuts(piece, progress)) {
-                cuts.push_back({cut.cut, {}});
-                hasArmholes = hasArmholes || cut.line == TailorLine::Armhole;
-            }
-            return cuts;
-        });
+    const CutPieces made = cutPieces({skin}, {}, true, Progress(), {},
+                                     {[&](const auto& piece, const auto&, const auto& progress) {
+                                         ProposedCuts made;
+                                         for (const TailorCut& cut : tailorCuts(piece, progress)) {
+                                             made.cuts.push_back({cut.cut, {}});
+                                             hasArmholes =
+                                                 hasArmholes || cut.line == TailorLine::Armhole;
+                                         }
+                                         return made;
+                                     }});
     std::vector<Segment> lines;
     for (const AppliedCut& cut : made.cuts) {
         for (std::size_t k = 1; k < cut.points.size(); ++k) {

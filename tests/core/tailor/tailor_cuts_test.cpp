@@ -29,13 +29,14 @@ std::shared_ptr<const Piece> worn(MeshArrays mesh) {
 /// What comes of a garment that is cut as proposed.
 CutPieces cutByTailor(const std::shared_ptr<const Piece>& piece,
                       const std::vector<TailorCut>& proposed) {
-    return cutPieces({piece}, {}, true, Progress(), {}, [&proposed](const auto&, const auto&) {
-        std::vector<ProposedCut> cuts;
-        for (const TailorCut& cut : proposed) {
-            cuts.push_back({cut.cut, "by the form"});
-        }
-        return cuts;
-    });
+    return cutPieces({piece}, {}, true, Progress(), {},
+                     {[&proposed](const auto&, const auto&, const auto&) {
+                         ProposedCuts made;
+                         for (const TailorCut& cut : proposed) {
+                             made.cuts.push_back({cut.cut, "by the form"});
+                         }
+                         return made;
+                     }});
 }
 
 bool areDisks(const CutPieces& made) {
@@ -127,11 +128,11 @@ TEST(TailorCuts, NothingIsProposedWhereAPersonHasCut) {
     own.name = "mine";
     own.points = {{0, 600, -90}, {0, 0, -210}};
     bool isAsked = false;
-    const CutPieces made =
-        cutPieces({skirt}, {own}, true, Progress(), {}, [&](const auto&, const auto&) {
-            isAsked = true;
-            return std::vector<ProposedCut>();
-        });
+    const CutPieces made = cutPieces({skirt}, {own}, true, Progress(), {},
+                                     {[&](const auto&, const auto&, const auto&) {
+                                         isAsked = true;
+                                         return ProposedCuts();
+                                     }});
     EXPECT_FALSE(isAsked);
     ASSERT_EQ(made.cuts.size(), 1U);
     EXPECT_EQ(made.cuts[0].name, "mine");
@@ -140,14 +141,14 @@ TEST(TailorCuts, NothingIsProposedWhereAPersonHasCut) {
 TEST(TailorCuts, WhatIsProposedOnceIsNotAskedForAgain) {
     const auto skirt = worn(test::wornSkirt());
     int asked = 0;
-    const ProposeCuts propose = [&asked](const auto& piece, const Progress& progress) {
+    const CutProposer propose{[&asked](const auto& piece, const auto&, const Progress& progress) {
         ++asked;
-        std::vector<ProposedCut> cuts;
+        ProposedCuts made;
         for (const TailorCut& cut : tailorCuts(piece, progress)) {
-            cuts.push_back({cut.cut, "by the form"});
+            made.cuts.push_back({cut.cut, "by the form"});
         }
-        return cuts;
-    };
+        return made;
+    }};
     const CutPieces first = cutPieces({skirt}, {}, true, Progress(), {}, propose);
     const CutPieces again = cutPieces({skirt}, {}, true, Progress(), first.records, propose);
     EXPECT_EQ(asked, 1);
