@@ -461,7 +461,10 @@ void addInfo(CLI::App& app, Arguments& arguments) {
     CLI::App& info = addCommand(app, arguments, Arguments::Command::Info, "info",
                                 "Tell what a garment file holds");
     addReading(info, arguments);
-    info.add_flag("--json", arguments.json, "Print as JSON");
+    CLI::Option* json = info.add_flag("--json", arguments.json, "Print as JSON");
+    info.add_flag("--advice", arguments.advice,
+                  "Say which cuts would take most strain away, and what they leave")
+        ->excludes(json);
 }
 
 bool isNumber(const std::string& text) {

@@ -34,6 +34,7 @@ struct Arguments {
     std::vector<std::filesystem::path> outputs;
     LoadOptions load;  ///< but for the seams file, which the command reads
     std::filesystem::path seams;
+    bool advice = false;               ///< info: which cuts would do most
     bool json = false;                 ///< info, compare, check, walk: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too

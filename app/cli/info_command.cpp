@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "app/cli/advice_table.h"
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
@@ -189,6 +190,10 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         printPieces(*garment, out);
         printSlits(arguments, *garment, out);
         printSeams(*garment, out);
+        if (arguments.advice) {
+            out << '\n';
+            printAdvice(arguments, *garment, progress, out);
+        }
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     for (const auto& piece : garment->pieces) {

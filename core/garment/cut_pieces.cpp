@@ -319,7 +319,7 @@ CutPieces cutPieces(const std::vector<PiecePointer>& uncut, std::vector<UserCut>
                     const CutProposer& proposer) {
     giveIds(cuts);
     CutOwners owners = findCutOwners(uncut, cuts, progress);
-    Cutter cutter(uncut, automatic, before, propose);
+    Cutter cutter(uncut, automatic, before, proposer);
     for (Error& problem : owners.problems) {
         cutter.fail(std::move(problem));
     }

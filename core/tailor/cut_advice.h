@@ -10,16 +10,10 @@
 #include "core/base/progress.h"
 #include "core/garment/cut_pieces.h"
 #include "core/garment/piece.h"
+#include "core/tailor/strain_model.h"
 #include "core/tailor/tailor_cuts.h"
 
 namespace toile {
-
-/// Strain of edges of flat pieces, part of 1: by area, and the most there is.
-struct StrainFigures {
-    double mean = 0, most = 0;
-
-    bool operator==(const StrainFigures&) const = default;
-};
 
 /// What a dart takes in where it reaches the rim.
 struct DartIntake {

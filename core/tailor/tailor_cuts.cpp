@@ -20,35 +20,9 @@ constexpr int kRounds = 40;
 /// A garment nearer than this to its own mirror image, mm, is cut alike on both sides.
 constexpr double kSymmetric = 0.5;
 
-const char* wordOfLine(TailorLine line) {
-    switch (line) {
-        case TailorLine::Side:
-            return "side";
-        case TailorLine::Underarm:
-            return "underarm";
-        case TailorLine::Armhole:
-            return "armhole";
-        case TailorLine::Shoulder:
-            return "shoulder";
-        case TailorLine::Centre:
-            return "centre";
-        case TailorLine::Inseam:
-            return "inseam";
-        case TailorLine::Waist:
-            return "waist";
-        case TailorLine::Style:
-            return "style line";
-        case TailorLine::Ridge:
-            return "ridge";
-        case TailorLine::Dart:
-            return "dart";
-    }
-    return "";
-}
-
 /// "left side": as the wearer has it.
 std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
-    std::string word = wordOfLine(seam.line);
+    std::string word = wordOf(seam.line);
     if (seam.side == 0) {
         return word;
     }
@@ -180,6 +154,34 @@ private:
 };
 
 }  // namespace
+
+const char* wordOf(TailorLine line) {
+    switch (line) {
+        case TailorLine::Side:
+            return "side";
+        case TailorLine::Underarm:
+            return "underarm";
+        case TailorLine::Armhole:
+            return "armhole";
+        case TailorLine::Shoulder:
+            return "shoulder";
+        case TailorLine::Centre:
+            return "centre";
+        case TailorLine::Inseam:
+            return "inseam";
+        case TailorLine::Waist:
+            return "waist";
+        case TailorLine::Style:
+            return "style line";
+        case TailorLine::Ridge:
+            return "ridge";
+        case TailorLine::Opening:
+            return "opening";
+        case TailorLine::Dart:
+            return "dart";
+    }
+    return "";
+}
 
 std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
                                   const Progress& progress) {

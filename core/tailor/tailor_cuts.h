@@ -20,6 +20,9 @@ struct TailorCut {
     double likeliness = 0;  ///< that the mesh has a seam there, 0 to 1
 };
 
+/// What such a line is called: "armhole".
+const char* wordOf(TailorLine line);
+
 /// Proposes cuts for one connected piece that is worn: `readBody`, `tailorSeams`, and their lines
 /// made smooth. Where a line of the mesh leads a cut follows its edges; elsewhere its teeth are
 /// ironed out, on the surface. Cuts that meet share the point where they do. Where the piece is its

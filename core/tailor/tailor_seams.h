@@ -20,7 +20,8 @@ enum class TailorLine {
     Inseam,
     Waist,
     Style,
-    Ridge,  ///< an edge of the form: of the lid of a box
+    Ridge,    ///< an edge of the form: of the lid of a box
+    Opening,  ///< the shortest that lets a closed form lie flat
     Dart,
 };
 

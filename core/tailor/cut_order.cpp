@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/tailor/cut_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/cut/surface_paths.h"
+#include "core/tailor/form_lines.h"
+
+namespace toile::tailor {
+namespace {
+
+/// A cut is worthwhile that takes away about this part of the strain.
+constexpr double kWorthwhile = 0.03;
+/// Cloth that is too long by less is no reason for a dart.
+constexpr double kWorthADart = 0.04;
+/// Nor is one made that is shorter than this part of the root of the area.
+constexpr double kShortestDart = 0.05;
+/// As good as flat: nothing more is worthwhile.
+constexpr double kFlat = 0.002;
+/// So many places are tried for the next dart.
+constexpr int kPlaces = 3;
+
+bool isRound(const AdvisedCut& cut) {
+    return cut.what.cut.kind == UserCut::Kind::Loop;
+}
+
+}  // namespace
+
+CutOrder::CutOrder(const SurfaceLinks& links, const Progress& progress)
+    : links_(links),
+      progress_(progress),
+      nearest_(links.mesh()),
+      model_(links),
+      lengths_(edgeLengths(links.mesh(), links.table().edges)),
+      lines_(links, nearest_, model_.rims()),
+      size_(std::sqrt(std::accumulate(model_.areas().begin(), model_.areas().end(), 0.0))) {}
+
+void CutOrder::add(const PathPolyline& path) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(path.points.size());
+    for (const SurfacePoint& point : path.points) {
+        points.push_back(positionOf(links_.mesh(), point));
+    }
+    lines_.add(points, false);
+}
+
+void CutOrder::add(const UserCut& cut) {
+    if (const auto path = traceUserCut(links_, nearest_, cut, progress_)) {
+        add(*path);
+    }
+}
+
+const std::optional<FlatScale>& CutOrder::look() {
+    scale_ = model_.solve(lines_.isParted());
+    return scale_;
+}
+
+double CutOrder::mean() const {
+    return scale_ ? scale_->strain.mean : 1;
+}
+
+/// By how much a mean strain is less than now, as a logarithm: halving counts alike everywhere.
+double CutOrder::gainOf(const std::optional<FlatScale>& scale) const {
+    return scale ? std::log(std::max(mean(), kFlat) / std::max(scale->strain.mean, kFlat)) : 0;
+}
+
+void CutOrder::propose(AdvisedCut cut) {
+    cut.length = lengthOf(cut.what.cut.points, isRound(cut));
+    const auto partner = std::ranges::find_if(groups_, [&cut](const Group& group) {
+        const TailorCut& other = group.cuts.front().what;
+        return cut.what.side != 0 && group.cuts.size() == 1 && other.line == cut.what.line &&
+               other.side == -cut.what.side;
+    });
+    Group& group = partner != groups_.end() ? *partner : groups_.emplace_back();
+    group.length += cut.length;
+    group.cuts.push_back(std::move(cut));
+}
+
+void CutOrder::take(AdvisedCut cut) {
+    lines_.add(cut.what.cut.points, cut.what.line == TailorLine::Dart);
+    if (look()) {
+        cut.predicted = scale_->strain;
+    }
+    taken_.push_back(std::move(cut));
+    progress_.step();
+}
+
+void CutOrder::takeGroup(std::size_t index) {
+    for (AdvisedCut& cut : groups_[index].cuts) {
+        take(std::move(cut));
+    }
+    groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(index));
+}
+
+void CutOrder::takeAll() {
+    look();
+    while (!groups_.empty() && !progress_.isCancelled()) {
+        takeGroup(bestGroup());
+    }
+}
+
+void CutOrder::takeWorthwhile(std::size_t mostDarts) {
+    look();
+    std::size_t darts = 0;
+    while (!progress_.isCancelled() && mean() > kFlat) {
+        const std::size_t best = groups_.empty() ? 0 : bestGroup();
+        const double gain = groups_.empty() ? 0 : groups_[best].gain;
+        const bool isBestWorthwhile = !groups_.empty() && gain * groups_[best].length > kWorthwhile;
+        std::optional<DartFound> dart = darts < mostDarts ? nextDart() : std::nullopt;
+        if (dart && dart->gain * dart->cut.length < kWorthwhile) {
+            dart.reset();
+        }
+        if (dart && (!isBestWorthwhile || dart->gain > gain)) {
+            take(std::move(dart->cut));
+            ++darts;
+            std::erase_if(groups_, [this](const Group& group) {  // they would cut it off
+                return std::ranges::any_of(group.cuts, [this](const AdvisedCut& cut) {
+                    return lines_.meetsDart(cut.what.cut.points);
+                });
+            });
+        } else if (isBestWorthwhile) {
+            takeGroup(best);
+        } else {
+            return;
+        }
+    }
+}
+
+double CutOrder::gainOf(const Group& group) {
+    std::vector<char> parted = lines_.isParted();
+    for (const AdvisedCut& cut : group.cuts) {
+        for (const int vertex : lines_.verticesAlong(cut.what.cut.points)) {
+            parted[static_cast<std::size_t>(vertex)] = 1;
+        }
+    }
+    return gainOf(model_.solve(parted)) / group.length;
+}
+
+/// What a cut gains becomes less, as a rule, the more others are made: only those are looked at
+/// anew that could still be the best.
+std::size_t CutOrder::bestGroup() {
+    std::vector<char> isKnown(groups_.size(), 0);
+    for (;;) {
+        const auto best = static_cast<std::size_t>(
+            std::ranges::max_element(groups_, {}, &Group::gain) - groups_.begin());
+        if (isKnown[best] != 0 || progress_.isCancelled()) {
+            return best;
+        }
+        groups_[best].gain = gainOf(groups_[best]);
+        isKnown[best] = 1;
+    }
+}
+
+/// The best of the darts to the places where cloth is too long, far from any cut.
+std::optional<CutOrder::DartFound> CutOrder::nextDart() {
+    std::optional<DartFound> best;
+    if (!scale_) {
+        return best;
+    }
+    const std::vector<double> far = lines_.distances(lengths_, progress_);
+    std::vector<char> isTried(far.size(), 0);
+    for (int place = 0; place < kPlaces && !progress_.isCancelled(); ++place) {
+        int tip = -1;
+        double most = 0;
+        for (int v = 0; v < links_.vertexCount(); ++v) {
+            const auto at = static_cast<std::size_t>(v);
+            const double tooLong = std::expm1(-scale_->log[v]);
+            if (isTried[at] == 0 && tooLong > kWorthADart && far[at] > kShortestDart * size_ &&
+                std::isfinite(far[at]) && tooLong * far[at] > most) {
+                most = tooLong * far[at];
+                tip = v;
+            }
+        }
+        if (tip < 0) {
+            break;
+        }
+        std::optional<DartFound> dart = dartTo(tip);
+        if (dart && (!best || dart->gain > best->gain)) {
+            best = std::move(dart);
+        }
+        const double around = far[static_cast<std::size_t>(tip)] / 2;
+        for (int v = 0; v < links_.vertexCount(); ++v) {
+            if ((links_.mesh().V.row(v) - links_.mesh().V.row(tip)).norm() < around) {
+                isTried[static_cast<std::size_t>(v)] = 1;
+            }
+        }
+    }
+    return best;
+}
+
+std::optional<CutOrder::DartFound> CutOrder::dartTo(int tip) {
+    DartFound dart;
+    std::vector<Eigen::Vector3d>& points = dart.cut.what.cut.points;
+    points = lines_.wayTo(tip, lengths_, progress_);
+    if (points.size() < 2) {
+        return std::nullopt;
+    }
+    const auto scale = model_.solve(lines_.with(points));
+    if (!scale) {
+        return std::nullopt;
+    }
+    dart.cut.what.line = TailorLine::Dart;
+    dart.cut.length = lengthOf(points, false);
+    dart.cut.intake = intakeOf(points, *scale);
+    dart.cut.evidence = worded("the cloth at its tip is %1 % too long",
+                               {figure(100 * std::expm1(-scale_->log[tip]), 0)});
+    dart.gain = gainOf(scale) / dart.cut.length;
+    const bool takesIn = dart.cut.intake->width > 0 && dart.cut.intake->angle > 0;
+    return takesIn && dart.gain > 0 ? std::optional(std::move(dart)) : std::nullopt;
+}
+
+/// A cut opens by the angles that it takes in, each about its own place.
+DartIntake CutOrder::intakeOf(const std::vector<Eigen::Vector3d>& points,
+                              const FlatScale& scale) const {
+    DartIntake intake;
+    double along = 0;
+    int last = lines_.verticesAlong({points.front()}).front();
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        along += (points[k] - points[k - 1]).norm();
+        const int vertex = lines_.verticesAlong({points[k]}).front();
+        if (vertex != last) {
+            intake.angle += scale.absorbed[vertex];
+            intake.width += scale.absorbed[vertex] * along;
+        }
+        last = vertex;
+    }
+    return intake;
+}
+
+}  // namespace toile::tailor
