@@ -2,10 +2,12 @@
 #include "core/garment/cut_pieces.h"
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/base/unique_names.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/part_origins.h"
@@ -16,9 +18,12 @@ namespace {
 
 using PiecePointer = std::shared_ptr<const Piece>;
 
-/// Of a piece's time, about, for the user's cuts; and of these for tracing them.
-constexpr double kByHandShare = 0.5;
+/// Of a piece's time, about, for the user's cuts, and for proposing others and making them; and of
+/// making any for tracing them.
+constexpr double kByHandShare = 0.2, kByProposalShare = 0.4;
 constexpr double kTracingShare = 0.7;
+/// Of proposals' time, about, for finding them.
+constexpr double kProposingShare = 0.7;
 
 /// A point of the reference panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
@@ -110,7 +115,7 @@ public:
     }
 
     void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
-        const int way = proposer_.propose && asked.empty() && isToOpen(*whole) ? proposer_.way : 0;
+        const int way = automatic_ && proposer_.propose ? proposer_.way : 0;
         if (asked.empty() && !isToOpen(*whole)) {
             made_.pieces.push_back(whole);
             return;
@@ -153,9 +158,7 @@ private:
     }
 
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
-        const Progress first(progress, kByHandShare);
-        std::vector<Piece> parts =
-            done_.proposer != 0 ? byProposal(whole, first) : byHand(*whole, done_.asked, first);
+        std::vector<Piece> parts = byHand(*whole, done_.asked, Progress(progress, kByHandShare));
         if (parts.empty()) {  // no cut of the user's, or none that could be made
             if (!isToOpen(*whole)) {
                 done_.pieces.push_back(whole);
@@ -163,47 +166,88 @@ private:
             }
             parts.push_back(*whole);
         }
+        PartNames nameOf;
+        const auto isLeft = [this](const Piece& part) { return isToOpen(part); };
+        if (done_.proposer != 0 && std::ranges::any_of(parts, isLeft)) {
+            nameOf = byProposal(whole, parts, Progress(progress, kByProposalShare));
+        }
         const bool several = parts.size() > 1;
         for (Piece& part : parts) {
             if (several) {
-                part.name = names_.numbered(whole->name);
+                part.name = freeName(*whole, nameOf ? nameOf(part) : std::string());
                 nameDefect(part);
             }
             if (isToOpen(part)) {
-                byItself(part, Progress(progress,
-                                        (1 - kByHandShare) / static_cast<double>(parts.size())));
+                byItself(part, Progress(progress, (1 - kByHandShare - kByProposalShare) /
+                                                      static_cast<double>(parts.size())));
             }
             done_.pieces.push_back(std::make_shared<Piece>(std::move(part)));
         }
     }
 
-    /// The parts after the cuts that are proposed, if cuts can open what these leave closed.
-    std::vector<Piece> byProposal(const PiecePointer& piece, const Progress& progress) {
-        std::vector<ProposedCut> proposed = proposer_.propose(piece, {}, progress).cuts;
-        std::vector<UserCut> cuts;
-        for (ProposedCut& one : proposed) {
+    using PartNames = std::function<std::string(const Piece&)>;
+
+    /// The id of the last of some cuts, which is proposed: by its name, that it stays where another
+    /// cut comes or goes.
+    static CutId idOf(const Piece& piece, const std::vector<UserCut>& cuts) {
+        std::uint64_t hash = hashOf({piece.id.value, 'p', contentHash(cuts.back().name)});
+        while (std::ranges::any_of(
+            cuts, [hash](const UserCut& other) { return other.id.value == hash; })) {
+            hash = hashOf({hash});
+        }
+        return {hash};
+    }
+
+    /// What a part is called. @param own  its own name within the piece; empty: a number
+    std::string freeName(const Piece& whole, const std::string& own) {
+        return own.empty()   ? names_.numbered(whole.name)
+               : namesPiece_ ? names_.free(whole.name + ", " + own)
+                             : names_.free(own);
+    }
+
+    /// Makes the cuts that are proposed beside the user's, if cuts can open what all these leave
+    /// closed.
+    /// @param parts  those after the user's cuts alone; replaced where others are made
+    /// @return  the names of the parts
+    PartNames byProposal(const PiecePointer& piece, std::vector<Piece>& parts,
+                         const Progress& progress) {
+        ProposedCuts proposed =
+            proposer_.propose(piece, done_.asked, Progress(progress, kProposingShare));
+        std::vector<UserCut> cuts = done_.asked;
+        const std::size_t own = cuts.size();
+        for (ProposedCut& one : proposed.cuts) {
             cuts.push_back(std::move(one.cut));
             if (namesPiece_) {
                 cuts.back().name = piece->name + ", " + cuts.back().name;
             }
-            cuts.back().id = CutId{hashOf({piece->id.value, 'p', cuts.size()})};
+            cuts.back().id = idOf(*piece, cuts);
         }
-        std::vector<Piece> parts = byHand(*piece, cuts, progress);
-        done_.problems.clear();  // what could not be made of them nobody has asked for
-        const bool isHopeless = std::ranges::any_of(parts, [](const Piece& part) {
+        const CutRecord before = done_;
+        done_.cuts.clear();
+        std::vector<Piece> made;
+        if (cuts.size() > own) {
+            made = byHand(*piece, cuts, Progress(progress, 1 - kProposingShare));
+        }
+        done_.problems = before.problems;  // what could not be made of them nobody has asked for
+        const bool isHopeless = std::ranges::any_of(made, [](const Piece& part) {
             return part.defect && !cutsCanRepair(part.defect->code);
         });
-        if (parts.empty() || isHopeless) {
-            done_.cuts.clear();
-            done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
+        if (made.empty() || isHopeless) {
+            done_.cuts = before.cuts;
+            if (own == 0) {
+                done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
+            }
             return {};
         }
         for (AppliedCut& cut : done_.cuts) {
             const auto at = std::ranges::find(cuts, cut.id, &UserCut::id) - cuts.begin();
-            cut.author = CutAuthor::Automatic;
-            cut.evidence = proposed[static_cast<std::size_t>(at)].evidence;
+            if (at >= std::ssize(done_.asked)) {
+                cut.author = CutAuthor::Automatic;
+                cut.evidence = proposed.cuts[static_cast<std::size_t>(at) - own].evidence;
+            }
         }
-        return parts;
+        parts = std::move(made);
+        return std::move(proposed.nameOf);
     }
 
     /// The parts after some cuts; none where no cut was made.

@@ -2,9 +2,12 @@
 #include "core/tailor/garment_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include "core/cut/fill_holes.h"
@@ -21,6 +24,10 @@ constexpr double kPartnerApart = 0.25;
 constexpr double kNearlyLevel = 0.5;
 /// Of a neck, the part that is looked at for where it is low.
 constexpr double kLowPart = 0.3;
+/// A vertex whose image is nearer to another than this, mm, is that one's mirror image; so many are
+/// looked at.
+constexpr double kSameVertex = 0.01;
+constexpr Eigen::Index kPolishedBy = 4000;
 
 BodyOpening openingOf(const Points3& V, RimLoop loop) {
     BodyOpening opening;
@@ -144,6 +151,38 @@ GarmentBody bodyBeside(const Piece& piece, const MirrorPlane& plane) {
     return body;
 }
 
+/// The plane by vertices and their images alone, where a mesh is its own mirror image: to the last
+/// digits, that both sides are cut alike to these.
+MirrorPlane polished(MirrorPlane plane, const MeshArrays& mesh) {
+    const NearestSurface nearest(mesh);
+    std::vector<std::array<Eigen::Vector3d, 2>> pairs;
+    Eigen::Vector3d middle(0, 0, 0);
+    const Eigen::Index stride = mesh.V.rows() / kPolishedBy + 1;
+    for (Eigen::Index v = 0; v < mesh.V.rows(); v += stride) {
+        const Eigen::Vector3d image = plane.reflected(mesh.V.row(v).transpose());
+        const SurfacePoint place = nearest.find(image);
+        int corner = 0;
+        place.barycentric.maxCoeff(&corner);
+        const Eigen::Vector3d other = mesh.V.row(mesh.F(place.face, corner)).transpose();
+        if ((other - image).norm() > kSameVertex) {
+            return plane;
+        }
+        pairs.push_back({mesh.V.row(v).transpose(), other});
+        middle += mesh.V.row(v).transpose() + other;
+    }
+    middle /= 2 * static_cast<double>(pairs.size());
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (const auto& [one, other] : pairs) {
+        const Eigen::Matrix3d product = (one - middle) * (other - middle).transpose();
+        sum += product + product.transpose();
+    }
+    const Eigen::Vector3d normal =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors().col(0);
+    plane.normal = normal.dot(plane.normal) < 0 ? Eigen::Vector3d(-normal) : normal;
+    plane.offset = plane.normal.dot(middle);
+    return plane;
+}
+
 }  // namespace
 
 const BodyOpening* GarmentBody::find(OpeningKind kind) const {
@@ -162,12 +201,19 @@ std::optional<std::array<const BodyOpening*, 2>> GarmentBody::pair(OpeningKind k
 }
 
 std::optional<GarmentBody> readBody(const std::shared_ptr<const Piece>& piece,
-                                    const Progress& progress) {
-    const auto plane = findMirrorPlane({piece}, progress);
+                                    const Progress& progress, bool isFrontSwapped) {
+    auto plane = findMirrorPlane({piece}, progress);
     const Eigen::Vector3d upright(0, 1, 0);
     if (!plane || std::abs(plane->normal.dot(upright)) > kNearlyLevel) {
         return std::nullopt;
     }
+    if (plane->deviation < kSameVertex) {
+        plane = polished(*plane, piece->mesh);
+    }
+    const auto turned = [isFrontSwapped](GarmentBody body) {
+        body.forward *= isFrontSwapped ? -1 : 1;
+        return body;
+    };
     GarmentBody body = bodyBeside(*piece, *plane);
     if (body.form == BodyForm::Unknown) {
         // Front and back may be alike, too, and more so than left and right.
@@ -177,10 +223,10 @@ std::optional<GarmentBody> readBody(const std::shared_ptr<const Piece>& piece,
         across.deviation = across.farthest = std::numeric_limits<double>::infinity();
         GarmentBody other = bodyBeside(*piece, across);
         if (other.form != BodyForm::Unknown) {
-            return other;
+            return turned(std::move(other));
         }
     }
-    return body;
+    return turned(std::move(body));
 }
 
 }  // namespace toile

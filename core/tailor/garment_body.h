@@ -53,9 +53,10 @@ struct GarmentBody {
 /// unless two below the garment's middle are legs. The front is where the neck is lowest, which is
 /// wrong where a back is low.
 /// @param piece  mm, y up; oriented, manifold
+/// @param isFrontSwapped  a person says that the front is on the other side than is guessed
 /// @return none where there is no mirror plane
 /// Cost: that of `findMirrorPlane`. Deterministic. Pure.
 std::optional<GarmentBody> readBody(const std::shared_ptr<const Piece>& piece,
-                                    const Progress& progress = {});
+                                    const Progress& progress = {}, bool isFrontSwapped = false);
 
 }  // namespace toile

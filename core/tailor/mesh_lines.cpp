@@ -205,6 +205,15 @@ double likelinessOf(const Line& line, double usual) {
 
 }  // namespace
 
+void MeshLines::addSure(const std::vector<char>& isSeam) {
+    sure = static_cast<int>(ways.size());
+    for (std::size_t e = 0; e < isSeam.size(); ++e) {
+        lineOf[e] = isSeam[e] != 0 ? sure : lineOf[e];
+    }
+    ways.emplace_back();
+    likeliness.push_back(1);
+}
+
 MeshLines findMeshLines(const SurfaceLinks& links) {
     const Continuations continuations(links);
     const std::vector<double> bends = bendsOf(links);

@@ -15,9 +15,15 @@ struct MeshLines {
     std::vector<std::vector<int>> ways;  ///< per line: its vertices; a round one repeats its first
     std::vector<double> likeliness;  ///< per line, 0 to below 1; a line of a regular grid has 0.5
     int usual = 0;                   ///< edges that nine lines of ten have at most: the mesh's own
+    int sure = -1;                   ///< the line of seams that there are for sure; -1: none
 
     /// How much an edge looks like a part of a seam.
     double at(int edge) const { return likeliness[lineOf[edge]]; }
+
+    /// Makes seams of some edges for sure: of likeliness 1, and of a line of their own, without a
+    /// way. @param isSeam  per edge
+    void addSure(const std::vector<char>& isSeam);
+    bool isSure(int edge) const { return lineOf[edge] == sure; }
 };
 
 /// Two edges that meet inside the surface belong to one line where each goes on most nearly

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 
 namespace toile::tailor {
@@ -15,6 +16,8 @@ constexpr double kOtherHalf = 1e4;
 /// A waist is where the garment is narrower than this part of its greatest width.
 constexpr double kNarrow = 0.9;
 constexpr int kHeights = 40;
+/// How far from there, mm, a line of the mesh may be the waist's, if it is one for sure.
+constexpr double kWaistReach = 50, kSureWaist = 0.6;
 
 /// Costs in one half of the garment: near a value of `off` of 0.
 std::vector<double> costsNear(const BodyWays& ways, bool isFront,
@@ -30,6 +33,15 @@ std::vector<double> costsNear(const BodyWays& ways, bool isFront,
 int vertexAt(const BodyWays& ways, const std::vector<int>& way, double height) {
     return *std::ranges::min_element(way, {},
                                      [&](int v) { return std::abs(ways.height(v) - height); });
+}
+
+/// Vertices of a way that are near a height, the nearest among them.
+std::vector<int> nearHeight(const BodyWays& ways, const std::vector<int>& way, double height,
+                            std::vector<int> nearest) {
+    std::ranges::copy_if(way, std::back_inserter(nearest), [&](int v) {
+        return std::abs(ways.height(v) - height) < kWaistReach && v != nearest.front();
+    });
+    return nearest;
 }
 
 }  // namespace
@@ -50,7 +62,8 @@ std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
     return best;
 }
 
-std::vector<int> waistLine(const BodyWays& ways, const std::array<std::vector<int>, 2>& sides) {
+std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
+                           const std::array<std::vector<int>, 2>& sides) {
     double least = -std::numeric_limits<double>::infinity(), most = -least;
     for (const std::vector<int>& side : sides) {
         least = std::max(least, ways.height(side.back()));
@@ -70,14 +83,26 @@ std::vector<int> waistLine(const BodyWays& ways, const std::array<std::vector<in
     if (least >= most || narrowest > kNarrow * widest) {
         return {};
     }
-    const int left = vertexAt(ways, sides[0], at), right = vertexAt(ways, sides[1], at);
+    std::vector<int> left{vertexAt(ways, sides[0], at)}, right{vertexAt(ways, sides[1], at)};
     std::vector<int> around;
     for (const bool isFront : {true, false}) {
         const auto costs = costsNear(ways, isFront, [&](int v) { return ways.height(v) - at; });
-        const std::vector<int> half =
-            isFront ? ways.cheapest(costs, {left}, {right}) : ways.cheapest(costs, {right}, {left});
+        std::vector<int> half = ways.cheapest(costs, left, right);
+        // The first half says where a line of the mesh begins and ends, the second closes it.
+        std::vector<int> led = isFront
+                                   ? pull.pulled(half, costs, nearHeight(ways, sides[0], at, left),
+                                                 nearHeight(ways, sides[1], at, right))
+                                   : pull.pulled(half, costs, left, right);
+        if (!isFront || pull.along(led) > kSureWaist) {
+            half = std::move(led);
+        }
         if (half.empty()) {
             return {};
+        }
+        left = {half.front()};
+        right = {half.back()};
+        if (!isFront) {
+            std::ranges::reverse(half);
         }
         around.insert(around.end(), half.begin() + (isFront ? 0 : 1), half.end());
     }

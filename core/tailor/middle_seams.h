@@ -16,6 +16,7 @@ std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
 /// The line around the narrowest height of a trunk, from one side line to the other through the
 /// front and back again; empty where the trunk is nearly as narrow everywhere.
 /// @param sides  from below the arms to the hem
-std::vector<int> waistLine(const BodyWays& ways, const std::array<std::vector<int>, 2>& sides);
+std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
+                           const std::array<std::vector<int>, 2>& sides);
 
 }  // namespace toile::tailor

@@ -15,12 +15,36 @@ constexpr double kSaving = 0.9;
 constexpr double kNear = 60, kWide = 180;
 constexpr double kMuchMore = 0.15, kSure = 0.75;
 constexpr double kOutOfReach = 1e6;
+/// What it costs along a sure seam, and within so many mm beside it.
+constexpr double kAlongSure = 0.02, kBesideSure = 10, kBeside = 30;
 
 }  // namespace
 
+SeamPull::SeamPull(const BodyWays& ways, const MeshLines& lines) : ways_(ways), lines_(lines) {
+    const Edges& edges = ways.links().table().edges;
+    std::vector<int> sure;
+    for (int e = 0; e < edges.rows() && lines.sure >= 0; ++e) {
+        if (lines.isSure(e)) {
+            sure.insert(sure.end(), {edges(e, 0), edges(e, 1)});
+        }
+    }
+    if (!sure.empty()) {
+        besideSure_ =
+            geometry::shortestForest(edges, ways.links().vertexCount(), ways.lengths(), {sure})
+                .distance;
+    }
+}
+
 std::vector<double> SeamPull::eased(std::vector<double> costs) const {
+    const Edges& edges = ways_.links().table().edges;
     for (std::size_t e = 0; e < costs.size(); ++e) {
-        costs[e] *= 1 - kSaving * lines_.at(static_cast<int>(e));
+        const auto edge = static_cast<int>(e);
+        const bool isBeside =
+            !besideSure_.empty() &&
+            std::max(besideSure_[edges(edge, 0)], besideSure_[edges(edge, 1)]) < kBeside;
+        costs[e] *= lines_.isSure(edge) ? kAlongSure
+                    : isBeside          ? kBesideSure
+                                        : 1 - kSaving * lines_.at(edge);
     }
     return costs;
 }

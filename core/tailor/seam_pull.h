@@ -11,10 +11,14 @@ namespace toile::tailor {
 /// Pulls lines that follow the form to lines of the mesh that look like seams.
 class SeamPull {
 public:
-    SeamPull(const BodyWays& ways, const MeshLines& lines) : ways_(ways), lines_(lines) {}
+    SeamPull(const BodyWays& ways, const MeshLines& lines);
 
-    /// Costs of edges, less where they look like seams.
+    /// Costs of edges, less where they look like seams; next to none along sure ones, and much
+    /// beside them, so that what would run near does run along.
     std::vector<double> eased(std::vector<double> costs) const;
+    bool hasSure() const { return !besideSure_.empty(); }
+    /// Whether a sure seam passes there.
+    bool isAtSure(int vertex) const { return !besideSure_.empty() && besideSure_[vertex] == 0; }
     /// Mean likeliness along a way, by length.
     double along(const std::vector<int>& way) const;
     /// The way from one set to the other that the mesh suggests near `way`, or `way` itself where
@@ -29,6 +33,7 @@ private:
 
     const BodyWays& ways_;
     const MeshLines& lines_;
+    std::vector<double> besideSure_;  ///< per vertex: how far from sure seams, mm; empty: of none
 };
 
 }  // namespace toile::tailor

@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/base/unique_names.h"
+#include "core/tailor/fair_lines.h"
+#include "core/tailor/marked_mesh.h"
 
 namespace toile {
 namespace {
-
-/// Edges from here on are a seam's, and stay; rounds of ironing for the others.
-constexpr double kStays = 0.6;
-constexpr int kRounds = 40;
 
 /// A garment nearer than this to its own mirror image, mm, is cut alike on both sides.
 constexpr double kSymmetric = 0.5;
@@ -29,61 +27,6 @@ std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
     const bool isLeftAcross = body.up.cross(body.forward).dot(body.plane.normal) > 0;
     return ((seam.side > 0) == isLeftAcross ? "left " : "right ") + word;
 }
-
-class Ironing {
-public:
-    Ironing(const BodyWays& ways, const MeshLines& lines, const std::vector<TailorSeam>& seams)
-        : ways_(ways), lines_(lines), nearest_(ways.links().mesh()) {
-        for (const TailorSeam& seam : seams) {
-            held_.insert(seam.way.front());
-            held_.insert(seam.way.back());
-        }
-    }
-
-    /// The points of a line, its teeth ironed out; of one that goes round the first is not
-    /// repeated.
-    std::vector<Eigen::Vector3d> ironed(const std::vector<int>& way) const {
-        const std::size_t n = way.size();
-        std::vector<Eigen::Vector3d> points;
-        std::vector<char> isFree(n, 1);
-        for (std::size_t k = 0; k < n; ++k) {
-            points.push_back(ways_.at(way[k]));
-            if (held_.contains(way[k]) || k == 0 || k + 1 == n) {
-                isFree[k] = 0;
-            }
-        }
-        for (std::size_t k = 1; k < n; ++k) {
-            const int edge = findEdge(ways_.links().table().edges, way[k - 1], way[k]);
-            if (lines_.at(edge) >= kStays) {
-                isFree[k] = isFree[k - 1] = 0;
-            }
-        }
-        for (int round = 0; round < kRounds; ++round) {
-            std::vector<Eigen::Vector3d> next = points;
-            for (std::size_t k = 1; k + 1 < n && !ways_.isCancelled(); ++k) {
-                if (isFree[k] != 0) {
-                    const Eigen::Vector3d middle = (points[k - 1] + points[k + 1]) / 2;
-                    next[k] = onSurface((points[k] + middle) / 2);
-                }
-            }
-            points = std::move(next);
-        }
-        if (way.front() == way.back()) {
-            points.pop_back();
-        }
-        return points;
-    }
-
-private:
-    Eigen::Vector3d onSurface(const Eigen::Vector3d& p) const {
-        return positionOf(ways_.links().mesh(), nearest_.find(p));
-    }
-
-    const BodyWays& ways_;
-    const MeshLines& lines_;
-    const NearestSurface nearest_;
-    std::set<int> held_;  ///< where seams end
-};
 
 /// Makes both sides alike: those of one are those of the other, reflected, and the centre lies in
 /// the plane. What met a line that has moved goes along to it.
@@ -186,28 +129,42 @@ const char* wordOf(TailorLine line) {
 std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
                                   const Progress& progress) {
     const auto body = readBody(piece, progress);
-    if (!body || body->form == BodyForm::Unknown || progress.isCancelled()) {
+    return body ? tailorCuts(*piece, *body, {}, progress) : std::vector<TailorCut>{};
+}
+
+std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
+                                  const std::vector<UserCut>& own, const Progress& progress) {
+    if (body.form == BodyForm::Unknown || progress.isCancelled()) {
         return {};
     }
-    const SurfaceLinks links(piece->mesh, piece->table);
-    const BodyWays ways(links, *body, progress);
-    const MeshLines lines = findMeshLines(links);
-    const std::vector<TailorSeam> seams = tailorSeams(ways, lines, progress);
-    const Ironing ironing(ways, lines, seams);
+    const tailor::MarkedMesh marked = tailor::markedMesh(piece.mesh, piece.table, own, progress);
+    const SurfaceLinks links(marked.mesh, marked.table);
+    const BodyWays ways(links, body, progress);
+    MeshLines lines = findMeshLines(links);
+    if (!marked.ways.empty()) {
+        lines.addSure(marked.marks());
+    }
+    const std::vector<TailorSeam> seams = tailorSeams(ways, lines, marked.ways, progress);
+    std::vector<std::vector<Eigen::Vector3d>> fair =
+        tailor::fairLines(ways, lines, seams, marked.ways);
     UniqueNames names;
+    for (const UserCut& cut : own) {
+        names.take(cut.name);
+    }
     std::vector<TailorCut> cuts;
-    for (const TailorSeam& seam : seams) {
+    for (std::size_t s = 0; s < seams.size(); ++s) {
+        const TailorSeam& seam = seams[s];
         TailorCut& made = cuts.emplace_back();
         made.line = seam.line;
         made.side = seam.side;
         made.likeliness = seam.likeliness;
-        made.cut.name = names.free(nameOf(seam, *body));
-        made.cut.points = ironing.ironed(seam.way);
+        made.cut.name = names.free(nameOf(seam, body));
+        made.cut.points = std::move(fair[s]);
         made.cut.kind =
             seam.way.front() == seam.way.back() ? UserCut::Kind::Loop : UserCut::Kind::Path;
     }
-    if (body->plane.deviation < kSymmetric) {
-        Reflection(cuts, body->plane).run();
+    if (own.empty() && body.plane.deviation < kSymmetric) {
+        Reflection(cuts, body.plane).run();
     }
     return cuts;
 }

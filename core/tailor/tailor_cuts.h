@@ -32,4 +32,10 @@ const char* wordOf(TailorLine line);
 std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
                                   const Progress& progress = {});
 
+/// The same of a body that has been read, beside cuts that are made anyhow: proposals are led to
+/// these, end on them, and do not run along them again.
+/// @param body  of this piece
+std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
+                                  const std::vector<UserCut>& own, const Progress& progress = {});
+
 }  // namespace toile

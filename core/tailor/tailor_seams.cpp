@@ -6,6 +6,7 @@
 
 #include "core/tailor/leg_seams.h"
 #include "core/tailor/middle_seams.h"
+#include "core/tailor/scraps.h"
 #include "core/tailor/seam_pull.h"
 #include "core/tailor/style_lines.h"
 #include "core/tailor/top_seams.h"
@@ -15,8 +16,9 @@ namespace {
 
 class TailorSeams {
 public:
-    TailorSeams(const BodyWays& ways, const MeshLines& lines)
-        : ways_(ways), lines_(lines), pull_(ways, lines) {}
+    TailorSeams(const BodyWays& ways, const MeshLines& lines,
+                const std::vector<std::vector<int>>& cuts)
+        : ways_(ways), lines_(lines), pull_(ways, lines), cuts_(cuts) {}
 
     void addTop() {
         std::array<std::vector<int>, 2> sides;
@@ -44,7 +46,7 @@ public:
             add(TailorLine::Centre, 0,
                 tailor::centreLine(ways_, pull_, body.find(OpeningKind::Neck)->loop.vertices,
                                    body.find(OpeningKind::Hem)->loop.vertices));
-            add(TailorLine::Waist, 0, tailor::waistLine(ways_, sides));
+            add(TailorLine::Waist, 0, tailor::waistLine(ways_, pull_, sides));
         }
     }
 
@@ -65,12 +67,21 @@ public:
     }
 
     void addStyleLines() {
-        std::vector<std::vector<int>> known;
+        std::vector<std::vector<int>> known = cuts_;
         for (const TailorSeam& seam : seams_) {
             known.push_back(seam.way);
         }
         for (std::vector<int>& way : tailor::styleLines(ways_, lines_, pull_, known)) {
             add(TailorLine::Style, 0, std::move(way));
+        }
+    }
+
+    /// Leaves out what runs along the cuts.
+    void leaveOutCuts() {
+        const std::vector<TailorSeam> left = tailor::withoutScraps(ways_, seams_, cuts_);
+        seams_.clear();
+        for (const TailorSeam& seam : left) {
+            add(seam.line, seam.side, seam.way);
         }
     }
 
@@ -87,14 +98,16 @@ private:
     const BodyWays& ways_;
     const MeshLines& lines_;
     const tailor::SeamPull pull_;
+    const std::vector<std::vector<int>>& cuts_;
     std::vector<TailorSeam> seams_;
 };
 
 }  // namespace
 
 std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines,
+                                    const std::vector<std::vector<int>>& cuts,
                                     const Progress& progress) {
-    TailorSeams seams(ways, lines);
+    TailorSeams seams(ways, lines, cuts);
     switch (ways.body().form) {
         case BodyForm::Top:
             seams.addTop();
@@ -110,6 +123,9 @@ std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines
     }
     if (!progress.isCancelled()) {
         seams.addStyleLines();
+    }
+    if (!cuts.empty()) {
+        seams.leaveOutCuts();
     }
     return seams.take();
 }

@@ -37,8 +37,11 @@ struct TailorSeam {
 /// Proposes the lines of a top, of trousers or of a skirt: where front meets back along the tubes
 /// of trunk, sleeves and legs, around the arms, along the shoulders. First by the form alone; then
 /// each is pulled to lines of the mesh that look like seams, where there are some near.
+/// @param cuts  ways that are cut anyhow, sure seams of `lines`: lines run to them, and what of a
+///              line runs along one is left out, so that it may come in several stretches
 /// Cost: some dozens of searches, O(#E log #E) each. Deterministic. Pure.
 std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines,
+                                    const std::vector<std::vector<int>>& cuts = {},
                                     const Progress& progress = {});
 
 }  // namespace toile

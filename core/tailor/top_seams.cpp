@@ -199,16 +199,21 @@ private:
         Armhole best;
         for (const std::size_t armpit : armpits) {
             const int low = top_.under[armpit];
-            const auto ahead = ways_.waysFrom(low, front), behind = ways_.waysFrom(low, back);
+            const bool isKeptOff = pull_.hasSure();
+            const auto ahead =
+                ways_.waysFrom(low, isKeptOff ? keptOff(front, low, shoulders) : front);
+            const auto behind =
+                ways_.waysFrom(low, isKeptOff ? keptOff(back, low, shoulders) : back);
             for (const std::size_t shoulder : shoulders) {
                 const int high = top_.ridge[shoulder];
                 const double cost = ahead.distance[high] + behind.distance[high] +
                                     kShift * (shiftOf(top_.under, top_.armpit, armpit) +
                                               shiftOf(top_.ridge, top_.shoulder, shoulder));
                 if (cost < best.cost) {
-                    best = {ahead.pathTo(high, edges), armpit, shoulder, cost};
+                    std::vector<int> way = ahead.pathTo(high, edges);
                     const std::vector<int> down = behind.pathTo(high, edges);
-                    best.way.insert(best.way.end(), down.rbegin() + 1, down.rend());
+                    way.insert(way.end(), down.rbegin() + 1, down.rend());
+                    best = {std::move(way), armpit, shoulder, cost};
                 }
             }
             if (ways_.isCancelled()) {
@@ -218,18 +223,50 @@ private:
         return best;
     }
 
+    /// Costs between one armpit and some shoulder points, with which a line that cuts lead does not
+    /// touch elsewhere the lines that it is to part.
+    std::vector<double> keptOff(std::vector<double> costs, int armpit,
+                                const std::vector<std::size_t>& shoulders) const {
+        std::vector<char> isOff(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
+        for (const auto* line : {&top_.under, &top_.ridge}) {
+            for (const int v : *line) {
+                isOff[v] = 1;
+            }
+        }
+        isOff[armpit] = 0;
+        for (const std::size_t shoulder : shoulders) {
+            isOff[top_.ridge[shoulder]] = 0;
+        }
+        const Edges& edges = ways_.links().table().edges;
+        for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+            costs[static_cast<std::size_t>(e)] *=
+                isOff[edges(e, 0)] != 0 || isOff[edges(e, 1)] != 0 ? kForbidden : 1;
+        }
+        return costs;
+    }
+
     void findArmhole() {
-        top_.armhole = bestArmhole({top_.armpit}, {top_.shoulder}, armholeCosts(true, false),
-                                   armholeCosts(false, false))
-                           .way;
-        Armhole led = bestArmhole(within(top_.under, top_.armpit, kArmpitReach, kArmpitTries),
-                                  within(top_.ridge, top_.shoulder, kShoulderReach, kShoulderTries),
-                                  pull_.eased(armholeCosts(true, true)),
+        const std::vector<std::size_t> armpits =
+            within(top_.under, top_.armpit, kArmpitReach, kArmpitTries);
+        const std::vector<std::size_t> shoulders =
+            within(top_.ridge, top_.shoulder, kShoulderReach, kShoulderTries);
+        using Places = std::vector<std::size_t>;
+        // By the form it is where it is, unless cuts are in the way.
+        take(bestArmhole(pull_.hasSure() ? armpits : Places{top_.armpit},
+                         pull_.hasSure() ? shoulders : Places{top_.shoulder},
+                         armholeCosts(true, false), armholeCosts(false, false)));
+        Armhole led = bestArmhole(armpits, shoulders, pull_.eased(armholeCosts(true, true)),
                                   pull_.eased(armholeCosts(false, true)));
         if (pull_.along(led.way) > kArmholeSure) {
-            top_.armhole = std::move(led.way);
-            top_.armpit = led.armpit;
-            top_.shoulder = led.shoulder;
+            take(std::move(led));
+        }
+    }
+
+    void take(Armhole armhole) {
+        if (!armhole.way.empty()) {
+            top_.armhole = std::move(armhole.way);
+            top_.armpit = armhole.armpit;
+            top_.shoulder = armhole.shoulder;
         }
     }
 
@@ -252,7 +289,10 @@ private:
                 if (shift > reach) {
                     break;
                 }
-                if (shift - last >= step) {
+                const auto before = k - static_cast<std::size_t>(direction);
+                if (pull_.isAtSure(way[k]) != pull_.isAtSure(way[before])) {
+                    places.insert(places.end(), {before, k});
+                } else if (shift - last >= step) {
                     last = shift;
                     places.push_back(k);
                 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -15,16 +14,6 @@
 
 namespace toile {
 namespace {
-
-/// A garment of one skin, as if it had been read.
-std::shared_ptr<const Piece> worn(MeshArrays mesh) {
-    auto piece = std::make_shared<Piece>(*test::asPiece(std::move(mesh)));
-    piece->sourceVertex.resize(static_cast<std::size_t>(piece->mesh.V.rows()));
-    piece->sourceFace.resize(static_cast<std::size_t>(piece->mesh.F.rows()));
-    std::iota(piece->sourceVertex.begin(), piece->sourceVertex.end(), 0);
-    std::iota(piece->sourceFace.begin(), piece->sourceFace.end(), 0);
-    return piece;
-}
 
 /// What comes of a garment that is cut as proposed.
 CutPieces cutByTailor(const std::shared_ptr<const Piece>& piece,
@@ -52,7 +41,7 @@ std::map<std::string, const TailorCut*> byName(const std::vector<TailorCut>& cut
 }
 
 TEST(TailorCuts, AShirtFallsIntoFrontBackAndSleeves) {
-    const auto shirt = worn(test::wornShirt());
+    const auto shirt = test::wornPiece(test::wornShirt());
     const std::vector<TailorCut> cuts = tailorCuts(shirt);
     const auto named = byName(cuts);
     for (const char* name : {"left side", "right side", "left underarm", "right underarm",
@@ -67,7 +56,7 @@ TEST(TailorCuts, AShirtFallsIntoFrontBackAndSleeves) {
 }
 
 TEST(TailorCuts, SeamsRunWhereFrontMeetsBackAndMeetAtTheArmpit) {
-    const std::vector<TailorCut> cuts = tailorCuts(worn(test::wornShirt()));
+    const std::vector<TailorCut> cuts = tailorCuts(test::wornPiece(test::wornShirt()));
     const auto named = byName(cuts);
     const Eigen::Vector3d armpit(200, 440, 0);  // of the wearer, who looks along z, the left one
     for (const char* name : {"left side", "left underarm"}) {
@@ -82,7 +71,7 @@ TEST(TailorCuts, SeamsRunWhereFrontMeetsBackAndMeetAtTheArmpit) {
 }
 
 TEST(TailorCuts, BothSidesOfASymmetricGarmentAreCutAlike) {
-    const std::vector<TailorCut> cuts = tailorCuts(worn(test::wornShirt()));
+    const std::vector<TailorCut> cuts = tailorCuts(test::wornPiece(test::wornShirt()));
     const auto named = byName(cuts);
     for (const char* line : {"side", "underarm", "shoulder", "armhole"}) {
         const auto& left = named.at(std::string("left ") + line)->cut.points;
@@ -95,7 +84,7 @@ TEST(TailorCuts, BothSidesOfASymmetricGarmentAreCutAlike) {
 }
 
 TEST(TailorCuts, TrousersAreCutAlongLegsAndThroughTheCrotch) {
-    const auto trousers = worn(test::wornTrousers());
+    const auto trousers = test::wornPiece(test::wornTrousers());
     const std::vector<TailorCut> cuts = tailorCuts(trousers);
     const auto named = byName(cuts);
     ASSERT_TRUE(named.contains("centre") && named.contains("left inseam"));
@@ -110,7 +99,7 @@ TEST(TailorCuts, TrousersAreCutAlongLegsAndThroughTheCrotch) {
 TEST(TailorCuts, ASkirtIsCutAlongItsSides) {
     // Of a lathe every ruling is an even row of edges, along which it is bent.
     for (const auto& [around, along] : {std::pair(64, 30), {48, 48}, {40, 40}, {32, 60}}) {
-        const auto skirt = worn(test::wornSkirt(around, along));
+        const auto skirt = test::wornPiece(test::wornSkirt(around, along));
         const CutPieces made = cutByTailor(skirt, tailorCuts(skirt));
         EXPECT_EQ(made.pieces.size(), 2U) << around;
         EXPECT_TRUE(areDisks(made));
@@ -118,28 +107,12 @@ TEST(TailorCuts, ASkirtIsCutAlongItsSides) {
 }
 
 TEST(TailorCuts, WhatIsNotWornGetsNone) {
-    EXPECT_TRUE(tailorCuts(worn(test::octahedron())).empty());
-    EXPECT_TRUE(tailorCuts(worn(test::piercedTorus(24, 12))).empty());
-}
-
-TEST(TailorCuts, NothingIsProposedWhereAPersonHasCut) {
-    const auto skirt = worn(test::wornSkirt());
-    UserCut own;
-    own.name = "mine";
-    own.points = {{0, 600, -90}, {0, 0, -210}};
-    bool isAsked = false;
-    const CutPieces made = cutPieces({skirt}, {own}, true, Progress(), {},
-                                     {[&](const auto&, const auto&, const auto&) {
-                                         isAsked = true;
-                                         return ProposedCuts();
-                                     }});
-    EXPECT_FALSE(isAsked);
-    ASSERT_EQ(made.cuts.size(), 1U);
-    EXPECT_EQ(made.cuts[0].name, "mine");
+    EXPECT_TRUE(tailorCuts(test::wornPiece(test::octahedron())).empty());
+    EXPECT_TRUE(tailorCuts(test::wornPiece(test::piercedTorus(24, 12))).empty());
 }
 
 TEST(TailorCuts, WhatIsProposedOnceIsNotAskedForAgain) {
-    const auto skirt = worn(test::wornSkirt());
+    const auto skirt = test::wornPiece(test::wornSkirt());
     int asked = 0;
     const CutProposer propose{[&asked](const auto& piece, const auto&, const Progress& progress) {
         ++asked;
@@ -154,7 +127,7 @@ TEST(TailorCuts, WhatIsProposedOnceIsNotAskedForAgain) {
     EXPECT_EQ(asked, 1);
     EXPECT_EQ(again.pieces, first.pieces);  // by pointer
     // Nor is a piece that is not worn, of which it is said.
-    const auto ball = worn(test::octahedron());
+    const auto ball = test::wornPiece(test::octahedron());
     const CutPieces none = cutPieces({ball}, {}, true, Progress(), {}, propose);
     const CutPieces still = cutPieces({ball}, {}, true, Progress(), none.records, propose);
     EXPECT_EQ(asked, 2);
@@ -170,7 +143,7 @@ TEST(TailorCuts, CutsThatMeetStillMeetWhereNoVertexLiesInTheMiddle) {
             mesh.V(v, 0) = 4;  // and the mirror plane is nearly where it was
         }
     }
-    const auto trousers = worn(mesh);
+    const auto trousers = test::wornPiece(mesh);
     const std::vector<TailorCut> cuts = tailorCuts(trousers);
     const CutPieces made = cutByTailor(trousers, cuts);
     EXPECT_EQ(made.pieces.size(), 4U);
@@ -181,7 +154,7 @@ TEST(TailorCuts, CutsThatMeetStillMeetWhereNoVertexLiesInTheMiddle) {
 TEST(TailorCuts, CancelledThereAreNone) {
     Progress progress;
     progress.cancel();
-    EXPECT_TRUE(tailorCuts(worn(test::wornShirt()), progress).empty());
+    EXPECT_TRUE(tailorCuts(test::wornPiece(test::wornShirt()), progress).empty());
 }
 
 }  // namespace

@@ -7,9 +7,12 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
+
+#include "tests/core/support/shapes.h"
 
 namespace toile::test {
 namespace {
@@ -164,6 +167,15 @@ MeshArrays wornSkirt(int around, int along) {
         }
     }
     return mesh;
+}
+
+std::shared_ptr<const Piece> wornPiece(MeshArrays mesh) {
+    auto piece = std::make_shared<Piece>(*asPiece(std::move(mesh)));
+    piece->sourceVertex.resize(static_cast<std::size_t>(piece->mesh.V.rows()));
+    piece->sourceFace.resize(static_cast<std::size_t>(piece->mesh.F.rows()));
+    std::iota(piece->sourceVertex.begin(), piece->sourceVertex.end(), 0);
+    std::iota(piece->sourceFace.begin(), piece->sourceFace.end(), 0);
+    return piece;
 }
 
 }  // namespace toile::test

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+
+#include "core/garment/piece.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile::test {
@@ -16,5 +19,8 @@ MeshArrays wornShirt();
 MeshArrays wornTrousers();
 /// A tube that widens from 300 to 700 mm of width over 600 of height.
 MeshArrays wornSkirt(int around = 64, int along = 30);
+
+/// A garment of one skin, as if it had been read.
+std::shared_ptr<const Piece> wornPiece(MeshArrays mesh);
 
 }  // namespace toile::test
