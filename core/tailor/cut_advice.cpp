@@ -9,6 +9,7 @@
 #include "core/cut/auto_cut.h"
 #include "core/tailor/cut_order.h"
 #include "core/tailor/form_lines.h"
+#include "core/tailor/part_names.h"
 
 namespace toile {
 namespace {
@@ -135,10 +136,12 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     if (const auto& scale = shortest.look()) {
         advice.before = scale->strain;
     }
-    std::vector<TailorCut> tailors = tailorCuts(piece, progress);
+    const auto body = readBody(piece, progress, options.isFrontSwapped);
+    const std::vector<TailorCut> tailors =
+        body ? tailorCuts(*piece, *body, own, progress) : std::vector<TailorCut>{};
     const bool isWorn = !tailors.empty();
-    for (TailorCut& cut : tailors) {
-        order.propose(advisedCut(std::move(cut)));
+    for (const TailorCut& cut : tailors) {
+        order.propose(advisedCut(cut));
     }
     order.takeAll();
     if (!isWorn && advice.before.mean > kFormInDoubt) {
@@ -161,6 +164,11 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     advice.cuts = std::move(order.taken());
     giveNames(advice.cuts);
     markNeeded(advice, isWorn, options.enoughStrain);
+    if (isWorn) {
+        advice.nameOf = [piece, body = *body, tailors](const Piece& part) {
+            return partName(*piece, body, tailors, part);
+        };
+    }
     return advice;
 }
 
