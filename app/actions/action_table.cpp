@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "app/actions/cut_proposals.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
@@ -649,6 +650,13 @@ std::vector<ActionSpec> makeActions() {
          TR("Cut a garment of one skin open along armholes, sides and shoulders, where it is seen "
             "how it is worn"),
          cutsAsTailors()},
+        {ActionId::ProposeCuts,
+         "proposeCuts",
+         TR("Pr&opose cuts…"),
+         "",
+         TR("Show cuts that a tailor would make in the selected piece, with their length and what "
+            "they do to strain: to be made all, one by one, moved by hand, or not at all"),
+         {[](GarmentActions& on, bool) { on.workspace().proposals().open(); }, isOpen}},
         {ActionId::Weld, "weld", TR("&Weld vertices"), "",
          TR("Join vertices of an object that lie on each other"),
          reads(&LoadOptions::weld, &Workspace::setWeld)},

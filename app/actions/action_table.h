@@ -114,6 +114,7 @@ enum class ActionId {
     SplitSeams,
     AutoCut,
     TailorCuts,
+    ProposeCuts,
     CompleteHalf,
     Weld,
     CloseSlits,

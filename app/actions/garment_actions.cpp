@@ -59,6 +59,10 @@ void GarmentActions::connectState() {
         connect(jobs, &JobRunner::started, this, askWhich);
         connect(jobs, &JobRunner::idle, this, askWhich);
     }
+    // Their moves by hand are taken back as steps are.
+    for (const auto signal : {&CutProposals::changed, &CutProposals::closed}) {
+        connect(&workspace_.proposals(), signal, this, askWhich);
+    }
     connect(&workspace_, &Workspace::loadingChanged, this, [this, askWhich] {
         actions_.followChecked(workspace_);
         askWhich();

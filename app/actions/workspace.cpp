@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/actions/cut_proposals.h"
 #include "app/base/text.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/file_jobs.h"
@@ -14,6 +15,7 @@
 namespace toile::app {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
+    proposals_ = std::make_unique<CutProposals>(*this);
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
@@ -55,19 +57,21 @@ Workspace::~Workspace() {
 }
 
 void Workspace::shutdown() {
+    proposals_->close();
     mirroring_.shutdown();
     jobs_.shutdown();
     writing_.finish();
 }
 
 bool Workspace::canUndo() const {
-    return mirroring_.lastUnderWay() != 0 || document_.history().canUndo();
+    return mirroring_.lastUnderWay() != 0 || proposals_->hasMoves() ||
+           document_.history().canUndo();
 }
 
 void Workspace::undo() {
     if (const JobRunner::Ticket last = mirroring_.lastUnderWay()) {
         mirroring_.drop(last);
-    } else {
+    } else if (!proposals_->takeMoveBack()) {
         document_.history().undo();
     }
 }

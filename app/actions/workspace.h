@@ -19,6 +19,8 @@
 
 namespace toile::app {
 
+class CutProposals;
+
 /// Whether the pattern is that of the garment: if not, whether somebody is about it.
 enum class PatternAge { UpToDate, Renewed, OutOfDate };
 
@@ -50,7 +52,8 @@ public:
     /// The person wants what is running stopped: cuts that are not made yet, else what changes the
     /// document, else what is written.
     void cancel();
-    /// Takes the last step back; where cuts are not made yet, the last of these.
+    /// Takes the last step back; where cuts are not made yet, the last of these; where proposed
+    /// cuts were moved, the last move.
     void undo();
     bool canUndo() const;
     /// Calls it once what is being written is written, and not where that fails; at once where
@@ -129,6 +132,12 @@ public:
     /// from then on. What cannot be opened is `refused`. On large pieces they are found on another
     /// thread.
     void cutOpen(const std::vector<int>& pieces);
+    /// Cuts that Toile proposes, while a person looks at them.
+    CutProposals& proposals() { return *proposals_; }
+    /// Makes cuts as one step of the history: the person's from then on. They keep their names, but
+    /// for a number where another cut has it. Those that cannot be made are `refused`.
+    /// @param cuts  their points in mm, as the pieces are
+    void makeCuts(const QString& text, std::vector<UserCut> cuts);
     /// Cuts once around the tube at a place of a piece (`loopAround`), made as by `addCut`. Where
     /// there is none it is `refused`. On large pieces it is found on another thread.
     void cutAround(int piece, const SurfacePoint& place);
@@ -272,6 +281,7 @@ private:
     JobRunner::Ticket reading_ = 0;
     int step_ = 0;                           ///< of the history
     PatternAge age_ = PatternAge::UpToDate;  ///< as it was told last
+    std::unique_ptr<CutProposals> proposals_;
 };
 
 }  // namespace toile::app

@@ -232,6 +232,18 @@ void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
     std::vector<UserCut> named = loading().seams.cuts;
     for (UserCut& cut : cuts) {
         cut.name = freeName(named, wordsOf(cut.kind).stem, true);
+        named.push_back(cut);
+    }
+    makeCuts(text, std::move(cuts));
+}
+
+void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts) {
+    if (!document_.garment() || opening_.isActive() || cuts.empty()) {
+        return;
+    }
+    std::vector<UserCut> named = loading().seams.cuts;
+    for (UserCut& cut : cuts) {
+        cut.name = freeName(named, cut.name, false);
         onTrial_.push_back({cut.name});
         for (Eigen::Vector3d& point : cut.points) {
             point = inFileSpace(point, loading().seams, *document_.garment());

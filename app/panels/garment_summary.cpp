@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "app/actions/cut_proposals.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/render/scene.h"
@@ -162,7 +163,12 @@ CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
     return {tr("The file is a form that is to be covered: %1. Cuts make pieces of it; they are "
                "yours to take back.")
                 .arg(wordingText(garment.files[static_cast<std::size_t>(index)]->reading.evidence)),
-            {{tr("Cut it open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
+            {{tr("Propose cuts…"), false,
+              [&workspace, pieces] {
+                  workspace.document().setSelection({pieces.begin(), pieces.end()});
+                  workspace.proposals().open();
+              }},
+             {tr("Cut it open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
              {tr("As it is"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
 }
 

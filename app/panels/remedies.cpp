@@ -29,6 +29,14 @@ bool isOpenedByCuts(const Finding& finding, const Garment& garment) {
     });
 }
 
+/// Tubes that branch, as tops and trousers do, are cut as tailors do rather than the shortest way.
+bool mayBeWorn(const Finding& finding, const Garment& garment) {
+    constexpr std::size_t kOpenings = 3;
+    return std::ranges::any_of(finding.pieces, [&garment](int piece) {
+        return loopLengths(*garment.pieces[static_cast<std::size_t>(piece)]).size() >= kOpenings;
+    });
+}
+
 struct Words {
     Remedy remedy;
     const char *text, *tip;
@@ -43,6 +51,10 @@ constexpr Words kWords[] = {
     {Remedy::CutOpen, QT_TRANSLATE_NOOP("Remedy", "Cut open"),
      QT_TRANSLATE_NOOP("Remedy",
                        "Cut this piece open along short seams, which are yours to take back")},
+    {Remedy::ProposeCuts, QT_TRANSLATE_NOOP("Remedy", "Propose cuts…"),
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Show where a tailor would cut this piece open, with what each cut does to "
+                       "strain")},
     {Remedy::SetUnit, QT_TRANSLATE_NOOP("Remedy", "Set unit…"),
      QT_TRANSLATE_NOOP("Remedy",
                        "Choose the unit of the file's numbers, or type how tall the garment is")},
@@ -78,6 +90,9 @@ std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
                 remedies.push_back(Remedy::DivideByUv);
             }
             if (isOpenedByCuts(finding, *plan.garment)) {
+                if (mayBeWorn(finding, *plan.garment)) {
+                    remedies.push_back(Remedy::ProposeCuts);
+                }
                 remedies.push_back(Remedy::CutOpen);
             }
             return remedies;
@@ -118,6 +133,8 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
             return {ActionId::SplitUv};
         case Remedy::CutOpen:
             return {ActionId::CutOpen};
+        case Remedy::ProposeCuts:
+            return {ActionId::ProposeCuts};
         case Remedy::SetUnit:
             return {ActionId::UnitMillimetre, ActionId::UnitCentimetre, ActionId::UnitDecimetre,
                     ActionId::UnitMetre, ActionId::UnitInch};

@@ -14,6 +14,7 @@ enum class Remedy {
     FlattenNow,
     DivideByUv,
     CutOpen,
+    ProposeCuts,  ///< shows tailors' cuts, to be made or not
     SetUnit,
     SetUpAxis,
     StateEase,

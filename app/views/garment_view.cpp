@@ -207,6 +207,21 @@ std::optional<QPointF> GarmentView::onScreen(int piece, int face,
         [&]() -> Eigen::Vector2d { return patternPoint(*scene(), piece, face, barycentric); }));
 }
 
+std::optional<ToolView::WornPlace> GarmentView::wornPlace(const Eigen::Vector3d& point) const {
+    constexpr double kBefore = 3;  // mm: a line between places of bent cloth dips under it
+    if (!scene() || morph_ > 0) {
+        return std::nullopt;
+    }
+    const Eigen::Vector3d worn = point - scene()->origin;
+    const auto at = projected(worn);
+    if (!at) {
+        return std::nullopt;
+    }
+    const Ray ray = camera_.ray(at->x(), at->y());
+    const auto hit = pickGarment(*scene(), ray, places());
+    return WornPlace{*at, hit && hit->distance < (worn - ray.origin).norm() - kBefore};
+}
+
 std::optional<QPointF> GarmentView::pointOnScreen(const LineVertex& vertex) const {
     return projected(asDrawn(static_cast<int>(vertex.piece), wornPoint(vertex),
                              [&vertex]() -> Eigen::Vector2d { return flatPoint(vertex); }));

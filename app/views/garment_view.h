@@ -29,6 +29,7 @@ public:
                                      const SeamFilter& counts) const override;
     std::optional<QPointF> onScreen(int piece, int face,
                                     const Eigen::Vector3d& barycentric) const override;
+    std::optional<WornPlace> wornPlace(const Eigen::Vector3d& point) const override;
     Eigen::Vector2d onSheet(const QPointF& at) const override;
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 

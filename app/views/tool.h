@@ -47,6 +47,14 @@ public:
     /// of a piece that is not flat.
     virtual std::optional<QPointF> onScreen(int piece, int face,
                                             const Eigen::Vector3d& barycentric) const = 0;
+    /// A point of the garment as it is worn.
+    struct WornPlace {
+        QPointF at;
+        bool isHidden = false;  ///< other cloth lies before it
+    };
+    /// Where that is drawn, mm as the pieces are; nothing where it is not: in the pattern, on the
+    /// way there, behind the eye.
+    virtual std::optional<WornPlace> wornPlace(const Eigen::Vector3d&) const { return {}; }
     /// Both sides of a seam of the scene, as far as they are drawn.
     virtual std::vector<QPolygonF> seamOnScreen(int seam) const = 0;
     /// Where a place on one side of a seam is on the screen, `along` as in a SeamHit; nothing where

@@ -8,6 +8,7 @@
 #include <QSysInfo>
 
 #include "app/actions/action_registry.h"
+#include "app/actions/cut_proposals.h"
 #include "app/actions/help_table.h"
 #include "app/actions/own_folders.h"
 #include "app/actions/workspace.h"
@@ -16,6 +17,7 @@
 #include "app/panels/help_page.h"
 #include "app/panels/leave_out_dialog.h"
 #include "app/panels/preferences_dialog.h"
+#include "app/panels/proposals_form.h"
 #include "app/panels/scan_form.h"
 #include "app/render/gl_support.h"
 #include "app/views/view_area.h"
@@ -40,12 +42,14 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
     actions_.on(ActionId::About, this, &WindowDialogs::showAbout);
     actions_.on(ActionId::LeaveOutSmall, this, &WindowDialogs::askWhatIsSmall);
     actions_.on(ActionId::ReadScan, this, &WindowDialogs::prepareScan);
+    connect(&workspace_.proposals(), &CutProposals::opened, this, &WindowDialogs::showProposals);
     actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
 }
 
 WindowDialogs::~WindowDialogs() {
     delete compare_;  // these look at the document to their end
     delete window_.findChild<ScanForm*>();
+    qDeleteAll(window_.findChildren<ProposalsForm*>());
 }
 
 void WindowDialogs::showCommands() {
@@ -91,13 +95,30 @@ void WindowDialogs::prepareScan() {
         form = new ScanForm(workspace_, &window_);
         form->setAttribute(Qt::WA_DeleteOnClose);
         form->adjustSize();
-        // Over the pattern, of which there is none meanwhile: the garment is to be seen.
-        constexpr int kAir = 24, kBelowBar = 88;
-        form->move(views_.mapToGlobal(QPoint(views_.width() - form->width() - kAir, kBelowBar)));
+        placeBeside(*form);
     }
     form->show();
     form->raise();
     form->activateWindow();
+}
+
+void WindowDialogs::showProposals() {
+    auto* form = window_.findChild<ProposalsForm*>();
+    if (!form || !form->isVisible()) {
+        form = new ProposalsForm(workspace_.proposals(), &window_);
+        form->setAttribute(Qt::WA_DeleteOnClose);
+        // A moved handle and a cut that was made are taken back where it was done.
+        form->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
+        placeBeside(*form);
+    }
+    form->show();
+    form->raise();
+    form->activateWindow();
+}
+
+void WindowDialogs::placeBeside(QWidget& form) const {
+    constexpr int kAir = 24, kBelowBar = 88;
+    form.move(views_.mapToGlobal(QPoint(views_.width() - form.width() - kAir, kBelowBar)));
 }
 
 void WindowDialogs::showHelp() {

@@ -30,6 +30,10 @@ private:
     void askWhatIsSmall();
     /// One form, however often it is asked for, beside the garment.
     void prepareScan();
+    /// The same of proposed cuts, which live while it is there.
+    void showProposals();
+    /// Over the pattern: the garment is to be seen.
+    void placeBeside(QWidget& form) const;
     void editPreferences();
     void showHelp();
     /// @param name  of a page of the documentation

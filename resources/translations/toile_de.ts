@@ -449,6 +449,93 @@ veraltet</translation>
     </message>
 </context>
 <context>
+    <name>ProposedCut</name>
+    <message>
+        <source>left side</source>
+        <translation>linke Seitennaht</translation>
+    </message>
+    <message>
+        <source>right side</source>
+        <translation>rechte Seitennaht</translation>
+    </message>
+    <message>
+        <source>left underarm</source>
+        <translation>linke Unterarmnaht</translation>
+    </message>
+    <message>
+        <source>right underarm</source>
+        <translation>rechte Unterarmnaht</translation>
+    </message>
+    <message>
+        <source>left armhole</source>
+        <translation>linkes Armloch</translation>
+    </message>
+    <message>
+        <source>right armhole</source>
+        <translation>rechtes Armloch</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schulternaht</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schulternaht</translation>
+    </message>
+    <message>
+        <source>left inseam</source>
+        <translation>linke Schrittnaht</translation>
+    </message>
+    <message>
+        <source>right inseam</source>
+        <translation>rechte Schrittnaht</translation>
+    </message>
+    <message>
+        <source>centre</source>
+        <translation>Mittelnaht</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>Taillennaht</translation>
+    </message>
+    <message>
+        <source>style line</source>
+        <translation>Teilungsnaht</translation>
+    </message>
+    <message>
+        <source>left style line</source>
+        <translation>linke Teilungsnaht</translation>
+    </message>
+    <message>
+        <source>right style line</source>
+        <translation>rechte Teilungsnaht</translation>
+    </message>
+    <message>
+        <source>ridge</source>
+        <translation>Kante</translation>
+    </message>
+    <message>
+        <source>left ridge</source>
+        <translation>linke Kante</translation>
+    </message>
+    <message>
+        <source>right ridge</source>
+        <translation>rechte Kante</translation>
+    </message>
+    <message>
+        <source>dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>left dart</source>
+        <translation>linker Abnäher</translation>
+    </message>
+    <message>
+        <source>right dart</source>
+        <translation>rechter Abnäher</translation>
+    </message>
+</context>
+<context>
     <name>RecomputeJob</name>
     <message>
         <source>Making the pieces</source>
@@ -540,6 +627,14 @@ veraltet</translation>
     <message>
         <source>Choose the unit of the file&apos;s numbers, or type how tall the garment is</source>
         <translation>Die Einheit der Zahlen in der Datei wählen oder eingeben, wie groß das Kleidungsstück ist</translation>
+    </message>
+    <message>
+        <source>Propose cuts…</source>
+        <translation>Schnitte vorschlagen …</translation>
+    </message>
+    <message>
+        <source>Show where a tailor would cut this piece open, with what each cut does to strain</source>
+        <translation>Zeigen, wo ein Schneider dieses Schnittteil aufschneiden würde, und was jeder Schnitt an der Dehnung ändert</translation>
     </message>
 </context>
 <context>
@@ -5177,6 +5272,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Cut a garment of one skin open along armholes, sides and shoulders, where it is seen how it is worn</source>
         <translation>Ein Kleidungsstück aus einer einzigen Haut an Armlöchern, Seiten und Schultern aufschneiden, wenn ihm anzusehen ist, wie es getragen wird</translation>
     </message>
+    <message>
+        <source>Pr&amp;opose cuts…</source>
+        <translation>Schnitte &amp;vorschlagen …</translation>
+    </message>
+    <message>
+        <source>Show cuts that a tailor would make in the selected piece, with their length and what they do to strain: to be made all, one by one, moved by hand, or not at all</source>
+        <translation>Schnitte zeigen, die ein Schneider im ausgewählten Schnittteil machen würde, mit ihrer Länge und dem, was sie an der Dehnung ändern: alle zu machen, einzeln, von Hand verschoben oder gar nicht</translation>
+    </message>
+    <message>
+        <source>Propose cuts…</source>
+        <translation>Schnitte vorschlagen …</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5506,6 +5613,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Cancelled.</source>
         <translation>Abgebrochen.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::CutChart</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Strain against the length of cuts</source>
+        <translation>Dehnung über der Länge der Schnitte</translation>
+    </message>
+    <message>
+        <source>no cut</source>
+        <translation>kein Schnitt</translation>
+    </message>
+    <message>
+        <source>all: %1</source>
+        <translation>alle: %1</translation>
+    </message>
+    <message>
+        <source>enough</source>
+        <translation>genug</translation>
+    </message>
+    <message>
+        <source>Mean strain after so much length of cuts. Line: predicted; filled points: flattened</source>
+        <translation>Mittlere Dehnung nach so viel Länge an Schnitten. Linie: vorhergesagt; gefüllte Punkte: abgewickelt</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::CutProposals</name>
+    <message>
+        <source>Proposed cuts</source>
+        <translation>Vorgeschlagene Schnitte</translation>
+    </message>
+    <message>
+        <source>Cut along %1</source>
+        <translation>Schnitt: %1</translation>
     </message>
 </context>
 <context>
@@ -7421,6 +7566,117 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::ProposalsForm</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>&amp;Swap front and back</source>
+        <translation>&amp;Vorn und hinten tauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Make these cuts</source>
+        <translation>Diese Schnitte &amp;machen</translation>
+    </message>
+    <message>
+        <source>Proposed cuts</source>
+        <translation>Vorgeschlagene Schnitte</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Strain after it</source>
+        <translation>Dehnung danach</translation>
+    </message>
+    <message>
+        <source>Dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>Mean strain with this cut and all before it: predicted, or bold as it was flattened</source>
+        <translation>Mittlere Dehnung mit diesem Schnitt und allen davor: vorhergesagt, oder fett, wie sie sich beim Abwickeln ergab</translation>
+    </message>
+    <message>
+        <source>What the dart takes in where it reaches the edge</source>
+        <translation>Was der Abnäher am Rand aufnimmt</translation>
+    </message>
+    <message>
+        <source>Make this &amp;cut</source>
+        <translation>Diesen &amp;Schnitt machen</translation>
+    </message>
+    <message>
+        <source>&amp;Enough</source>
+        <translation>&amp;Genug</translation>
+    </message>
+    <message>
+        <source>Enough</source>
+        <translation>Genug</translation>
+    </message>
+    <message>
+        <source>The mean strain from which on no cut is worth its length, in percent. Empty: what the fabric allows, where that is known</source>
+        <translation>Die mittlere Dehnung in Prozent, ab der kein Schnitt seine Länge wert ist. Leer: was das Material erlaubt, wo das bekannt ist</translation>
+    </message>
+    <message>
+        <source>Which side is the front is a guess: where it is wrong, names and lines are those of the other side</source>
+        <translation>Welche Seite vorn ist, wird vermutet: Wo das falsch ist, gehören Namen und Linien zur anderen Seite</translation>
+    </message>
+    <message>
+        <source>Make the cuts that are ticked, as one step; they are yours then</source>
+        <translation>Die angehakten Schnitte machen, als ein Schritt; sie gehören dann Ihnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Looking for cuts in %1…</source>
+        <translation>Schnitte in %1 werden gesucht …</translation>
+    </message>
+    <message>
+        <source>Nothing to propose for %1: Toile does not see how it is worn, or that it needs more cuts. Piece ▸ Cut open makes the shortest ones, the cutting tools yours.</source>
+        <translation>Für %1 gibt es nichts vorzuschlagen: Toile erkennt nicht, wie es getragen wird oder dass es weitere Schnitte braucht. Schnittteil ▸ Aufschneiden macht die kürzesten, die Schnittwerkzeuge Ihre eigenen.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 cuts are to be made, %4 long.</source>
+        <translation>%1: %2 von %3 Schnitten sind zu machen, zusammen %4 lang.</translation>
+    </message>
+    <message>
+        <source>Flattening the best…</source>
+        <translation>Die besten werden abgewickelt …</translation>
+    </message>
+    <message>
+        <source>Predicted before lines were moved: %1</source>
+        <translation>Vorhergesagt, bevor Linien verschoben wurden: %1</translation>
+    </message>
+    <message>
+        <source>Predicted: %1 in the mean, %2 at most</source>
+        <translation>Vorhergesagt: im Mittel %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Flattened: %1 in the mean, %2 at most</source>
+        <translation>Abgewickelt: im Mittel %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>fabric: %1</source>
+        <translation>Material: %1</translation>
+    </message>
+    <message>
+        <source>not said</source>
+        <translation>nicht gesagt</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::RecentFiles</name>
     <message numerus="yes">
         <source>%1 and %n more</source>
@@ -7871,6 +8127,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: select nothing</source>
         <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: nichts auswählen</translation>
+    </message>
+    <message>
+        <source>Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: close the proposals</source>
+        <translation>Klick auf eine gestrichelte Linie: den vorgeschlagenen Schnitt auswählen · Griff ziehen: ihn verschieben · Esc: die Vorschläge schließen</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include <QTabBar>
 #include <QTextBrowser>
 #include <QTextStream>
+#include <QToolButton>
 #include <QTreeView>
 #include <algorithm>
 #include <memory>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/actions/cut_proposals.h"
 #include "app/actions/workspace.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
@@ -54,7 +55,13 @@ std::optional<Eigen::Vector2d> arrowOf(const QKeyEvent& event) {
 }  // namespace
 
 SelectTool::SelectTool(Workspace& workspace)
-    : workspace_(workspace), document_(workspace.document()) {
+    : workspace_(workspace),
+      document_(workspace.document()),
+      proposals_(workspace.proposals(), document_) {
+    for (const auto signal : {&CutProposals::changed, &CutProposals::selectionChanged,
+                              &CutProposals::opened, &CutProposals::closed}) {
+        connect(&workspace.proposals(), signal, this, &Tool::changed);
+    }
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         // The hint tells the lengths of the edge that is selected.
         if ((what & (DocumentChange::Mark | DocumentChange::SeamSelection)) ||
@@ -75,11 +82,19 @@ QString SelectTool::hint(ViewKind view) const {
                  "by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: "
                  "select nothing")
                   .arg(lengthWithUnit(nudgeLength(false)), lengthWithUnit(nudgeLength(true)));
+    if (view == ViewKind::Garment && workspace_.proposals().isOpen()) {
+        return tr("Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: "
+                  "close the proposals") +
+               QStringLiteral(" · ") + keys;
+    }
     const QString marked = markedText(document_);
     return marked.isEmpty() ? keys : marked + QStringLiteral(" · ") + keys;
 }
 
 Qt::CursorShape SelectTool::cursor(ViewKind view) const {
+    if (view == ViewKind::Garment && (proposals_.isHeld() || proposals_.isOverHandle())) {
+        return Qt::SizeAllCursor;
+    }
     if (view == ViewKind::Pattern && hovered_ == Target::Handle) {
         return Qt::PointingHandCursor;
     }
@@ -96,7 +111,7 @@ SelectTool::Target SelectTool::targetAt(const ToolView& view, const QPointF& at)
 
 bool SelectTool::press(ToolView& view, const Pointer& pointer) {
     if (view.kind() != ViewKind::Pattern) {
-        return false;
+        return proposals_.press(view, pointer.at);
     }
     pressed_ = pointer;
     return true;
@@ -122,6 +137,10 @@ std::unique_ptr<SheetGesture> SelectTool::begin(ToolView& view, const Pointer& p
 }
 
 void SelectTool::drag(ToolView& view, const Pointer& pointer) {
+    if (proposals_.isHeld()) {
+        proposals_.drag(view, pointer.at);
+        return;
+    }
     if (!pressed_) {
         return;
     }
@@ -139,6 +158,7 @@ void SelectTool::drag(ToolView& view, const Pointer& pointer) {
 }
 
 void SelectTool::release(ToolView& view, const Pointer& pointer) {
+    proposals_.release();
     const bool clicked = pressed_ && !gesture_;
     pressed_.reset();
     if (gesture_) {
@@ -150,6 +170,9 @@ void SelectTool::release(ToolView& view, const Pointer& pointer) {
 }
 
 void SelectTool::click(ToolView& view, const Pointer& pointer) {
+    if (!pointer.adds() && proposals_.select(view, pointer.at)) {
+        return;
+    }
     if (view.kind() == ViewKind::Pattern && isOnTurnHandle(document_, view, pointer.at)) {
         return;
     }
@@ -171,6 +194,9 @@ void SelectTool::doubleClick(ToolView& view, const Pointer& pointer) {
 }
 
 void SelectTool::hover(ToolView& view, const Pointer& pointer) {
+    if (proposals_.hover(view, pointer.at)) {
+        emit changed();
+    }
     const Target target =
         view.kind() == ViewKind::Pattern ? targetAt(view, pointer.at) : Target::Sheet;
     if (target != hovered_) {
@@ -180,27 +206,30 @@ void SelectTool::hover(ToolView& view, const Pointer& pointer) {
 }
 
 void SelectTool::leave(ToolView&) {
-    if (std::exchange(hovered_, Target::Sheet) != Target::Sheet) {
+    const bool hasLeft = proposals_.leave();
+    if (std::exchange(hovered_, Target::Sheet) != Target::Sheet || hasLeft) {
         emit changed();
     }
 }
 
 bool SelectTool::wants(const QKeyEvent& event) const {
-    if (pressed_) {
+    if (pressed_ || proposals_.isHeld()) {
         return event.key() == Qt::Key_Escape;
     }
     if (event.key() == Qt::Key_Escape && event.modifiers() == Qt::NoModifier) {
         // While something runs, the key stops that.
-        return !workspace_.jobs().isBusy() &&
-               (!document_.selection().empty() || document_.seam() || document_.mark());
+        return !workspace_.jobs().isBusy() && (!document_.selection().empty() || document_.seam() ||
+                                               document_.mark() || workspace_.proposals().isOpen());
     }
     return arrowOf(event) && !document_.selection().empty();
 }
 
 void SelectTool::key(ToolView&, const QKeyEvent& event) {
     if (event.key() == Qt::Key_Escape) {
-        if (pressed_) {
+        if (pressed_ || proposals_.isHeld()) {
             cancel();
+        } else if (workspace_.proposals().isOpen()) {
+            workspace_.proposals().close();
         } else {
             selectNothing();
         }
@@ -230,6 +259,7 @@ void SelectTool::nudge(const QKeyEvent& event) {
 }
 
 void SelectTool::cancel() {
+    proposals_.cancel();
     pressed_.reset();
     nudging_ = -1;
     if (const auto gesture = std::exchange(gesture_, nullptr)) {
@@ -242,6 +272,7 @@ void SelectTool::cancel() {
 
 void SelectTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
     if (view.kind() != ViewKind::Pattern) {
+        proposals_.paint(view, painter, style);
         return;
     }
     paintSelectionFrame(painter, style, document_, view, hovered_ == Target::Handle);

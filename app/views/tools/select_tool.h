@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/views/tool.h"
+#include "app/views/tools/proposal_lines.h"
 
 namespace toile::app {
 
@@ -15,7 +16,8 @@ class Workspace;
 /// A click selects the piece, seam or vertex under it, a double click frames the piece or selects
 /// an edge from corner to corner. In the garment view drags move the view; in the pattern view they
 /// move pieces, turn them by the handle above the selection, or draw a box that selects. The arrow
-/// keys nudge what is selected; Escape selects nothing.
+/// keys nudge what is selected; Escape selects nothing. Proposed cuts are selected and moved by
+/// their handles in the garment view while there are any; Escape then closes them.
 class SelectTool : public Tool {
     Q_OBJECT
 
@@ -50,6 +52,7 @@ private:
 
     Workspace& workspace_;
     Document& document_;
+    ProposalLines proposals_;         ///< in the garment view
     std::optional<Pointer> pressed_;  ///< in the pattern view, with the button down
     std::unique_ptr<SheetGesture> gesture_;
     Target hovered_ = Target::Sheet;

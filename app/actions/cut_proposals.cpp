@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/cut_proposals.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/document/document.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kAfterMove = 700;     // ms, until what was moved is flattened anew
+constexpr std::size_t kSolved = 5;  // of the cuts that are enough, the first
+
+/// What tailors' cuts are called, but for a number, in the words of the core.
+constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left side"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right side"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left underarm"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right underarm"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left armhole"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right armhole"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left shoulder"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right shoulder"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left inseam"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right inseam"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "centre"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "waist"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "style line"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left style line"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right style line"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "ridge"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left ridge"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right ridge"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "dart"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "left dart"),
+                                  QT_TRANSLATE_NOOP("ProposedCut", "right dart")};
+
+/// In the person's language: a cut that is made is called so from then on.
+std::string namedFor(const std::string& name) {
+    for (const char* known : kNames) {
+        const std::string stem = known;
+        if (name == stem || name.starts_with(stem + ' ')) {
+            return QCoreApplication::translate("ProposedCut", known).toStdString() +
+                   name.substr(stem.size());
+        }
+    }
+    return name;
+}
+
+double areaOf(const Piece& piece) {
+    double area = 0;
+    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
+        area += doubleAreaNormal(piece.mesh, f).norm() / 2;
+    }
+    return area;
+}
+
+/// A piece of the garment before the cuts in it, with the person's own.
+AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
+    for (const CutRecord& record : garment.cutRecords) {
+        if (record.whole == piece ||
+            std::ranges::find(record.pieces, piece) != record.pieces.end()) {
+            return {record.whole, record.asked};
+        }
+    }
+    return {piece};
+}
+
+/// The same whole in another version of the garment; none where it is no more.
+std::optional<AdviceQuestion> wholeWith(const Garment& garment, PieceId id) {
+    for (const CutRecord& record : garment.cutRecords) {
+        if (record.whole->id == id) {
+            return AdviceQuestion{record.whole, record.asked};
+        }
+    }
+    const auto piece =
+        std::ranges::find(garment.pieces, id, [](const auto& one) { return one->id; });
+    return piece == garment.pieces.end() ? std::nullopt : std::optional(AdviceQuestion{*piece});
+}
+
+std::vector<UserCut> linesOf(const CutAdvice& advice) {
+    std::vector<UserCut> lines;
+    for (const AdvisedCut& cut : advice.cuts) {
+        lines.push_back(cut.what.cut);
+    }
+    return lines;
+}
+
+}  // namespace
+
+CutProposals::CutProposals(Workspace& workspace)
+    : workspace_(workspace), document_(workspace.document()) {
+    soon_.setSingleShot(true);
+    soon_.setInterval(kAfterMove);
+    connect(&soon_, &QTimer::timeout, this, &CutProposals::solve);
+    connect(&adviser_, &CutAdviser::advised, this, &CutProposals::take);
+    connect(&adviser_, &CutAdviser::failed, this, [this](const QString& sentence) {
+        problem_ = sentence;
+        take({});
+    });
+    connect(&adviser_, &CutAdviser::solved, this,
+            [this](std::size_t count, const StrainFigures& figures) {
+                advice_.cuts[count - 1].solved = figures;
+                emit changed();
+            });
+    connect(&adviser_, &CutAdviser::solvedAll, this, &CutProposals::changed);
+    connect(&document_, &Document::changed, this, &CutProposals::onChanged);
+}
+
+CutProposals::~CutProposals() = default;
+
+void CutProposals::open() {
+    const auto garment = document_.garment();
+    if (!garment || garment->pieces.empty()) {
+        return;
+    }
+    const auto& pieces = garment->pieces;
+    const auto selected = document_.selection();
+    auto meant = std::ranges::find_if(pieces, [](const auto& one) { return bool(one->defect); });
+    if (!selected.empty()) {
+        meant = pieces.begin() + *selected.begin();
+    } else if (meant == pieces.end()) {
+        meant = std::ranges::max_element(pieces, {}, [](const auto& one) { return areaOf(*one); });
+    }
+    AdviceQuestion question = wholeOf(*garment, *meant);
+    if (isOpen() && question.piece == piece() && question.own == question_.own) {
+        emit opened();  // as they stand
+        return;
+    }
+    if (!isOpen()) {  // as automatic cuts have it
+        stated_ = document_.loading().enoughStrain;
+        question_.options.isFrontSwapped = document_.loading().isFrontSwapped;
+    }
+    declined_.clear();
+    question.options = {isFrontSwapped(), stated_ ? stated_ : fabricLimit()};
+    ask(std::move(question));
+    emit opened();
+}
+
+void CutProposals::close() {
+    if (!isOpen()) {
+        return;
+    }
+    adviser_.cancel();
+    soon_.stop();
+    state_ = State::Closed;
+    question_ = {};
+    put({});
+    shaper_.reset();
+    emit closed();
+}
+
+QString CutProposals::pieceName() const {
+    return piece() ? QString::fromStdString(piece()->name) : QString();
+}
+
+std::optional<double> CutProposals::fabricLimit() const {
+    const Fabric& fabric = document_.fabric();
+    const double least = std::min(fabric.warp.most, fabric.weft.most);
+    return hasLimits(fabric) && least > 0 ? std::optional(least) : std::nullopt;
+}
+
+void CutProposals::ask(AdviceQuestion question) {
+    if (!shaper_ || shaper_->piece() != question.piece) {
+        shaper_ = std::make_unique<CutShaper>(question.piece);
+    }
+    question_ = std::move(question);
+    problem_.clear();
+    soon_.stop();
+    state_ = State::Asking;
+    adviser_.ask(question_);
+    emit changed();
+}
+
+void CutProposals::take(const CutAdvice& advice) {
+    state_ = State::Known;
+    put(advice);
+    solve();
+}
+
+void CutProposals::put(const CutAdvice& advice) {
+    advice_ = advice;
+    for (AdvisedCut& cut : advice_.cuts) {
+        cut.what.cut.name = namedFor(cut.what.cut.name);
+    }
+    lines_ = advised_ = linesOf(advice_);
+    moving_.reset();
+    moves_.clear();
+    awaited_ = 0;
+    staleFrom_ = lines_.size();
+    taken_.clear();
+    for (const AdvisedCut& cut : advice_.cuts) {
+        const bool isDeclined = std::ranges::find(declined_, cut.what.cut.name) != declined_.end();
+        taken_.push_back(cut.isNeeded && !isDeclined ? 1 : 0);
+    }
+    selected_.reset();
+    emit changed();
+    emit selectionChanged();
+}
+
+void CutProposals::solve() {
+    std::vector<std::size_t> counts;
+    for (std::size_t k = 0; k < advice_.cuts.size() && counts.size() < kSolved; ++k) {
+        if (advice_.cuts[k].isNeeded && !advice_.cuts[k].solved) {
+            counts.push_back(k + 1);
+        }
+    }
+    if (state_ == State::Known && !counts.empty()) {
+        adviser_.solve(question_, advice_, std::move(counts), document_.options());
+        emit changed();
+    }
+}
+
+void CutProposals::onChanged(DocumentChanges what) {
+    if (!isOpen()) {
+        return;
+    }
+    if (what.testFlag(DocumentChange::Opened) || !document_.garment()) {
+        close();
+    } else if (what.testFlag(DocumentChange::Garment)) {
+        follow();
+    } else if (what.testFlag(DocumentChange::Fabric) && !stated_) {
+        stateEnough(std::nullopt);
+    }
+}
+
+void CutProposals::follow() {
+    auto now = wholeWith(*document_.garment(), piece()->id);
+    if (!now) {
+        close();
+        return;
+    }
+    now->options = question_.options;
+    // What was made here, and nothing else: the others stay as they lie.
+    const bool isOurs = now->piece == piece() && now->own.size() == question_.own.size() + awaited_;
+    if (*now == question_) {
+        return;
+    }
+    if (isOurs && awaited_ > 0 && hasMoves()) {
+        awaited_ = 0;
+        question_ = std::move(*now);
+        solve();
+    } else {
+        ask(std::move(*now));
+    }
+}
+
+void CutProposals::setTaken(std::size_t cut, bool taken) {
+    if (isTaken(cut) == taken) {
+        return;
+    }
+    taken_[cut] = taken ? 1 : 0;
+    std::erase(declined_, lines_[cut].name);
+    if (!taken) {
+        declined_.push_back(lines_[cut].name);
+    }
+    emit changed();
+}
+
+std::size_t CutProposals::takenCount() const {
+    return static_cast<std::size_t>(std::ranges::count(taken_, 1));
+}
+
+void CutProposals::select(std::optional<std::size_t> cut) {
+    if (cut != selected_) {
+        selected_ = cut;
+        emit selectionChanged();
+    }
+}
+
+void CutProposals::stateEnough(std::optional<double> strain) {
+    stated_ = strain;
+    AdviceQuestion question = question_;
+    question.options.enoughStrain = stated_ ? stated_ : fabricLimit();
+    if (isOpen() && question != question_) {
+        ask(std::move(question));
+    }
+}
+
+void CutProposals::swapFront() {
+    if (isOpen()) {
+        AdviceQuestion question = question_;
+        question.options.isFrontSwapped = !question.options.isFrontSwapped;
+        ask(std::move(question));
+    }
+}
+
+void CutProposals::makeTaken() {
+    if (state_ != State::Known || takenCount() == 0) {
+        return;
+    }
+    std::vector<UserCut> cuts;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+        if (isTaken(k)) {
+            cuts.push_back(lines_[k]);
+        }
+    }
+    close();
+    workspace_.makeCuts(tr("Proposed cuts"), std::move(cuts));
+}
+
+void CutProposals::make(std::size_t cut) {
+    if (state_ != State::Known) {
+        return;
+    }
+    const UserCut made = lines_[cut];
+    cancelMove();
+    remove(cut);
+    ++awaited_;
+    workspace_.makeCuts(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made});
+}
+
+void CutProposals::remove(std::size_t cut) {
+    adviser_.cancelSolving();
+    const auto at = static_cast<std::ptrdiff_t>(cut);
+    const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
+    drop(advice_.cuts);
+    drop(lines_);
+    drop(advised_);
+    drop(taken_);
+    for (auto& lines : moves_) {
+        drop(lines);
+    }
+    staleFrom_ = firstOther(lines_);
+    selected_.reset();
+    emit changed();
+    emit selectionChanged();
+}
+
+std::size_t CutProposals::firstOther(const std::vector<UserCut>& lines) const {
+    return static_cast<std::size_t>(std::ranges::mismatch(lines, advised_).in1 - lines.begin());
+}
+
+void CutProposals::setLines(std::vector<UserCut> lines) {
+    const std::size_t first =
+        static_cast<std::size_t>(std::ranges::mismatch(lines, lines_).in1 - lines.begin());
+    lines_ = std::move(lines);
+    for (std::size_t k = first; k < lines_.size(); ++k) {
+        AdvisedCut& cut = advice_.cuts[k];
+        cut.what.cut = lines_[k];
+        cut.length = lengthAlong(lines_[k]);
+        cut.solved.reset();
+    }
+    staleFrom_ = firstOther(lines_);
+    adviser_.cancelSolving();
+    soon_.start();
+    emit changed();
+}
+
+void CutProposals::beginMove(std::size_t cut, int point) {
+    moving_ = Moving{cut, point, lines_};
+}
+
+void CutProposals::moveTo(const Eigen::Vector3d& place) {
+    if (moving_ && shaper_) {
+        std::vector<UserCut> lines = moving_->before;
+        shaper_->move(lines, moving_->cut, moving_->point, place);
+        moving_->hasMoved = true;
+        setLines(std::move(lines));
+    }
+}
+
+void CutProposals::endMove() {
+    if (moving_ && moving_->hasMoved && moving_->before != lines_) {
+        moves_.push_back(std::move(moving_->before));
+    }
+    moving_.reset();
+    emit changed();
+}
+
+void CutProposals::cancelMove() {
+    if (moving_ && moving_->hasMoved) {
+        setLines(std::move(moving_->before));
+    }
+    moving_.reset();
+}
+
+bool CutProposals::takeMoveBack() {
+    if (moves_.empty()) {
+        return false;
+    }
+    cancelMove();
+    std::vector<UserCut> before = std::move(moves_.back());
+    moves_.pop_back();
+    setLines(std::move(before));
+    return true;
+}
+
+}  // namespace toile::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <optional>
+
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace toile::app {
+
+class CutChart;
+class CutProposals;
+
+/// What there is to say of proposed cuts, beside the garment: a chart of length against strain, a
+/// row for each, and what can be done with them. Closing it drops them; it closes where they go.
+class ProposalsForm : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `proposals` must outlive this.
+    ProposalsForm(CutProposals& proposals, QWidget* parent);
+
+    void reject() override;
+
+private:
+    QLayout* makeFields();
+    QLayout* makeButtons();
+    void refresh();
+    void fill(QTreeWidgetItem& row, std::size_t cut);
+    void showChart();
+    void showSelection();
+    QString saying() const;
+    QString strainTip(std::size_t cut) const;
+    std::optional<std::size_t> current() const;
+    void makeCurrent();
+
+    CutProposals& proposals_;
+    QLabel* saying_;
+    QProgressBar* progress_;
+    CutChart* chart_;
+    QTreeWidget* table_;
+    QLineEdit* enough_;
+    QPushButton *swap_, *make_;
+    QTimer poll_;
+    bool isFilling_ = false;
+};
+
+}  // namespace toile::app
