@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct HalfRims {
 
     const Points3* V = nullptr;
     std::vector<int> used;                  ///< vertices
+    std::vector<int> part;                  ///< per vertex: what cloth it hangs together with
     std::vector<std::pair<int, int>> rims;  ///< edges of the border
     double length = 0;                      ///< of these, mm
     bool isOne = false;                     ///< they hang together, as those of a panel
@@ -62,8 +64,16 @@ HalfRims rimsOfHalf(const MeshArrays& mesh, UpAxis up) {
             found.used.push_back(v);
         }
     }
-    const EdgeTable table = buildEdgeTable(weldedFaces(mesh), static_cast<int>(mesh.V.rows()));
-    geometry::DisjointSets loops(static_cast<int>(mesh.V.rows()));
+    const Triangles faces = weldedFaces(mesh);
+    const EdgeTable table = buildEdgeTable(faces, static_cast<int>(mesh.V.rows()));
+    geometry::DisjointSets loops(static_cast<int>(mesh.V.rows())), parts = loops;
+    for (Eigen::Index f = 0; f < faces.rows(); ++f) {
+        parts.join(faces(f, 0), faces(f, 1));
+        parts.join(faces(f, 0), faces(f, 2));
+    }
+    for (int v = 0; v < mesh.V.rows(); ++v) {
+        found.part.push_back(parts.root(v));
+    }
     for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
         if (table.isBorder(e)) {
             const int a = table.edges(e, 0), b = table.edges(e, 1);
@@ -80,12 +90,37 @@ HalfRims rimsOfHalf(const MeshArrays& mesh, UpAxis up) {
 
 /// The rims that lie in a plane.
 struct RimsInPlane {
-    double open = 0;    ///< mm, of those that go on outside it
-    double closed = 0;  ///< mm, of openings that lie in it as a whole
-    double spread = 0;  ///< how far they reach, seen from above, mm
-    double rise = 0;    ///< how much of the open ones goes up or down, mm
-    int chains = 0;     ///< of the open ones, those that are a good part
+    double open = 0;        ///< mm, of those that go on outside it
+    double closed = 0;      ///< mm, of openings that lie in it as a whole
+    double spread = 0;      ///< how far they reach, seen from above, mm
+    double rise = 0;        ///< how much of the open ones goes up or down, mm
+    int chains = 0;         ///< of the open ones, those that are a good part
+    bool isBeside = false;  ///< parts side by side, each of which would close to a tube of its own
 };
+
+/// The rims of one part in the plane, by where they lie along it, mm.
+struct PartInPlane {
+    double from = 0, to = 0;
+    int chains = 0;
+};
+
+/// Half a garment goes round once, its lining within it: two strips beside each other go round
+/// twice.
+bool areBeside(const std::map<int, PartInPlane>& parts, double leastSpread) {
+    std::vector<PartInPlane> round;
+    for (const auto& [part, in] : parts) {
+        if (in.chains > 1 && in.to - in.from >= leastSpread) {
+            round.push_back(in);
+        }
+    }
+    std::ranges::sort(round, {}, &PartInPlane::from);
+    double reached = round.empty() ? 0 : round.front().to;
+    return std::ranges::any_of(round, [&reached](const PartInPlane& in) {
+        const bool isApart = in.from > reached;
+        reached = std::max(reached, in.to);
+        return isApart;
+    });
+}
 
 RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
     const auto isIn = [&](int v) {
@@ -117,6 +152,7 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
     const Eigen::Vector3d level = upright.cross(plane.normal());
     RimsInPlane found;
     std::vector<double> ofChain(static_cast<std::size_t>(half.V->rows()), 0);
+    std::map<int, PartInPlane> ofPart;
     double least = 0, most = 0;
     bool isAny = false;
     for (const auto& [a, b] : half.rims) {
@@ -135,18 +171,25 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
             least = isAny ? std::min(least, at) : at;
             most = isAny ? std::max(most, at) : at;
             isAny = true;
+            PartInPlane& in = ofPart.try_emplace(half.part[v], PartInPlane{at, at}).first->second;
+            in = {std::min(in.from, at), std::max(in.to, at)};
         }
     }
     found.spread = most - least;
-    found.chains = static_cast<int>(std::ranges::count_if(
-        ofChain, [&](double length) { return length > 0 && length >= kChainShare * found.open; }));
+    for (int chain = 0; chain < half.V->rows(); ++chain) {
+        if (ofChain[chain] > 0 && ofChain[chain] >= kChainShare * found.open) {
+            ++found.chains;
+            ++ofPart[half.part[chain]].chains;
+        }
+    }
+    found.isBeside = areBeside(ofPart, kLeastSpread * half.size);
     return found;
 }
 
 /// Whether these rims alone say that the garment is there by half.
 bool mayBeOffered(const HalfRims& half, const RimsInPlane& in) {
     return in.open >= kOfferedShare * half.length && in.open >= kOfferedLength * half.size &&
-           in.spread >= kLeastSpread * half.size && in.rise >= kRising * in.open &&
+           in.spread >= kLeastSpread * half.size && in.rise >= kRising * in.open && !in.isBeside &&
            (in.chains > 1 || !half.isOne);
 }
 

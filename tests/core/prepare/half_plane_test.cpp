@@ -110,6 +110,26 @@ TEST(HalfPlane, PanelsThatAreNotSewnYetAreNone) {
     EXPECT_FALSE(findHalfPlane({pair, {}}, UpAxis::Z, false));  // lying on each other
 }
 
+/// A half of a tube of this radius, its rims in the plane z = 0.
+MeshArrays halfTube(double radius) {
+    MeshArrays strip = test::planeGrid(16, 10, 30);
+    for (int v = 0; v < strip.V.rows(); ++v) {
+        const double turn = M_PI * strip.V(v, 0) / (16 * 30);
+        strip.V.row(v) << -radius * std::cos(turn), strip.V(v, 1), radius * std::sin(turn);
+    }
+    return strip;
+}
+
+TEST(HalfPlane, GoesRoundOnceWithItsLiningAndNotTwice) {
+    const MeshArrays strip = halfTube(150);
+    const MeshArrays lined = test::beside(strip, halfTube(140), {0, 0, 0});
+    const MeshArrays two = test::beside(strip, strip, {400, 0, 0});
+    EXPECT_TRUE(findHalfPlane({strip, {}}, UpAxis::Y, false));
+    EXPECT_TRUE(findHalfPlane({lined, {}}, UpAxis::Y, false));
+    EXPECT_FALSE(findHalfPlane({two, {}}, UpAxis::Y, false));
+    EXPECT_TRUE(findHalfPlane({two, {}}, UpAxis::Y, true));
+}
+
 TEST(HalfPlane, OfOneFlatPanelIsFoundWhereItIsStated) {
     MeshArrays panel = test::planeGrid(8, 12, 20);
     EXPECT_FALSE(findHalfPlane({panel, {}}, UpAxis::Y, false));
