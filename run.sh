@@ -120,10 +120,12 @@ if [ "$status" -le 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     reading=()
     while [ $# -gt 0 ]; do # of the options, those of reading concern the window too
         case $1 in
-            --unit | --up | --split | --seams | --as | --surface | --layer | --cut-style)
+            --unit | --up | --split | --seams | --as | --surface | --layer | --cut-style | \
+                --close-holes | --smooth | --remesh | --weld-within)
                 reading+=("$1" "$2") ;;
             --unit=* | --up=* | --split=* | --seams=* | --as=* | --surface=* | --layer=* | \
-                --cut-style=* | --auto-cut | --weld | --strict | --close-slits | --complete-half)
+                --cut-style=* | --close-holes=* | --smooth=* | --remesh=* | --weld-within=* | \
+                --keep-debris | --auto-cut | --weld | --strict | --close-slits | --complete-half)
                 reading+=("$1") ;;
         esac
         shift

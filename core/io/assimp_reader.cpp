@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/material.h>
@@ -17,6 +18,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/point_index.h"
+#include "core/io/gltf_buffers.h"
 #include "core/io/soup_builder.h"
 #include "core/io/tried_apart.h"
 
@@ -227,7 +229,22 @@ private:
 /// Of processor time: no garment takes this long, and some damaged files never end.
 constexpr int kMostSeconds = 120;
 
+/// Assimp looks for the files that a glTF names by their URIs as these are written.
+class FilesByUri : public Assimp::DefaultIOSystem {
+public:
+    bool Exists(const char* file) const override {
+        return DefaultIOSystem::Exists(file) ||
+               DefaultIOSystem::Exists(io::withoutEscapes(file).c_str());
+    }
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        Assimp::IOStream* const asWritten = DefaultIOSystem::Open(file, mode);
+        return asWritten != nullptr ? asWritten
+                                    : DefaultIOSystem::Open(io::withoutEscapes(file).c_str(), mode);
+    }
+};
+
 const aiScene* importFile(Assimp::Importer& importer, const std::filesystem::path& path) {
+    importer.SetIOHandler(new FilesByUri);  // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
     return importer.ReadFile(path.string(), 0);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "core/base/characters.h"
@@ -10,11 +11,17 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/io/assimp_reader.h"
+#include "core/io/gltf_buffers.h"
+#include "core/io/join_soups.h"
 #include "core/io/usda_reader.h"
 #include "core/io/zip_reader.h"
 
 namespace toile {
 namespace {
+
+constexpr const char* kOfSeveralUnits = translatable(
+    "its meshes state different units or up axes; unpack it and open those of one garment "
+    "together");
 
 using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const std::string&,
                                        Progress&);
@@ -57,13 +64,43 @@ Result<PolygonSoup> readOwn(std::shared_ptr<const std::string> bytes, const std:
     return readerFor(ending)(std::move(bytes), name, progress);
 }
 
+/// What meshes state, as USD does, must be the same of all.
+bool areOfOneUnit(const std::vector<io::NamedSoup>& soups) {
+    const auto statedBy = [](const io::NamedSoup& file) {
+        const auto& unit = file.soup.statedUnit;
+        const auto& up = file.soup.statedUp;
+        return std::pair(unit ? std::optional(unit->unit) : std::nullopt,
+                         up ? std::optional(up->axis) : std::nullopt);
+    };
+    return std::ranges::all_of(soups, [&](const io::NamedSoup& file) {
+        return statedBy(file) == statedBy(soups.front());
+    });
+}
+
+/// Several meshes of an archive are one garment, as several files that are opened together.
 Result<PolygonSoup> readZipped(const std::string& archive, const std::string& name,
                                Progress& progress) {
-    const auto mesh = io::meshInZip(archive, name, kInZip, progress);
-    if (!mesh) {
-        return mesh.error();
+    const auto meshes = io::meshesInZip(archive, name, kInZip, progress);
+    if (!meshes) {
+        return meshes.error();
     }
-    return readOwn(mesh->bytes, name, mesh->name.substr(mesh->name.rfind('.')), progress);
+    std::vector<io::NamedSoup> soups;
+    for (const io::UnzippedFile& mesh : *meshes) {
+        const std::size_t dot = mesh.name.rfind('.');
+        Result<PolygonSoup> soup = readOwn(mesh.bytes, name, mesh.name.substr(dot), progress);
+        if (!soup) {
+            return soup.error();
+        }
+        const std::size_t start = mesh.name.rfind('/', dot) + 1;  // 0 where there is none
+        soups.push_back({readableName(mesh.name.substr(start, dot - start)), *std::move(soup)});
+    }
+    if (soups.size() == 1) {
+        return std::move(soups.front().soup);
+    }
+    if (!areOfOneUnit(soups)) {
+        return Error{ErrorCode::FileUnreadable, Subject::file(name), worded(kOfSeveralUnits)};
+    }
+    return io::joinedSoups(std::move(soups));
 }
 
 }  // namespace
@@ -89,7 +126,9 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     if (!bytes) {
         return bytes.error();
     }
-    const std::uint64_t hash = contentHash(*bytes);
+    const std::uint64_t hash = equalsIgnoringCase(ending, ".gltf")
+                                   ? io::hashWithBuffers(path, *bytes)
+                                   : contentHash(*bytes);
     Result<PolygonSoup> soup = isForAssimp(ending) ? readWithAssimp(path, name, progress)
                                : isZip
                                    ? readZipped(*bytes, name, progress)

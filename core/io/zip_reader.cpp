@@ -18,8 +18,6 @@ namespace {
 // Words stand in namespace `toile`, where the window looks for their translations.
 constexpr const char* kTooMany = translatable("it holds %1 files; unpack it and open the mesh");
 constexpr const char* kNoneIn = translatable("none of its %1 files is one of %2");
-constexpr const char* kSeveral =
-    translatable("it holds several meshes, %1; unpack it and open those of one garment together");
 constexpr const char* kEncrypted =
     translatable("%1 in it is encrypted; unpack it and open the mesh");
 constexpr const char* kTooLarge = translatable("%1 in it is too large: %2 MB unpacked");
@@ -34,7 +32,6 @@ namespace toile::io {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates nothing
-constexpr std::size_t kNamed = 3;        // of meshes to choose from
 
 struct Discard {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -67,8 +64,8 @@ public:
         zip_error_fini(&error);
     }
 
-    Result<UnzippedFile> read(std::span<const std::string_view> endings,
-                              const Progress& progress) const {
+    Result<std::vector<UnzippedFile>> read(std::span<const std::string_view> endings,
+                                           const Progress& progress) const {
         if (!archive_) {
             return malformed();
         }
@@ -76,28 +73,29 @@ public:
         if (count > kMostZipEntries) {
             return refused(worded(kTooMany, {figure(static_cast<double>(count))}));
         }
-        std::vector<Entry> meshes = meshesIn(count, endings);
-        if (meshes.empty()) {
-            std::string listed;
-            for (const std::string_view ending : endings) {
-                listed += (listed.empty() ? "" : ", ") + std::string(ending);
+        std::vector<Entry> meshes;
+        std::string listed;
+        for (const std::string_view ending : endings) {
+            listed += (listed.empty() ? "" : ", ") + std::string(ending);
+            if (meshes.empty()) {
+                meshes = meshesIn(count, ending);
             }
+        }
+        if (meshes.empty()) {
             return Error{ErrorCode::NoGeometry, Subject::file(name_),
                          worded(kNoneIn, {figure(static_cast<double>(count)), Wording(listed)})};
         }
-        const auto isObj = [](const Entry& entry) { return hasEnding(entry.name, ".obj"); };
-        if (std::ranges::count_if(meshes, isObj) == 1) {
-            std::erase_if(meshes, [&isObj](const Entry& entry) { return !isObj(entry); });
-        }
-        if (meshes.size() > 1) {
-            std::vector<std::string> names;
-            names.reserve(meshes.size());
-            for (const Entry& entry : meshes) {
-                names.push_back(readableName(entry.name));
+        std::vector<UnzippedFile> files;
+        long long bytes = 0;
+        for (const Entry& mesh : meshes) {
+            auto file = unpacked(mesh, kMostUnzippedBytes - bytes, progress);
+            if (!file) {
+                return file.error();
             }
-            return refused(worded(kSeveral, {Wording(quotedList(names, kNamed))}));
+            bytes += mesh.size;
+            files.push_back(*std::move(file));
         }
-        return unpacked(meshes.front(), progress);
+        return files;
     }
 
 private:
@@ -110,7 +108,7 @@ private:
         return name.starts_with("__MACOSX/") || name.substr(name.rfind('/') + 1).starts_with('.');
     }
 
-    std::vector<Entry> meshesIn(long long count, std::span<const std::string_view> endings) const {
+    std::vector<Entry> meshesIn(long long count, std::string_view ending) const {
         std::vector<Entry> found;
         for (long long i = 0; i < count; ++i) {
             zip_stat_t stat;
@@ -121,9 +119,7 @@ private:
                 (stat.valid & kNeeded) != kNeeded || isHidden(stat.name)) {
                 continue;
             }
-            if (std::ranges::any_of(endings, [&stat](std::string_view ending) {
-                    return hasEnding(stat.name, ending);
-                })) {
+            if (hasEnding(stat.name, ending)) {
                 const bool encrypted = (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
                                        stat.encryption_method != ZIP_EM_NONE;
                 constexpr zip_uint64_t kMost = std::numeric_limits<long long>::max();
@@ -135,14 +131,16 @@ private:
         return found;
     }
 
-    Result<UnzippedFile> unpacked(const Entry& entry, const Progress& progress) const {
+    /// @param most  bytes, beside what has been unpacked
+    Result<UnzippedFile> unpacked(const Entry& entry, long long most,
+                                  const Progress& progress) const {
         const Wording called(readableName(entry.name));
         if (entry.encrypted) {
             return refused(worded(kEncrypted, {called}));
         }
         const bool isTight =
             entry.size > kSmallUnzippedBytes && entry.size / kTightestPacking > entry.packed;
-        if (entry.size > kMostUnzippedBytes || isTight) {
+        if (entry.size > most || isTight) {
             return refused(
                 worded(kTooLarge, {called, figure(static_cast<double>(entry.size) / 1e6)}));
         }
@@ -185,9 +183,9 @@ private:
 
 }  // namespace
 
-Result<UnzippedFile> meshInZip(std::string_view archive, const std::string& name,
-                               std::span<const std::string_view> endings,
-                               const Progress& progress) {
+Result<std::vector<UnzippedFile>> meshesInZip(std::string_view archive, const std::string& name,
+                                              std::span<const std::string_view> endings,
+                                              const Progress& progress) {
     return ZipReader(archive, name).read(endings, progress);
 }
 

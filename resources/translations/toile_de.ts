@@ -2503,10 +2503,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>keine seiner %1 Dateien ist eine von %2</translation>
     </message>
     <message>
-        <source>it holds several meshes, %1; unpack it and open those of one garment together</source>
-        <translation>es enthält mehrere Netze, %1; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
-    </message>
-    <message>
         <source>%1 in it is encrypted; unpack it and open the mesh</source>
         <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
     </message>
@@ -2689,6 +2685,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>by the form</source>
         <translation>nach der Form</translation>
+    </message>
+    <message>
+        <source>its meshes state different units or up axes; unpack it and open those of one garment together</source>
+        <translation>seine Netze geben verschiedene Einheiten oder Hochachsen an; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/content_hash.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/io/soup_checks.h"
 #include "tests/core/io/zip_archive.h"
@@ -165,6 +166,34 @@ TEST_F(AssimpReader, SurvivesWhatItsLibraryDoesNot) {
         zipOf({{"_rels/.rels", "<Relationships/>"}, {"3D/3dmodel.model", "<m/>"}});
     archive[archive.find("<m/>") + 1] = 'n';
     EXPECT_FALSE(readAs("a.3mf", archive));
+}
+
+/// One triangle, its corners in a file beside it whose name has a space.
+constexpr const char* kGltfWithBuffer =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+"nodes": [{"name": "yoke", "mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+               "min": [0, 0, 0], "max": [1, 1, 0]}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"buffers": [{"byteLength": 36, "uri": "my%20yoke.bin"}]})";
+
+std::string bytesOfFloats(const std::vector<float>& values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+TEST_F(AssimpReader, AGltfIsKnownByTheBytesOfItsBuffersToo) {
+    const auto hashWith = [this](const std::vector<float>& corners) {
+        folder_.write("my yoke.bin", bytesOfFloats(corners));
+        const Result<PolygonSoup> soup = readAs("yoke.gltf", kGltfWithBuffer);
+        EXPECT_TRUE(soup) << sentence(soup.error());
+        return soup ? soup->contentHash.value_or(0) : 0;
+    };
+    const std::uint64_t first = hashWith({0, 0, 0, 1, 0, 0, 1, 1, 0});
+    EXPECT_NE(hashWith({0, 0, 0, 1, 0, 0, 0, 1, 0}), first);
+    EXPECT_EQ(hashWith({0, 0, 0, 1, 0, 0, 1, 1, 0}), first);
+    // Without such a file it is that of the text, as of all formats.
+    EXPECT_EQ(readAs("a.gltf", kGltf)->contentHash, contentHash(kGltf));
 }
 
 TEST_F(AssimpReader, RefusesWithAReason) {
