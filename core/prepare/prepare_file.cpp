@@ -116,12 +116,12 @@ void readLayers(PreparedFile& file, const FileSurface& surface, int only, const 
 Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
     Wording words = worded("a scan of %1", {countWording(effect.trianglesBefore, "triangle")});
     if (effect.fragments > 0) {
-        words += worded("; %1 of %2 cm2 dropped",
+        words += worded("; %1 of %2 cm² dropped",
                         {countWording(effect.fragments, "fragment"),
                          figure(effect.debrisArea / kSquareMillimetresPerSquareCentimetre, 1)});
     }
     if (effect.holes > 0) {
-        words += worded("; %1 closed by %2 cm2",
+        words += worded("; %1 closed by %2 cm²",
                         {countWording(effect.holes, "hole"),
                          figure(effect.patchArea / kSquareMillimetresPerSquareCentimetre, 1)});
     }

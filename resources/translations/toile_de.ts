@@ -2571,12 +2571,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>ein Scan aus %1</translation>
     </message>
     <message>
-        <source>; %1 of %2 cm2 dropped</source>
-        <translation>; %1 mit %2 cm2 entfernt</translation>
+        <source>; %1 of %2 cm² dropped</source>
+        <translation>; %1 mit %2 cm² entfernt</translation>
     </message>
     <message>
-        <source>; %1 closed by %2 cm2</source>
-        <translation>; %1 mit %2 cm2 geschlossen</translation>
+        <source>; %1 closed by %2 cm²</source>
+        <translation>; %1 mit %2 cm² geschlossen</translation>
     </message>
     <message>
         <source>; noise smoothed by %1 mm on average, %2 mm at most</source>

@@ -9,6 +9,7 @@
 
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
+#include "tests/app/support/doc_picture.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
@@ -22,8 +23,6 @@ class WindowPicturesTest : public QObject {
     Q_OBJECT
 
 private:
-    static constexpr int kPictureWidth = 1100;
-
     test::WindowFixture fixture_;
 
     Document& document() { return fixture_.document(); }
@@ -48,15 +47,8 @@ private:
         QVERIFY(isDone());
     }
 
-    void keep(const char* name, QPixmap picture) {
-        const QString file = QString(TOILE_SOURCE_DIR "/docs/images/window-%1.png").arg(name);
-        if (qEnvironmentVariableIsSet("TOILE_UPDATE_DOCS")) {
-            if (picture.width() > kPictureWidth) {
-                picture = picture.scaledToWidth(kPictureWidth, Qt::SmoothTransformation);
-            }
-            QVERIFY(picture.save(file));
-        }
-        QVERIFY2(!QPixmap(file).isNull(), qPrintable(file));
+    void keep(const char* name, const QPixmap& picture) {
+        test::keepForDocs(QString("window-%1").arg(name), picture);
     }
     void keep(const char* name) {
         QTest::qWait(300);  // what comes a moment later is there

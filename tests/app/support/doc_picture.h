@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPixmap>
+#include <QTest>
+
+namespace toile::test {
+
+/// A picture of the documentation is there; with TOILE_UPDATE_DOCS set it is written, no wider than
+/// a page shows it.
+/// @param name  of the file in docs/images, without its ending
+inline void keepForDocs(const QString& name, QPixmap picture) {
+    constexpr int kWidest = 1100;
+    const QString file = TOILE_SOURCE_DIR "/docs/images/" + name + ".png";
+    if (qEnvironmentVariableIsSet("TOILE_UPDATE_DOCS")) {
+        if (picture.width() > kWidest) {
+            picture = picture.scaledToWidth(kWidest, Qt::SmoothTransformation);
+        }
+        QVERIFY(picture.save(file));
+    }
+    QVERIFY2(!QPixmap(file).isNull(), qPrintable(file));
+}
+
+}  // namespace toile::test
