@@ -116,7 +116,7 @@ public:
 
     void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
         const int way = automatic_ && proposer_.propose ? proposer_.way : 0;
-        if (asked.empty() && !isToOpen(*whole)) {
+        if (asked.empty() && !isToOpen(*whole) && !isToAskAbout(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
@@ -150,6 +150,12 @@ private:
         return automatic_ && piece.defect && cutsCanRepair(piece.defect->code);
     }
 
+    /// Whether a piece is one that cuts may be proposed for.
+    bool isToAskAbout(const Piece& piece) const {
+        return automatic_ && proposer_.propose &&
+               (isToOpen(piece) || (proposer_.isForDisks && !piece.defect));
+    }
+
     /// Whether its parts can be called what they were called.
     bool areFree(const CutRecord& cut) const {
         return std::ranges::all_of(cut.pieces, [&](const PiecePointer& part) {
@@ -160,16 +166,20 @@ private:
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
         std::vector<Piece> parts = byHand(*whole, done_.asked, Progress(progress, kByHandShare));
         if (parts.empty()) {  // no cut of the user's, or none that could be made
-            if (!isToOpen(*whole)) {
+            if (!isToOpen(*whole) && !isToAskAbout(*whole)) {
                 done_.pieces.push_back(whole);
                 return;
             }
             parts.push_back(*whole);
         }
         PartNames nameOf;
-        const auto isLeft = [this](const Piece& part) { return isToOpen(part); };
-        if (done_.proposer != 0 && std::ranges::any_of(parts, isLeft)) {
+        const auto isLeft = [this](const Piece& part) { return isToAskAbout(part); };
+        if (std::ranges::any_of(parts, isLeft)) {
             nameOf = byProposal(whole, parts, Progress(progress, kByProposalShare));
+            if (done_.cuts.empty() && !isToOpen(*whole)) {
+                done_.pieces.push_back(whole);
+                return;
+            }
         }
         const bool several = parts.size() > 1;
         for (Piece& part : parts) {
@@ -234,7 +244,7 @@ private:
         });
         if (made.empty() || isHopeless) {
             done_.cuts = before.cuts;
-            if (own == 0) {
+            if (own == 0 && isToOpen(*piece)) {
                 done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
             }
             return {};

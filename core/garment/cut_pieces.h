@@ -41,14 +41,15 @@ struct ProposedCuts {
     std::function<std::string(const Piece&)> nameOf{};
 };
 
-/// Proposes cuts for pieces that cannot lie flat; none where it has no better idea than the
-/// shortest. The same for the same piece and the same cuts.
+/// Proposes cuts for pieces that cannot lie flat, or not well; none where it has no better idea
+/// than the shortest. The same for the same piece and the same cuts.
 struct CutProposer {
     /// @param own  cuts that are made in the piece anyhow
     std::function<ProposedCuts(const std::shared_ptr<const Piece>&, const std::vector<UserCut>& own,
                                const Progress&)>
         propose{};
-    int way = 1;  ///< tells it from others that propose otherwise
+    int way = 1;              ///< tells it from others that propose otherwise
+    bool isForDisks = false;  ///< it is asked about pieces that could lie flat, too
 };
 
 /// What was done with one piece that was to be cut.

@@ -40,7 +40,8 @@ CutProposer proposerFor(const LoadOptions& options) {
     };
     // Millionths of a strain are all that tells one from the other.
     const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
-    return {propose, 4 + 2 * static_cast<int>(enough) + (asked.isFrontSwapped ? 1 : 0)};
+    return {propose, 4 + 2 * static_cast<int>(enough) + (asked.isFrontSwapped ? 1 : 0),
+            asked.enoughStrain.has_value()};
 }
 
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.
