@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether what is foretold of cuts comes true when the cloth is flattened, and what tailors' cuts
+// cost and save next to the shortest; the tables in docs/tailor.md.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "core/base/text.h"
+#include "core/pipeline/pipeline.h"
+#include "core/pipeline/solve_advice.h"
+#include "tests/cli/docs_table.h"
+#include "tests/core/support/shared_data.h"
+
+namespace toile {
+namespace {
+
+Garment skinOf(const std::string& file, bool isAutoCut = false,
+               CutStyle style = CutStyle::Topology) {
+    Progress progress;
+    auto garment = loadGarment(
+        {test::dataFile(file)},
+        {.split = SplitMode::Components, .weld = true, .autoCut = isAutoCut, .cutStyle = style},
+        progress);
+    EXPECT_TRUE(garment) << file;
+    return garment ? *garment : Garment{};
+}
+
+std::vector<double> ranksOf(const std::vector<double>& values) {
+    std::vector<double> ranks;
+    for (const double value : values) {
+        double rank = 0;
+        for (const double other : values) {
+            rank += other < value ? 1 : other == value ? 0.5 : 0;
+        }
+        ranks.push_back(rank);
+    }
+    return ranks;
+}
+
+/// Spearman's.
+double rankCorrelation(const std::vector<double>& a, const std::vector<double>& b) {
+    const std::vector<double> x = ranksOf(a), y = ranksOf(b);
+    const double middle = static_cast<double>(a.size()) / 2;
+    double xx = 0, yy = 0, xy = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        xx += (x[k] - middle) * (x[k] - middle);
+        yy += (y[k] - middle) * (y[k] - middle);
+        xy += (x[k] - middle) * (y[k] - middle);
+    }
+    return xy / std::sqrt(xx * yy);
+}
+
+std::string percentOf(double part) {
+    return fixed(100 * part, 1);
+}
+
+TEST(CutAdviceTruth, ForetoldStrainRanksCutsAsFlatteningDoes) {
+    constexpr std::pair<const char*, std::size_t> kFiles[] = {
+        {"garments/dress.obj", 3}, {"garments/leggings.ply", 5}, {"disks/mannequin-devil.off", 4}};
+    TOILE_NEEDS_SHARED(test::sharedFile("garments"));
+    std::string table =
+        "| File | Cut, after those before it | In all mm | Mean strain foretold % | solved % | "
+        "Most foretold % | solved % |\n|---|---|--:|--:|--:|--:|--:|\n";
+    std::vector<double> foretold, solved, mostForetold, mostSolved;
+    for (const auto& [file, count] : kFiles) {
+        const Garment skin = skinOf(file);
+        ASSERT_EQ(skin.uncut.size(), 1U);
+        const CutAdvice advice = adviseCuts(skin.uncut[0], {}, {});
+        double inAll = 0;
+        for (std::size_t k = 0; k <= std::min(count, advice.cuts.size()); ++k) {
+            Progress progress;
+            const auto flat =
+                solvedStrain(skin.uncut[0], {}, advice, k, {.quality = Quality::Draft}, progress);
+            ASSERT_TRUE(flat) << file << k;
+            const StrainFigures& predicted = k == 0 ? advice.before : advice.cuts[k - 1].predicted;
+            inAll += k == 0 ? 0 : advice.cuts[k - 1].length;
+            foretold.push_back(predicted.mean);
+            solved.push_back(flat->mean);
+            mostForetold.push_back(predicted.most);
+            mostSolved.push_back(flat->most);
+            table += "| " + std::filesystem::path(file).filename().string() + " | " +
+                     (k == 0 ? "the shortest" : advice.cuts[k - 1].what.cut.name) + " | " +
+                     fixed(inAll, 0) + " | " + percentOf(predicted.mean) + " | " +
+                     percentOf(flat->mean) + " | " + percentOf(predicted.most) + " | " +
+                     percentOf(flat->most) + " |\n";
+        }
+    }
+    EXPECT_GT(rankCorrelation(foretold, solved), 0.9);
+    EXPECT_GT(rankCorrelation(mostForetold, mostSolved), 0.9);
+    if (std::getenv("TOILE_UPDATE_DOCS")) {
+        test::expectFiguresInDocs("tailor.md", "strain foretold and solved", table);
+    }
+}
+
+struct Outcome {
+    std::size_t pieces = 0;
+    double length = 0, mean = 0;
+    bool areDisks = true, areSound = true;
+};
+
+Outcome flatOf(const Garment& garment) {
+    Outcome made{garment.pieces.size()};
+    for (const AppliedCut& cut : garment.cuts) {
+        made.length += cut.length;
+    }
+    Progress progress;
+    double area = 0;
+    for (const auto& result : flattenGarment(garment, {.quality = Quality::Draft}, progress)) {
+        made.areDisks = made.areDisks && !result->piece->defect;
+        if (result->quality) {
+            area += result->quality->area3d;
+            made.mean += result->quality->area3d * result->quality->strainMeanAbs.value_or(0);
+            made.areSound = made.areSound && result->quality->flippedTriangles == 0 &&
+                            result->quality->outlineCrossings == 0;
+        }
+    }
+    made.mean /= area > 0 ? area : 1;
+    return made;
+}
+
+TEST(CutAdviceTruth, TailorsCutsStrainLessAndAreLittleLonger) {
+    struct Skin {
+        const char* file;
+        double mostStrain;  ///< of that of the shortest cuts
+    };
+    constexpr Skin kSkins[] = {{"garments/leggings.ply", 1},
+                               {"garments/suit_mh.obj", 0.5},
+                               {"samples/trousers.obj", 1},
+                               {"samples/tshirt.obj", 1}};
+    std::string table =
+        "| File | Pieces | Cuts m | Mean strain % | The shortest: pieces | m | % |\n"
+        "|---|--:|--:|--:|--:|--:|--:|\n";
+    for (const auto& [file, most] : kSkins) {
+        if (!std::filesystem::exists(test::dataFile(file))) {
+            continue;
+        }
+        SCOPED_TRACE(file);
+        const Outcome tailor = flatOf(skinOf(file, true, CutStyle::Tailor));
+        const Outcome shortest = flatOf(skinOf(file, true));
+        EXPECT_TRUE(tailor.areDisks);
+        EXPECT_TRUE(tailor.areSound);
+        EXPECT_LE(tailor.mean, most * shortest.mean);
+        EXPECT_LE(tailor.length, 1.5 * shortest.length);
+        table += "| " + std::filesystem::path(file).filename().string() + " | " +
+                 std::to_string(tailor.pieces) + " | " + fixed(tailor.length / 1000, 2) + " | " +
+                 percentOf(tailor.mean) + " | " + std::to_string(shortest.pieces) + " | " +
+                 fixed(shortest.length / 1000, 2) + " | " + percentOf(shortest.mean) + " |\n";
+    }
+    if (std::getenv("TOILE_UPDATE_DOCS")) {
+        test::expectFiguresInDocs("tailor.md", "tailors' cuts and the shortest", table);
+    }
+}
+
+}  // namespace
+}  // namespace toile
