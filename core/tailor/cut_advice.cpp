@@ -7,6 +7,7 @@
 
 #include "core/base/unique_names.h"
 #include "core/cut/auto_cut.h"
+#include "core/cut/fill_holes.h"
 #include "core/tailor/cut_order.h"
 #include "core/tailor/form_lines.h"
 #include "core/tailor/part_names.h"
@@ -125,15 +126,11 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     CutAdvice advice;
     const SurfaceLinks links(piece->mesh, piece->table);
     const std::vector<PathPolyline> opening = openingPaths(*piece, progress);
-    tailor::CutOrder shortest(links, progress), order(links, progress);
+    tailor::CutOrder order(links, opening, progress);
     for (const UserCut& cut : own) {
-        shortest.add(cut);
         order.add(cut);
     }
-    for (const PathPolyline& path : opening) {
-        shortest.add(path);
-    }
-    if (const auto& scale = shortest.look()) {
+    if (const auto& scale = order.look()) {
         advice.before = scale->strain;
     }
     const auto body = readBody(piece, progress, options.isFrontSwapped);
@@ -145,14 +142,15 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     }
     order.takeAll();
     if (!isWorn && advice.before.mean > kFormInDoubt) {
-        for (AdvisedCut& cut : formCuts(piece, links, progress)) {
-            order.propose(std::move(cut));
-        }
-        if (!order.look() && order.isEmpty()) {  // closed, without any line to begin with
+        std::vector<AdvisedCut> cuts = formCuts(piece, links, progress);
+        if (cuts.empty() && rimLoops(links).empty()) {  // closed, and darts have to begin somewhere
             for (const PathPolyline& path : opening) {
                 order.propose(openingCut(piece->mesh, path));
             }
             order.takeAll();
+        }
+        for (AdvisedCut& cut : cuts) {
+            order.propose(std::move(cut));
         }
     }
     if (isWorn || advice.before.mean > kFormInDoubt) {

@@ -6,7 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "core/cut/fill_holes.h"
 #include "core/cut/surface_paths.h"
+#include "core/geometry/disjoint_sets.h"
 #include "core/tailor/form_lines.h"
 
 namespace toile::tailor {
@@ -23,39 +25,77 @@ constexpr double kFlat = 0.002;
 /// So many places are tried for the next dart.
 constexpr int kPlaces = 3;
 
-bool isRound(const AdvisedCut& cut) {
-    return cut.what.cut.kind == UserCut::Kind::Loop;
+std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(path.points.size());
+    for (const SurfacePoint& point : path.points) {
+        points.push_back(positionOf(mesh, point));
+    }
+    return points;
 }
 
 }  // namespace
 
-CutOrder::CutOrder(const SurfaceLinks& links, const Progress& progress)
+CutOrder::CutOrder(const SurfaceLinks& links, const std::vector<PathPolyline>& opening,
+                   const Progress& progress)
     : links_(links),
       progress_(progress),
       nearest_(links.mesh()),
       model_(links),
       lengths_(edgeLengths(links.mesh(), links.table().edges)),
       lines_(links, nearest_, model_.rims()),
-      size_(std::sqrt(std::accumulate(model_.areas().begin(), model_.areas().end(), 0.0))) {}
-
-void CutOrder::add(const PathPolyline& path) {
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(path.points.size());
-    for (const SurfacePoint& point : path.points) {
-        points.push_back(positionOf(links_.mesh(), point));
+      hasHandles_(links.vertexCount() - links.edgeCount() + links.faceCount() +
+                      static_cast<int>(rimLoops(links).size()) <
+                  2),
+      size_(std::sqrt(std::accumulate(model_.areas().begin(), model_.areas().end(), 0.0))) {
+    for (const PathPolyline& path : opening) {
+        const std::vector<int> vertices = lines_.verticesAlong(positionsOf(links.mesh(), path));
+        opening_.insert(opening_.end(), vertices.begin(), vertices.end());
     }
-    lines_.add(points, false);
 }
 
 void CutOrder::add(const UserCut& cut) {
     if (const auto path = traceUserCut(links_, nearest_, cut, progress_)) {
-        add(*path);
+        lines_.add(positionsOf(links_.mesh(), *path), false);
     }
 }
 
 const std::optional<FlatScale>& CutOrder::look() {
-    scale_ = model_.solve(lines_.isParted());
+    scale_ = scaleWith(lines_.isParted());
     return scale_;
+}
+
+/// Where what parts the piece does not open it, the shortest cuts do.
+std::optional<FlatScale> CutOrder::scaleWith(std::vector<char> parted) {
+    if (!isOpened(parted)) {
+        for (const int vertex : opening_) {
+            parted[static_cast<std::size_t>(vertex)] = 1;
+        }
+    }
+    return model_.solve(parted);
+}
+
+/// What has no handles falls into disks where all lines and rims hang together.
+bool CutOrder::isOpened(const std::vector<char>& parted) const {
+    geometry::DisjointSets sets(links_.vertexCount());
+    const Edges& edges = links_.table().edges;
+    for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+        if (parted[static_cast<std::size_t>(edges(e, 0))] != 0 &&
+            parted[static_cast<std::size_t>(edges(e, 1))] != 0) {
+            sets.join(edges(e, 0), edges(e, 1));
+        }
+    }
+    int first = -1;
+    for (int v = 0; v < links_.vertexCount(); ++v) {
+        if (parted[static_cast<std::size_t>(v)] == 0 || links_.cornersAt(v).empty()) {
+            continue;
+        }
+        first = first < 0 ? v : first;
+        if (sets.root(v) != sets.root(first)) {
+            return false;
+        }
+    }
+    return first >= 0 && !hasHandles_;
 }
 
 double CutOrder::mean() const {
@@ -68,29 +108,33 @@ double CutOrder::gainOf(const std::optional<FlatScale>& scale) const {
 }
 
 void CutOrder::propose(AdvisedCut cut) {
-    cut.length = lengthOf(cut.what.cut.points, isRound(cut));
+    const auto path = traceUserCut(links_, nearest_, cut.what.cut, progress_);
+    if (!path) {
+        return;
+    }
+    cut.length = path->length;
     const auto partner = std::ranges::find_if(groups_, [&cut](const Group& group) {
-        const TailorCut& other = group.cuts.front().what;
+        const TailorCut& other = group.cuts.front().cut.what;
         return cut.what.side != 0 && group.cuts.size() == 1 && other.line == cut.what.line &&
                other.side == -cut.what.side;
     });
     Group& group = partner != groups_.end() ? *partner : groups_.emplace_back();
     group.length += cut.length;
-    group.cuts.push_back(std::move(cut));
+    group.cuts.push_back({std::move(cut), positionsOf(links_.mesh(), *path)});
 }
 
-void CutOrder::take(AdvisedCut cut) {
-    lines_.add(cut.what.cut.points, cut.what.line == TailorLine::Dart);
+void CutOrder::take(Proposal proposal) {
+    lines_.add(proposal.line, proposal.cut.what.line == TailorLine::Dart);
     if (look()) {
-        cut.predicted = scale_->strain;
+        proposal.cut.predicted = scale_->strain;
     }
-    taken_.push_back(std::move(cut));
+    taken_.push_back(std::move(proposal.cut));
     progress_.step();
 }
 
 void CutOrder::takeGroup(std::size_t index) {
-    for (AdvisedCut& cut : groups_[index].cuts) {
-        take(std::move(cut));
+    for (Proposal& proposal : groups_[index].cuts) {
+        take(std::move(proposal));
     }
     groups_.erase(groups_.begin() + static_cast<std::ptrdiff_t>(index));
 }
@@ -110,15 +154,15 @@ void CutOrder::takeWorthwhile(std::size_t mostDarts) {
         const double gain = groups_.empty() ? 0 : groups_[best].gain;
         const bool isBestWorthwhile = !groups_.empty() && gain * groups_[best].length > kWorthwhile;
         std::optional<DartFound> dart = darts < mostDarts ? nextDart() : std::nullopt;
-        if (dart && dart->gain * dart->cut.length < kWorthwhile) {
+        if (dart && dart->gain * dart->proposal.cut.length < kWorthwhile) {
             dart.reset();
         }
         if (dart && (!isBestWorthwhile || dart->gain > gain)) {
-            take(std::move(dart->cut));
+            take(std::move(dart->proposal));
             ++darts;
             std::erase_if(groups_, [this](const Group& group) {  // they would cut it off
-                return std::ranges::any_of(group.cuts, [this](const AdvisedCut& cut) {
-                    return lines_.meetsDart(cut.what.cut.points);
+                return std::ranges::any_of(group.cuts, [this](const Proposal& proposal) {
+                    return lines_.meetsDart(proposal.line);
                 });
             });
         } else if (isBestWorthwhile) {
@@ -131,12 +175,12 @@ void CutOrder::takeWorthwhile(std::size_t mostDarts) {
 
 double CutOrder::gainOf(const Group& group) {
     std::vector<char> parted = lines_.isParted();
-    for (const AdvisedCut& cut : group.cuts) {
-        for (const int vertex : lines_.verticesAlong(cut.what.cut.points)) {
+    for (const Proposal& proposal : group.cuts) {
+        for (const int vertex : lines_.verticesAlong(proposal.line)) {
             parted[static_cast<std::size_t>(vertex)] = 1;
         }
     }
-    return gainOf(model_.solve(parted)) / group.length;
+    return gainOf(scaleWith(std::move(parted))) / group.length;
 }
 
 /// What a cut gains becomes less, as a rule, the more others are made: only those are looked at
@@ -192,24 +236,26 @@ std::optional<CutOrder::DartFound> CutOrder::nextDart() {
 }
 
 std::optional<CutOrder::DartFound> CutOrder::dartTo(int tip) {
-    DartFound dart;
-    std::vector<Eigen::Vector3d>& points = dart.cut.what.cut.points;
-    points = lines_.wayTo(tip, lengths_, progress_);
-    if (points.size() < 2) {
+    std::vector<Eigen::Vector3d> line = lines_.wayTo(tip, lengths_, progress_);
+    if (line.size() < 2) {
         return std::nullopt;
     }
-    const auto scale = model_.solve(lines_.with(points));
+    const auto scale = scaleWith(lines_.with(line));
     if (!scale) {
         return std::nullopt;
     }
-    dart.cut.what.line = TailorLine::Dart;
-    dart.cut.length = lengthOf(points, false);
-    dart.cut.intake = intakeOf(points, *scale);
-    dart.cut.evidence = worded("the cloth at its tip is %1 % too long",
-                               {figure(100 * std::expm1(-scale_->log[tip]), 0)});
-    dart.gain = gainOf(scale) / dart.cut.length;
-    const bool takesIn = dart.cut.intake->width > 0 && dart.cut.intake->angle > 0;
-    return takesIn && dart.gain > 0 ? std::optional(std::move(dart)) : std::nullopt;
+    AdvisedCut cut;
+    cut.what.line = TailorLine::Dart;
+    cut.what.cut.points = line;
+    cut.length = lengthOf(line, false);
+    cut.intake = intakeOf(line, *scale);
+    cut.evidence = worded("the cloth at its tip is %1 % too long",
+                          {figure(100 * std::expm1(-scale_->log[tip]), 0)});
+    const double gain = gainOf(scale) / cut.length;
+    if (cut.intake->width <= 0 || cut.intake->angle <= 0 || gain <= 0) {
+        return std::nullopt;
+    }
+    return DartFound{{std::move(cut), std::move(line)}, gain};
 }
 
 /// A cut opens by the angles that it takes in, each about its own place.

@@ -15,10 +15,12 @@ namespace toile::tailor {
 /// `StrainModel`; and finds darts where cloth remains that is too long. Keeps references.
 class CutOrder {
 public:
-    CutOrder(const SurfaceLinks& links, const Progress& progress);
+    /// @param opening  the shortest cuts that open the piece: counted in as long as nothing else
+    ///                 opens it
+    CutOrder(const SurfaceLinks& links, const std::vector<PathPolyline>& opening,
+             const Progress& progress);
 
     /// A cut that is there anyhow.
-    void add(const PathPolyline& path);
     void add(const UserCut& cut);
     /// Makes known what there is with what was added and taken.
     const std::optional<FlatScale>& look();
@@ -34,13 +36,17 @@ public:
     std::vector<AdvisedCut>& taken() { return taken_; }
 
 private:
+    struct Proposal {
+        AdvisedCut cut;
+        std::vector<Eigen::Vector3d> line;  ///< that it takes, at each edge that it meets
+    };
     struct Group {
-        std::vector<AdvisedCut> cuts;
+        std::vector<Proposal> cuts;
         double length = 0;
         double gain = std::numeric_limits<double>::infinity();  ///< by length, at most
     };
     struct DartFound {
-        AdvisedCut cut;
+        Proposal proposal;
         double gain = 0;
     };
 
@@ -48,7 +54,9 @@ private:
     double gainOf(const std::optional<FlatScale>& scale) const;
     double gainOf(const Group& group);
     std::size_t bestGroup();
-    void take(AdvisedCut cut);
+    void take(Proposal proposal);
+    std::optional<FlatScale> scaleWith(std::vector<char> parted);
+    bool isOpened(const std::vector<char>& parted) const;
     void takeGroup(std::size_t index);
     std::optional<DartFound> nextDart();
     std::optional<DartFound> dartTo(int tip);
@@ -60,6 +68,8 @@ private:
     StrainModel model_;
     const std::vector<double> lengths_;  ///< of edges
     PartedLines lines_;
+    std::vector<int> opening_;  ///< vertices that the shortest cuts pass
+    bool hasHandles_ = false;
     double size_ = 0;  ///< root of the area, mm
     std::optional<FlatScale> scale_;
     std::vector<Group> groups_;
