@@ -24,6 +24,8 @@ constexpr double kByHandShare = 0.2, kByProposalShare = 0.4;
 constexpr double kTracingShare = 0.7;
 /// Of proposals' time, about, for finding them.
 constexpr double kProposingShare = 0.7;
+/// A piece that the user's cuts part in more than so many is cut enough for proposals.
+constexpr std::size_t kMostParts = 50;
 
 /// A point of the reference panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
@@ -174,7 +176,7 @@ private:
         }
         PartNames nameOf;
         const auto isLeft = [this](const Piece& part) { return isToAskAbout(part); };
-        if (std::ranges::any_of(parts, isLeft)) {
+        if (parts.size() <= kMostParts && std::ranges::any_of(parts, isLeft)) {
             nameOf = byProposal(whole, parts, Progress(progress, kByProposalShare));
             if (done_.cuts.empty() && !isToOpen(*whole)) {
                 done_.pieces.push_back(whole);

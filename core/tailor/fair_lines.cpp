@@ -23,7 +23,7 @@ constexpr double kStays = 0.6, kLongEnough = 50, kNoCorner = 0.8;
 constexpr double kNearHollow = 5, kNearStraight = 18;
 /// Between points of a line, mm; and how often the line is shortened around each.
 constexpr double kHollowStep = 20, kStraightStep = 40;
-constexpr int kRoundings = 3;
+constexpr int kHollowRoundings = 3, kStraightRoundings = 6;
 /// A line that comes this near to another meets it, mm; where the other has a point near, there.
 constexpr double kMeets = 1, kMeetsAtPoint = 3;
 /// A line that begins at the one that it ends on has left it when it is so far off, mm.
@@ -122,8 +122,8 @@ std::vector<PathPolyline> inSteps(const SurfaceLinks& links, PathPolyline path, 
 }
 
 /// Shortens a line around every second of its inner points, and around the others, by turns.
-void roundKinks(const SurfaceLinks& links, std::vector<PathPolyline>& parts) {
-    for (int round = 0; round < 2 * kRoundings; ++round) {
+void roundKinks(const SurfaceLinks& links, std::vector<PathPolyline>& parts, int roundings) {
+    for (int round = 0; round < 2 * roundings; ++round) {
         for (auto k = static_cast<std::size_t>(1 + round % 2); k < parts.size(); k += 2) {
             const PathPolyline whole = straightened(links, joined(parts[k - 1], parts[k]));
             auto [before, after] = divided(links, whole, whole.length / 2);
@@ -301,7 +301,7 @@ private:
         std::vector<PathPolyline> parts =
             inSteps(links, std::move(path), isHollow ? kHollowStep : kStraightStep);
         if (hasKinks) {
-            roundKinks(links, parts);
+            roundKinks(links, parts, isHollow ? kHollowRoundings : kStraightRoundings);
         }
         for (const PathPolyline& part : parts) {
             for (std::size_t k = 1; k + 1 < part.points.size(); ++k) {

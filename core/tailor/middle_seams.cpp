@@ -18,6 +18,8 @@ constexpr double kNarrow = 0.9;
 constexpr int kHeights = 40;
 /// How far from there, mm, a line of the mesh may be the waist's, if it is one for sure.
 constexpr double kWaistReach = 50, kSureWaist = 0.6;
+/// Nor is there one where a cut crosses both sides so near to it, mm.
+constexpr double kCutAround = 120;
 
 /// Costs in one half of the garment: near a value of `off` of 0.
 std::vector<double> costsNear(const BodyWays& ways, bool isFront,
@@ -80,7 +82,12 @@ std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
             at = height;
         }
     }
-    if (least >= most || narrowest > kNarrow * widest) {
+    const auto isCutAround = [&](const std::vector<int>& side) {
+        return std::ranges::any_of(side, [&](int v) {
+            return pull.isAtSure(v) && std::abs(ways.height(v) - at) < kCutAround;
+        });
+    };
+    if (least >= most || narrowest > kNarrow * widest || std::ranges::all_of(sides, isCutAround)) {
         return {};
     }
     std::vector<int> left{vertexAt(ways, sides[0], at)}, right{vertexAt(ways, sides[1], at)};

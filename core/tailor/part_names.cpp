@@ -18,7 +18,7 @@ constexpr double kOnOneSide = 0.85;
 /// It is front or back where its area looks there by this part of it, in the mean.
 constexpr double kLooksThere = 0.2;
 /// A band is at most so wide, mm, and has so much of its own rim at an opening.
-constexpr double kWidestBand = 60, kBandAtOpening = 0.3;
+constexpr double kWidestBand = 60, kBandAtOpening = 0.38;
 /// A sleeve has this much of a cuff.
 constexpr double kAllOfCuff = 0.9;
 

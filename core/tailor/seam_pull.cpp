@@ -15,6 +15,8 @@ constexpr double kSaving = 0.9;
 constexpr double kNear = 60, kWide = 180;
 constexpr double kMuchMore = 0.15, kSure = 0.75;
 constexpr double kOutOfReach = 1e6;
+/// A way in reach that is more than this part of sure seams is meant.
+constexpr double kMostlySure = 0.4;
 /// What it costs along a sure seam, and within so many mm beside it.
 constexpr double kAlongSure = 0.02, kBesideSure = 10, kBeside = 30;
 
@@ -59,6 +61,16 @@ double SeamPull::along(const std::vector<int>& way) const {
     return whole > 0 ? sum / whole : 0;
 }
 
+double SeamPull::alongSure(const std::vector<int>& way) const {
+    double sure = 0;
+    for (std::size_t k = 1; k < way.size() && hasSure(); ++k) {
+        if (lines_.isSure(findEdge(ways_.links().table().edges, way[k - 1], way[k]))) {
+            sure += (ways_.at(way[k]) - ways_.at(way[k - 1])).norm();
+        }
+    }
+    return sure > 0 ? sure / ways_.length(way) : 0;
+}
+
 std::vector<double> SeamPull::near(const std::vector<int>& way, double corridor,
                                    std::vector<double> costs) const {
     const Edges& edges = ways_.links().table().edges;
@@ -83,7 +95,9 @@ std::vector<int> SeamPull::pulled(const std::vector<int>& way, const std::vector
     const double closeBy = along(close), wideBy = along(wide);
     const bool isCloser = closeBy > before;
     const double reached = isCloser ? closeBy : before;
-    if (wideBy >= std::max(reached + kMuchMore, kSure)) {
+    const double sureBy = alongSure(wide);
+    if (sureBy > std::max(kMostlySure, alongSure(isCloser ? close : way)) ||
+        wideBy >= std::max(reached + kMuchMore, kSure)) {
         return wide;
     }
     return isCloser ? close : way;

@@ -27,6 +27,8 @@ public:
                             const std::vector<int>& from, const std::vector<int>& to) const;
 
 private:
+    /// Which part of a way runs along sure seams, by length.
+    double alongSure(const std::vector<int>& way) const;
     /// Costs within so many mm of a way; beyond, they are out of reach.
     std::vector<double> near(const std::vector<int>& way, double corridor,
                              std::vector<double> costs) const;
