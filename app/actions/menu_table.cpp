@@ -83,7 +83,7 @@ std::vector<MenuSpec> makeTable() {
          {RenamePiece, SetQuantity, Submenu{"materialMenu"}, kLine,
           HidePieces, ShowOnlyThese, ShowAllPieces, kLine,
           LeaveOut, TakeIn, LeaveOutSmall, kLine,
-          CutOpen, ProposeCuts, DartHere, kLine,
+          CutOpen, DartHere, kLine,
           ExportOnlyThese}},
         {"pieceContext", "",
          {RenamePiece, SetQuantity, Submenu{"materialMenu"}, kLine,
