@@ -14,6 +14,9 @@ namespace {
 constexpr int kFewestFragments = 5;
 /// Of a solid's area, what must belong to closed surfaces.
 constexpr double kClosedShare = 0.95;
+/// Of the faces, how many lie on each other where a few are only folded, as in corners of a
+/// cushion.
+constexpr double kFoldedShare = 0.02;
 
 constexpr const char* kOneThickness = translatable("two surfaces %1 mm apart");
 constexpr const char* kThicknesses = translatable("two surfaces %1 to %2 mm apart");
@@ -23,6 +26,14 @@ Wording evidenceOf(const Shell& shell) {
     const bool isEven = shell.thickest - shell.thinnest < 0.1 * shell.median;
     return isEven ? worded(kOneThickness, {figure(shell.median, 1)})
                   : worded(kThicknesses, {figure(shell.thinnest, 1), figure(shell.thickest, 1)});
+}
+
+/// A mesh that is to be seen from both sides is not closed by that.
+bool isClosed(const FileSurface& surface) {
+    const FileSurface single = withoutDoubles(surface);
+    const auto faces = static_cast<double>(surface.mesh.F.rows());
+    const bool isFolded = static_cast<double>(single.mesh.F.rows()) >= (1 - kFoldedShare) * faces;
+    return partsOf((isFolded ? surface : single).mesh).closedShare() >= kClosedShare;
 }
 
 }  // namespace
@@ -45,7 +56,7 @@ Recognition recognise(const FileSurface& surface, const Progress& progress) {
         return {FileKind::Scan, worded("%1 beside one large surface",
                                        {countWording(debris.fragments, "fragment")})};
     }
-    if (partsOf(withoutDoubles(surface).mesh).closedShare() >= kClosedShare) {
+    if (isClosed(surface)) {
         return {FileKind::Solid, worded("a closed surface, with nothing inside it")};
     }
     if (auto layers = findLayers(surface, progress); layers && layers->isSure) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,29 @@ TEST(Recognise, OneSurfaceIsASheet) {
     EXPECT_EQ(kindOf(test::tube(24, 9)), FileKind::Sheet);
     EXPECT_EQ(kindOf(test::sphericalCap(8, 100, 1.2)), FileKind::Sheet);
     EXPECT_EQ(kindOf({Points3(0, 3), Triangles(0, 3)}), FileKind::Sheet);
+}
+
+TEST(Recognise, ACushionIsASolidThoughItsCornersAreFolded) {
+    constexpr int kSide = 16;
+    MeshArrays panel = test::planeGrid(kSide, kSide, 20);
+    const Eigen::RowVector3d middle = panel.V.colwise().mean();
+    std::vector<int> below;
+    for (int v = 0; v < panel.V.rows(); ++v) {
+        panel.V.row(v) -= middle;
+        const Eigen::Array2d at = panel.V.row(v).head<2>().transpose().array() / (kSide * 10);
+        panel.V(v, 2) = 60 * (1 - at.square()).prod();
+        below.push_back(panel.V(v, 2) > 1e-3 ? v + static_cast<int>(panel.V.rows()) : v);
+    }
+    MeshArrays back = panel;
+    back.V.col(2) *= -1;
+    back.F.col(1).swap(back.F.col(2));
+    MeshArrays cushion = both(panel, back);
+    for (Eigen::Index f = panel.F.rows(); f < cushion.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            cushion.F(f, k) = below[cushion.F(f, k) - panel.V.rows()];
+        }
+    }
+    EXPECT_EQ(kindOf(cushion), FileKind::Solid);
 }
 
 TEST(Recognise, AClosedFormIsASolid) {
