@@ -81,8 +81,10 @@ void setMaterial(Document& document, const std::vector<int>& pieces, const QStri
     }
     const QString shown = material.simplified().left(static_cast<qsizetype>(kMaxLabelText));
     const std::string name = shown.toStdString();
-    DocumentState next = withSettings(
-        document, there, [&name](int, PieceSettings& settings) { settings.material = name; });
+    DocumentState next = withSettings(document, there, [&name](int, PieceSettings& settings) {
+        settings.material = name;
+        settings.materialByHand = true;
+    });
     next.materials = materialsInUse(next);
     const QString text =
         name.empty() ? tr("Material of %1: as the garment").arg(nameOfPieces(document, there))

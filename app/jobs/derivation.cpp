@@ -50,15 +50,6 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
     return found;
 }
 
-/// What pieces are usually cut from, in the person's language.
-std::vector<std::string> materialsOfNew(const Garment& garment) {
-    std::vector<std::string> materials;
-    for (const Wording& words : usualMaterials(garment)) {
-        materials.push_back(wordingText(words).toStdString());
-    }
-    return materials;
-}
-
 /// Takes other results in.
 void become(Derivation& made, PieceResults results) {
     made.motions = flatMotions(made.derived.results, results);
@@ -80,12 +71,15 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
     derivation.hasOtherGarment = true;
     if (before.garment) {
         derivation.carried = carriedFrom(*before.garment, settingsBefore, before.results, *garment);
-        const std::vector<std::string> was = materialsOfNew(*before.garment),
-                                       is = materialsOfNew(*garment);
+        const std::vector<Wording> was = usualMaterials(*before.garment),
+                                   is = usualMaterials(*garment);
         for (std::size_t p = 0; p < is.size(); ++p) {
             const int from = derivation.carried[p].piece;
-            derivation.materials.emplace_back(
-                from < 0 ? std::string() : was[static_cast<std::size_t>(from)], is[p]);
+            if (is[p] == (from < 0 ? Wording() : was[static_cast<std::size_t>(from)])) {
+                derivation.materials.emplace_back();  // the word may be of another language
+            } else {
+                derivation.materials.emplace_back(wordingText(is[p]).toStdString());
+            }
         }
     }
     Derived& derived = derivation.derived;
@@ -175,10 +169,10 @@ void draw(Derived& derived, Progress& progress) {
 
 SettingsById settingsOfNew(const Garment& garment) {
     SettingsById settings;
-    const std::vector<std::string> materials = materialsOfNew(garment);
+    const std::vector<Wording> materials = usualMaterials(garment);
     for (std::size_t p = 0; p < materials.size(); ++p) {
         if (!materials[p].empty()) {
-            settings[garment.pieces[p]->id].material = materials[p];
+            settings[garment.pieces[p]->id].material = wordingText(materials[p]).toStdString();
         }
     }
     return settings;
@@ -190,9 +184,10 @@ SettingsById settingsAfter(const Derivation& made, SettingsById settings,
     if (made.hasOtherGarment && !made.carried.empty()) {
         carrySettings(settings, before, made.carried, garment);
         for (std::size_t p = 0; p < made.materials.size(); ++p) {
-            const auto& [was, is] = made.materials[p];
-            std::string& material = settings[garment.pieces[p]->id].material;
-            material = material == was ? is : material;
+            PieceSettings& said = settings[garment.pieces[p]->id];
+            if (made.materials[p] && !said.materialByHand) {
+                said.material = *made.materials[p];
+            }
         }
     }
     if (made.motions.empty()) {

@@ -29,8 +29,8 @@ struct Derivation {
     std::vector<CarriedFrom> carried{};                ///< of another garment
     std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
     std::vector<std::optional<double>> grains{};       ///< by LineSettings::grain; else empty
-    /// Of another garment, per piece: what it was usually cut from before, and is now.
-    std::vector<std::pair<std::string, std::string>> materials{};
+    /// Of another garment, per piece: what it is usually cut from now, where that is another.
+    std::vector<std::optional<std::string>> materials{};
 };
 
 /// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
@@ -58,8 +58,8 @@ SettingsById settingsOfNew(const Garment& garment);
 void draw(Derived& derived, Progress& progress);
 
 /// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those
-/// without a place, or without a grain where there is a rule for it, get one. A piece of the
-/// material that is usual for its layer follows it. Idempotent.
+/// without a place, or without a grain where there is a rule for it, get one. What a piece is cut
+/// from follows its layer, unless a person has said it. Idempotent.
 /// @param settings  as said, now  @param before  the same of the pieces before, in their order
 SettingsById settingsAfter(const Derivation& made, SettingsById settings,
                            const std::vector<PieceSettings>& before);

@@ -33,6 +33,9 @@ struct PieceSettings : Cutting {
     std::optional<Placement> placement{};
     /// A person has put it there: it moves for no other piece.
     bool placedByHand = false;
+    /// A person has said what it is cut from, be it the garment's own fabric: no layer changes
+    /// that.
+    bool materialByHand = false;
     /// Which flat points placement and grain are about (PieceResult::fingerprint); 0: not known.
     std::uint64_t flat = 0;
     /// Where these lay, as long as the next are not there: they are fitted to the anchors, which

@@ -272,6 +272,10 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
         at.field("byHalf", settings.byHalf);
     }
     at.text("material", settings.material);
+    at.unlessSaid(settings.materialByHand, !settings.material.empty());  // as in older files
+    if (at.kReads || settings.materialByHand == settings.material.empty()) {
+        at.field("materialByHand", settings.materialByHand);
+    }
     at.id("partOf", settings.partOf);
     for (const auto& [name, said] :
          {std::pair<const char*, decltype(&settings.hidden)>{"hidden", &settings.hidden},

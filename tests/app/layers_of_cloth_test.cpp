@@ -9,6 +9,7 @@
 #include "app/actions/project_actions.h"
 #include "app/panels/pieces_model.h"
 #include "app/render/scene.h"
+#include "app/settings/language.h"
 #include "app/widgets/garment_card.h"
 #include "core/project/layer_materials.h"
 #include "tests/app/support/garments.h"
@@ -69,11 +70,6 @@ private:
         }
         return nullptr;
     }
-    /// What else the card asks of these strips is not looked at.
-    bool asksForLayers() {
-        const GarmentCard& card = fixture_.window().card();
-        return card.isVisible() && card.sentence().contains("layers");
-    }
     /// In the menu that is shown, by the mouse.
     void chooseMaterial(const QString& text) {
         QMenu* menu = shownMenu("pieceContext");
@@ -133,7 +129,7 @@ private slots:
         QVERIFY(!fixture_.window().isWindowModified());
 
         press("Inner only");
-        QVERIFY(!asksForLayers());
+        QVERIFY(!fixture_.window().card().isVisible());
         QCOMPARE(document().pieceCount(), 2);
         QCOMPARE(materials(), QStringList({"", ""}));
         QVERIFY(!document().scene()->garmentLines.leftOut.empty());
@@ -154,6 +150,23 @@ private slots:
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(materials(), QStringList({"", "", "Lining", "Lining"}));
         QCOMPARE(listed(), QStringList({"Lining"}));
+    }
+
+    void theGarmentsFabricStaysWhereAPersonSaidIt() {
+        document().setSelection({2});
+        rightClickRow(2);
+        chooseMaterial("The garment's &fabric");
+        press("No layers");
+        QCOMPARE(materials(), QStringList({"", "", "", ""}));
+        const QString project = fixture_.path("said.toile");
+        fixture_.window().garmentActions().project().session().save(project.toStdString());
+        QVERIFY(fixture_.waitUntilIdle());
+        fixture_.close();
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(project));
+        fixture_.action(ActionId::ReadLayers).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(materials(), QStringList({"", "", "", "Lining"}));
     }
 
     void whatAPersonSaysStaysThroughReloadAndSaving() {
@@ -207,7 +220,22 @@ private slots:
         document().setSelection({0});
         QVERIFY(!fixture_.action(ActionId::SelectSameLayer).isEnabled());
         QVERIFY(fixture_.action(ActionId::SelectSameMaterial).isEnabled());
-        QVERIFY(!asksForLayers());
+        QVERIFY(!fixture_.window().card().isVisible());
+    }
+
+    /// The last: what has been translated stays.
+    void aLiningIsOneInAnyLanguage() {
+        const QString project = fixture_.path("lined.toile");
+        fixture_.window().garmentActions().project().session().save(project.toStdString());
+        QVERIFY(fixture_.waitUntilIdle());
+        fixture_.close();
+        useLanguage(Language::German);
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(project));
+        QCOMPARE(materials(), QStringList({"", "", "Lining", "Lining"}));  // named by then
+        fixture_.action(ActionId::ReadSheet).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(materials(), QStringList({"", "", "", ""}));
     }
 };
 

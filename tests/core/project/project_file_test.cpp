@@ -204,6 +204,7 @@ private:
         settings.mirroredPair = flag();
         settings.byHalf = flag();
         settings.material = flag() ? text() : "";
+        settings.materialByHand = flag();
         settings.partOf = flag() ? PieceId{random_() | 1U} : PieceId{};
         for (int k = upTo(3); k > 0; --k) {
             settings.anchors.push_back({upTo(1 << 20), {number(kFarthest), number(kFarthest)}});
