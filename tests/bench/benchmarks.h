@@ -21,6 +21,7 @@ void registerFlattening(const Scope& scope);  ///< curvature/panel/45000, isomet
 void registerPieces(const Scope& scope);      ///< buildPiece/panel/45000
 void registerReading(const Scope& scope);     ///< plainScan, toileReader, openMeshReader
 void registerPreparing();                     ///< prepare/dress_scan/remeshed-10
+void registerTailor();                        ///< tailor/advice
 void registerWriting(const Scope& scope);     ///< write/panel/1000000/svg
 void registerExport();                        ///< export/dress/pdf, readBack/dress/all
 void registerGarment(const Scope& scope);     ///< garment/dress/threads-2

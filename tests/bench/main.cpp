@@ -42,6 +42,7 @@ int main(int argc, char** argv) {
     registerPieces(scope);
     registerReading(scope);
     registerPreparing();
+    registerTailor();
     registerWriting(scope);
     registerExport();
     registerGarment(scope);

@@ -121,6 +121,8 @@ void addPreparing(Bars& bars) {
     add("prepare/dress_scan/kept", 3);
     add("prepare/dress_scan/remeshed-10", 10);
     add("prepare/dress_scan/remeshed-5", 10);
+    add("tailor/cuts", 2);
+    add("tailor/advice", 4);
 }
 
 void addMemory(Bars& bars) {

@@ -211,6 +211,10 @@ std::string performancePage(const Measurements& run) {
                       "millimetres; wall-clock time.\n\n",
                       {"prepare/"}, "triangles", "triangles after") +
            plainTable(run,
+                      "## Proposing cuts\n\nTailors' cuts for a shirt of one skin, and what each "
+                      "is worth; wall-clock time.\n\n",
+                      {"tailor/"}, "triangles", "triangles") +
+           plainTable(run,
                       "## A garment's pieces side by side\n\n`dress.obj`, wall-clock time; both "
                       "write the same bytes.\n\n",
                       {"garment/"}) +
