@@ -59,26 +59,32 @@ double areaOf(const Piece& piece) {
 }
 
 /// A piece of the garment before the cuts in it, with the person's own.
+AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
+                          const std::vector<UserCut>& own = {}) {
+    return {whole, own, garment.files[static_cast<std::size_t>(whole->file)]};
+}
+
 AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole == piece ||
             std::ranges::find(record.pieces, piece) != record.pieces.end()) {
-            return {record.whole, record.asked};
+            return questionOf(garment, record.whole, record.asked);
         }
     }
-    return {piece};
+    return questionOf(garment, piece);
 }
 
 /// The same whole in another version of the garment; none where it is no more.
 std::optional<AdviceQuestion> wholeWith(const Garment& garment, PieceId id) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole->id == id) {
-            return AdviceQuestion{record.whole, record.asked};
+            return questionOf(garment, record.whole, record.asked);
         }
     }
     const auto piece =
         std::ranges::find(garment.pieces, id, [](const auto& one) { return one->id; });
-    return piece == garment.pieces.end() ? std::nullopt : std::optional(AdviceQuestion{*piece});
+    return piece == garment.pieces.end() ? std::nullopt
+                                         : std::optional(questionOf(garment, *piece));
 }
 
 std::vector<UserCut> linesOf(const CutAdvice& advice) {

@@ -6,8 +6,10 @@
 #include <ostream>
 
 #include "app/cli/arguments.h"
+#include "app/cli/input.h"
 #include "core/base/text.h"
 #include "core/pipeline/solve_advice.h"
+#include "core/tailor/file_borders.h"
 
 namespace toile::app {
 namespace {
@@ -31,9 +33,12 @@ std::vector<UserCut> ownCutsOf(const Garment& garment, const std::shared_ptr<con
 }
 
 void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& own,
-              const Arguments& arguments, Progress& progress, std::ostream& out) {
-    CutAdvice advice = adviseCuts(
-        piece, own, {arguments.load.isFrontSwapped, arguments.load.enoughStrain}, progress);
+              const PolygonSoup& soup, const Arguments& arguments, Progress& progress,
+              std::ostream& out) {
+    const CutAdvice advice = adviseCuts(
+        piece, own,
+        {arguments.load.isFrontSwapped, arguments.load.enoughStrain, fileBorders(*piece, soup)},
+        progress);
     out << piece->name << ": ";
     if (advice.cuts.empty()) {
         out << "no cut is worth its length; strain " << percent(advice.before.mean)
@@ -65,7 +70,9 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
 void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
                  std::ostream& out) {
     for (const auto& piece : garment.uncut) {
-        printFor(piece, ownCutsOf(garment, piece), arguments, progress, out);
+        printFor(piece, ownCutsOf(garment, piece),
+                 *garment.files[static_cast<std::size_t>(piece->file)]->soup, arguments, progress,
+                 out);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/text/error_text.h"
 #include "core/pipeline/solve_advice.h"
+#include "core/tailor/file_borders.h"
 
 namespace toile::app {
 
@@ -28,7 +29,9 @@ void CutAdviser::startAsking() {
     const auto question = std::exchange(waiting_, nullptr);
     asking_.start(
         [asked = *question](Progress& progress) {
-            return adviseCuts(asked.piece, asked.own, asked.options, progress);
+            AdviceOptions options = asked.options;
+            options.borders = fileBorders(*asked.piece, *asked.file->soup);
+            return adviseCuts(asked.piece, asked.own, options, progress);
         },
         [this](const Attempt<CutAdvice>& made, const Progress& progress) {
             const bool isWanted = !isDropped_ && !progress.isCancelled();

@@ -10,6 +10,7 @@
 #include "app/base/worker.h"
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/garment/garment.h"
 #include "core/tailor/cut_advice.h"
 
 namespace toile::app {
@@ -17,8 +18,9 @@ namespace toile::app {
 /// What cuts are to be proposed for.
 struct AdviceQuestion {
     std::shared_ptr<const Piece> piece{};
-    std::vector<UserCut> own{};  ///< that are made anyhow, mm
-    AdviceOptions options{};
+    std::vector<UserCut> own{};                ///< that are made anyhow, mm
+    std::shared_ptr<const SourceFile> file{};  ///< of the piece: its borders speak for cuts
+    AdviceOptions options{};                   ///< without borders
 
     bool operator==(const AdviceQuestion&) const = default;
 };

@@ -12,6 +12,7 @@
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 #include "core/tailor/cut_advice.h"
+#include "core/tailor/file_borders.h"
 
 namespace toile {
 namespace {
@@ -21,14 +22,17 @@ constexpr double kJoiningShare = 0.1;
 constexpr double kCuttingShare = 0.6;
 
 /// What is proposed for each piece, as these options have it.
-CutProposer proposerFor(const LoadOptions& options) {
+CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     if (options.cutStyle == CutStyle::Topology) {
         return {};
     }
     const AdviceOptions asked{options.isFrontSwapped, options.enoughStrain};
-    const auto propose = [asked](const std::shared_ptr<const Piece>& piece,
-                                 const std::vector<UserCut>& own, const Progress& progress) {
-        CutAdvice advice = adviseCuts(piece, own, asked, progress);
+    const auto propose = [asked, files = garment.files](const std::shared_ptr<const Piece>& piece,
+                                                        const std::vector<UserCut>& own,
+                                                        const Progress& progress) {
+        AdviceOptions inFile = asked;
+        inFile.borders = fileBorders(*piece, *files[static_cast<std::size_t>(piece->file)]->soup);
+        CutAdvice advice = adviseCuts(piece, own, inFile, progress);
         ProposedCuts made;
         for (AdvisedCut& cut : advice.cuts) {
             if (cut.isNeeded) {
@@ -98,9 +102,9 @@ Result<Garment> cutGarment(const Garment& garment, const LoadOptions& options,
                                      Progress(progress, kJoiningShare));
     reusePieces(joined.pieces, garment);
     progress.report(kJoiningShare);
-    CutPieces cut =
-        cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
-                  Progress(progress, kCuttingShare), garment.cutRecords, proposerFor(options));
+    CutPieces cut = cutPieces(joined.pieces, cutsInPieceSpace(seams, garment), options.autoCut,
+                              Progress(progress, kCuttingShare), garment.cutRecords,
+                              proposerFor(options, garment));
     progress.report(kJoiningShare + kCuttingShare);
     made.pieces = std::move(cut.pieces);
     made.cuts = std::move(cut.cuts);

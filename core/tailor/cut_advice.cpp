@@ -28,7 +28,8 @@ constexpr double kShortestRidge = 0.25;
 
 AdvisedCut advisedCut(TailorCut cut) {
     AdvisedCut made;
-    made.evidence = cut.likeliness > kSeamLikely
+    made.evidence = cut.isFileBorder ? worded("a border of the file, in its UV map or its parts")
+                    : cut.likeliness > kSeamLikely
                         ? worded("the mesh has a line there that looks like a seam (%1)",
                                  {figure(cut.likeliness, 2)})
                         : worded("by the form");
@@ -135,7 +136,7 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     }
     const auto body = readBody(piece, progress, options.isFrontSwapped);
     const std::vector<TailorCut> tailors =
-        body ? tailorCuts(*piece, *body, own, progress) : std::vector<TailorCut>{};
+        body ? tailorCuts(*piece, *body, own, progress, options.borders) : std::vector<TailorCut>{};
     const bool isWorn = !tailors.empty();
     for (const TailorCut& cut : tailors) {
         order.propose(advisedCut(cut));

@@ -38,6 +38,7 @@ struct AdviceOptions {
     /// The mean strain from which on no cut is worth its length. None: seams as tailors have them,
     /// and darts only where strain is beyond that of any cloth.
     std::optional<double> enoughStrain{};
+    std::vector<char> borders{};  ///< per edge, as of `fileBorders`; may be empty
 
     bool operator==(const AdviceOptions&) const = default;
 };

@@ -27,6 +27,8 @@ constexpr double kFlatWorth = 0.3;
 constexpr double kMostBends = 3;
 /// Below, radians, the mesh's own bends are rounding.
 constexpr double kLeastFold = 0.01, kLeastDefect = 1e-3;
+/// Who made a mesh has rarely put a border of its file where no seam is.
+constexpr double kBorder = 0.95;
 /// From how many medians on a bend is one.
 constexpr double kUnusual = 3;
 /// Median of |x| to the standard deviation of x, of a normal distribution.
@@ -212,6 +214,40 @@ void MeshLines::addSure(const std::vector<char>& isSeam) {
     }
     ways.emplace_back();
     likeliness.push_back(1);
+}
+
+void MeshLines::addBorders(const SurfaceLinks& links, const std::vector<char>& isBorder) {
+    firstBorder = static_cast<int>(ways.size());
+    const Edges& edges = links.table().edges;
+    const geometry::Buckets<> bordersAt(links.vertexCount(), [&](const auto& add) {
+        for (int e = 0; e < links.edgeCount(); ++e) {
+            if (isBorder[static_cast<std::size_t>(e)] != 0) {
+                add(edges(e, 0), e);
+                add(edges(e, 1), e);
+            }
+        }
+    });
+    const auto follow = [&](int vertex, int edge) {
+        std::vector<int> way{vertex};
+        while (edge >= 0 && lineOf[edge] < firstBorder) {
+            lineOf[edge] = static_cast<int>(ways.size());
+            way.push_back(edges(edge, edges(edge, 0) == way.back() ? 1 : 0));
+            const std::span<const int> there = bordersAt[way.back()];
+            edge = there.size() == 2 ? (there[0] == edge ? there[1] : there[0]) : -1;
+        }
+        ways.push_back(std::move(way));
+        likeliness.push_back(kBorder);
+    };
+    for (const bool fromEnds : {true, false}) {  // what is left then goes round
+        for (int e = 0; e < links.edgeCount(); ++e) {
+            for (int side = 0; side < 2 && isBorder[static_cast<std::size_t>(e)] != 0; ++side) {
+                if (lineOf[e] < firstBorder &&
+                    (!fromEnds || bordersAt[edges(e, side)].size() != 2)) {
+                    follow(edges(e, side), e);
+                }
+            }
+        }
+    }
 }
 
 MeshLines findMeshLines(const SurfaceLinks& links) {

@@ -16,6 +16,7 @@ struct MeshLines {
     std::vector<double> likeliness;  ///< per line, 0 to below 1; a line of a regular grid has 0.5
     int usual = 0;                   ///< edges that nine lines of ten have at most: the mesh's own
     int sure = -1;                   ///< the line of seams that there are for sure; -1: none
+    int firstBorder = -1;            ///< from here on, up to `sure`, lines are borders of the file
 
     /// How much an edge looks like a part of a seam.
     double at(int edge) const { return likeliness[lineOf[edge]]; }
@@ -24,6 +25,13 @@ struct MeshLines {
     /// way. @param isSeam  per edge
     void addSure(const std::vector<char>& isSeam);
     bool isSure(int edge) const { return lineOf[edge] == sure; }
+
+    /// Makes lines of edges that are borders in the file: each goes on until three meet, or it
+    /// ends. Before `addSure`. @param isBorder  per edge
+    void addBorders(const SurfaceLinks& links, const std::vector<char>& isBorder);
+    bool isBorder(int edge) const {
+        return firstBorder >= 0 && lineOf[edge] >= firstBorder && lineOf[edge] != sure;
+    }
 };
 
 /// Two edges that meet inside the surface belong to one line where each goes on most nearly

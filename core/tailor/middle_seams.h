@@ -14,8 +14,8 @@ std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
                             const std::vector<int>& from, const std::vector<int>& to);
 
 /// The line around the narrowest height of a trunk, from one side line to the other through the
-/// front and back again; empty where the trunk is nearly as narrow everywhere, or where a person has
-/// cut around it.
+/// front and back again; empty where the trunk is nearly as narrow everywhere, or where a person
+/// has cut around it.
 /// @param sides  from below the arms to the hem
 std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
                            const std::array<std::vector<int>, 2>& sides);

@@ -96,6 +96,31 @@ private:
     std::map<Key, Eigen::Vector3d> moved_;
 };
 
+/// Marks of the edges that a mesh still has after others were split.
+std::vector<char> bordersIn(const EdgeTable& table, const EdgeTable& before,
+                            const std::vector<char>& borders) {
+    std::vector<char> isBorder(static_cast<std::size_t>(table.edges.rows()), 0);
+    for (Eigen::Index e = 0; e < before.edges.rows(); ++e) {
+        const int now = borders[static_cast<std::size_t>(e)] != 0
+                            ? findEdge(table.edges, before.edges(e, 0), before.edges(e, 1))
+                            : -1;
+        if (now >= 0) {
+            isBorder[static_cast<std::size_t>(now)] = 1;
+        }
+    }
+    return isBorder;
+}
+
+/// Whether most of a way runs along borders of the file.
+bool isFileBorder(const std::vector<int>& way, const BodyWays& ways, const MeshLines& lines) {
+    double along = 0;
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const int edge = findEdge(ways.links().table().edges, way[k - 1], way[k]);
+        along += lines.isBorder(edge) ? ways.lengths()[static_cast<std::size_t>(edge)] : 0;
+    }
+    return along > ways.length(way) / 2;
+}
+
 }  // namespace
 
 const char* wordOf(TailorLine line) {
@@ -133,7 +158,8 @@ std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
 }
 
 std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
-                                  const std::vector<UserCut>& own, const Progress& progress) {
+                                  const std::vector<UserCut>& own, const Progress& progress,
+                                  const std::vector<char>& borders) {
     if (body.form == BodyForm::Unknown || progress.isCancelled()) {
         return {};
     }
@@ -141,6 +167,9 @@ std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
     const SurfaceLinks links(marked.mesh, marked.table);
     const BodyWays ways(links, body, progress);
     MeshLines lines = findMeshLines(links);
+    if (!borders.empty()) {
+        lines.addBorders(links, bordersIn(marked.table, piece.table, borders));
+    }
     if (!marked.ways.empty()) {
         lines.addSure(marked.marks());
     }
@@ -158,6 +187,7 @@ std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
         made.line = seam.line;
         made.side = seam.side;
         made.likeliness = seam.likeliness;
+        made.isFileBorder = isFileBorder(seam.way, ways, lines);
         made.cut.name = names.free(nameOf(seam, body));
         made.cut.points = std::move(fair[s]);
         made.cut.kind =

@@ -16,8 +16,9 @@ namespace toile {
 struct TailorCut {
     UserCut cut;  ///< mm; called "left side", "right armhole"; without an id
     TailorLine line = TailorLine::Style;
-    int side = 0;           ///< of the mirror plane: -1, 1; 0 in the middle
-    double likeliness = 0;  ///< that the mesh has a seam there, 0 to 1
+    int side = 0;               ///< of the mirror plane: -1, 1; 0 in the middle
+    double likeliness = 0;      ///< that the mesh has a seam there, 0 to 1
+    bool isFileBorder = false;  ///< most of it runs along a border of the file
 };
 
 /// What such a line is called: "armhole".
@@ -34,8 +35,10 @@ std::vector<TailorCut> tailorCuts(const std::shared_ptr<const Piece>& piece,
 
 /// The same of a body that has been read, beside cuts that are made anyhow: proposals are led to
 /// these, end on them, and do not run along them again.
-/// @param body  of this piece
+/// @param body     of this piece
+/// @param borders  per edge, as of `fileBorders`; may be empty
 std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
-                                  const std::vector<UserCut>& own, const Progress& progress = {});
+                                  const std::vector<UserCut>& own, const Progress& progress = {},
+                                  const std::vector<char>& borders = {});
 
 }  // namespace toile

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
-#include <iostream>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -13,9 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/stopwatch.h"
-#include "core/pipeline/pipeline.h"
 #include "core/pipeline/solve_advice.h"
+#include "core/tailor/file_borders.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/tailor/worn_shapes.h"
 
@@ -199,6 +196,34 @@ TEST(CutAdvice, ForetoldStrainRanksAsSolvedStrainDoes) {
     }
 }
 
+TEST(CutAdvice, BordersOfTheFileAreEvidence) {
+    const auto skirt = formPiece(test::wornSkirt());
+    // A map of two panels whose borders lie a hand's breadth off the sides.
+    PolygonSoup soup;
+    for (Eigen::Index v = 0; v < skirt->mesh.V.rows(); ++v) {
+        soup.positions.emplace_back(skirt->mesh.V.row(v));
+    }
+    soup.materials = {"front", "back"};
+    for (Eigen::Index f = 0; f < skirt->mesh.F.rows(); ++f) {
+        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        for (int k = 0; k < 3; ++k) {
+            soup.corners.push_back(skirt->mesh.F(f, k));
+            middle += skirt->mesh.V.row(skirt->mesh.F(f, k)) / 3;
+        }
+        soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
+        soup.faceMaterial.push_back(middle.z() > 0.2 * std::abs(middle.x()) ? 0 : 1);
+    }
+    const std::vector<char> borders = fileBorders(*skirt, soup);
+    ASSERT_FALSE(borders.empty());
+    const CutAdvice plain = adviseCuts(skirt, {}, {});
+    const CutAdvice told = adviseCuts(skirt, {}, {.borders = borders});
+    const auto isAlong = [&](const AdvisedCut& cut) { return cut.what.isFileBorder; };
+    EXPECT_EQ(std::ranges::count_if(plain.cuts, isAlong), 0);
+    EXPECT_EQ(std::ranges::count_if(told.cuts, isAlong), 2);
+    soup.faceMaterial.assign(soup.faceMaterial.size(), 0);
+    EXPECT_TRUE(fileBorders(*skirt, soup).empty());
+}
+
 TEST(CutAdvice, TheFlatNeedsNone) {
     EXPECT_TRUE(adviseCuts(formPiece(test::planeGrid(8, 8, 20)), {}, {}).cuts.empty());
     EXPECT_TRUE(adviseCuts(formPiece(test::tube(24, 8)), {}, {}).before.mean < 1e-6);
@@ -208,46 +233,6 @@ TEST(CutAdvice, CancelledThereIsNone) {
     Progress progress;
     progress.cancel();
     EXPECT_TRUE(adviseCuts(formPiece(test::wornShirt()), {}, {}, progress).cuts.empty());
-}
-
-TEST(AdviceTry, Prints) {
-    const char* file = std::getenv("TRY");
-    if (!file) {
-        GTEST_SKIP();
-    }
-    Progress progress;
-    auto garment = loadGarment(
-        {file}, {.split = SplitMode::Components, .weld = std::getenv("WELD") != nullptr}, progress);
-    ASSERT_TRUE(garment);
-    for (const auto& piece : garment->uncut) {
-        const Stopwatch clock;
-        const CutAdvice advice = adviseCuts(piece, {}, {}, progress);
-        std::cout << piece->name << " " << piece->mesh.F.rows() << " triangles, " << clock.seconds()
-                  << " s; before " << advice.before.mean << " " << advice.before.most << "\n";
-        double length = 0;
-        for (std::size_t k = 0; k <= advice.cuts.size(); ++k) {
-            if (k > 0) {
-                const AdvisedCut& cut = advice.cuts[k - 1];
-                length += cut.length;
-                std::cout << "  " << cut.what.cut.name << (cut.isNeeded ? " *" : "") << " "
-                          << cut.length << " sum " << length << " predicted " << cut.predicted.mean
-                          << " " << cut.predicted.most;
-                if (cut.intake) {
-                    std::cout << " intake " << cut.intake->width << " mm "
-                              << cut.intake->angle * 180 / std::numbers::pi;
-                }
-            } else
-                std::cout << "  none";
-            if (std::getenv("SOLVE")) {
-                const auto solved = solvedStrain(piece, {}, advice, k, {}, progress);
-                if (solved) {
-                    std::cout << "  solved " << solved->mean << " " << solved->most;
-                } else
-                    std::cout << " not solved";
-            }
-            std::cout << std::endl;
-        }
-    }
 }
 
 }  // namespace
