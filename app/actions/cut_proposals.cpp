@@ -58,12 +58,12 @@ double areaOf(const Piece& piece) {
     return area;
 }
 
-/// A piece of the garment before the cuts in it, with the person's own.
 AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
                           const std::vector<UserCut>& own = {}) {
     return {whole, own, garment.files[static_cast<std::size_t>(whole->file)]};
 }
 
+/// A piece of the garment before the cuts in it, with the person's own.
 AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole == piece ||
