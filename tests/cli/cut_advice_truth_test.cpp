@@ -153,7 +153,8 @@ struct Outcome {
 };
 
 Outcome flatOf(const Garment& garment) {
-    Outcome made{garment.pieces.size()};
+    Outcome made;
+    made.pieces = garment.pieces.size();
     for (const AppliedCut& cut : garment.cuts) {
         made.length += cut.length;
     }

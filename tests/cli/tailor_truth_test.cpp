@@ -93,13 +93,13 @@ Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<
     bool hasArmholes = false;
     const CutPieces made = cutPieces({skin}, {}, true, Progress(), {},
                                      {[&](const auto& piece, const auto&, const auto& progress) {
-                                         ProposedCuts made;
+                                         ProposedCuts proposed;
                                          for (const TailorCut& cut : tailorCuts(piece, progress)) {
-                                             made.cuts.push_back({cut.cut, {}});
+                                             proposed.cuts.push_back({cut.cut, {}});
                                              hasArmholes =
                                                  hasArmholes || cut.line == TailorLine::Armhole;
                                          }
-                                         return made;
+                                         return proposed;
                                      }});
     std::vector<Segment> lines;
     for (const AppliedCut& cut : made.cuts) {
