@@ -41,6 +41,14 @@ std::vector<char> MarkedMesh::marks() const {
     return marked;
 }
 
+std::set<int> MarkedMesh::vertices() const {
+    std::set<int> all;
+    for (const std::vector<int>& way : ways) {
+        all.insert(way.begin(), way.end());
+    }
+    return all;
+}
+
 MarkedMesh markedMesh(const MeshArrays& mesh, const EdgeTable& table,
                       const std::vector<UserCut>& cuts, const Progress& progress) {
     MarkedMesh made{mesh, table, {}};

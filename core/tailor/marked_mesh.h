@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -19,6 +20,8 @@ struct MarkedMesh {
 
     /// Per edge.
     std::vector<char> marks() const;
+    /// Those on the lines.
+    std::set<int> vertices() const;
 };
 
 /// The same surface with cuts as edges of it: split as `cutPieces` splits it, and closed again.

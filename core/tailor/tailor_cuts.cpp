@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -29,15 +30,17 @@ std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
 }
 
 /// Makes both sides alike: those of one are those of the other, reflected, and the centre lies in
-/// the plane. What met a line that has moved goes along to it.
+/// the plane. What met a line that has moved goes along to it; lines that meet a person's cut stay.
 class Reflection {
 public:
-    Reflection(std::vector<TailorCut>& cuts, const MirrorPlane& plane)
-        : cuts_(cuts), plane_(plane) {}
+    /// @param isHeld  per cut
+    Reflection(std::vector<TailorCut>& cuts, const std::vector<char>& isHeld,
+               const MirrorPlane& plane)
+        : cuts_(cuts), isHeld_(isHeld), plane_(plane) {}
 
     void run() {
         for (TailorCut& cut : cuts_) {
-            if (cut.line == TailorLine::Centre) {
+            if (cut.line == TailorLine::Centre && !isHeld(cut)) {
                 for (Eigen::Vector3d& point : cut.cut.points) {
                     move(point, (point + plane_.reflected(point)) / 2);
                 }
@@ -48,7 +51,7 @@ public:
             const auto other = std::ranges::find_if(cuts_, [&cut](const TailorCut& one) {
                 return one.line == cut.line && one.side == -cut.side && one.side < 0;
             });
-            if (other != cuts_.end()) {
+            if (other != cuts_.end() && !isHeld(cut) && !isHeld(*other)) {
                 const std::vector<Eigen::Vector3d> before = cut.cut.points;
                 cut.cut.points.clear();
                 for (const Eigen::Vector3d& point : other->cut.points) {
@@ -64,6 +67,10 @@ public:
 
 private:
     using Key = std::array<double, 3>;
+
+    bool isHeld(const TailorCut& cut) const {
+        return isHeld_[static_cast<std::size_t>(&cut - cuts_.data())] != 0;
+    }
 
     static Key key(const Eigen::Vector3d& point) { return {point.x(), point.y(), point.z()}; }
 
@@ -92,6 +99,7 @@ private:
     }
 
     std::vector<TailorCut>& cuts_;
+    const std::vector<char>& isHeld_;
     const MirrorPlane& plane_;
     std::map<Key, Eigen::Vector3d> moved_;
 };
@@ -181,9 +189,13 @@ std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
         names.take(cut.name);
     }
     std::vector<TailorCut> cuts;
+    std::vector<char> isHeld;  // per cut: a person's own meets it
+    const std::set<int> atOwn = marked.vertices();
     for (std::size_t s = 0; s < seams.size(); ++s) {
         const TailorSeam& seam = seams[s];
         TailorCut& made = cuts.emplace_back();
+        isHeld.push_back(
+            std::ranges::any_of(seam.way, [&atOwn](int v) { return atOwn.contains(v); }));
         made.line = seam.line;
         made.side = seam.side;
         made.likeliness = seam.likeliness;
@@ -193,8 +205,8 @@ std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
         made.cut.kind =
             seam.way.front() == seam.way.back() ? UserCut::Kind::Loop : UserCut::Kind::Path;
     }
-    if (own.empty() && body.plane.deviation < kSymmetric) {
-        Reflection(cuts, body.plane).run();
+    if (body.plane.deviation < kSymmetric) {
+        Reflection(cuts, isHeld, body.plane).run();
     }
     return cuts;
 }

@@ -157,39 +157,54 @@ TEST(SmoothLines, OfGarmentsNoneIsASawTooth) {
     }
 }
 
+/// Of the cuts that are proposed beside a person's, those of the left are those of the right,
+/// reflected.
+void expectMirrored(const MeshArrays& mesh, const std::vector<UserCut>& own) {
+    const auto piece = test::wornPiece(mesh);
+    const auto body = readBody(piece);
+    ASSERT_TRUE(body);
+    std::vector<UserCut> cuts = own;
+    for (const TailorCut& cut : tailorCuts(*piece, *body, own)) {
+        cuts.push_back(cut.cut);
+    }
+    std::map<std::string, AppliedCut> made;
+    for (const AppliedCut& cut : cutPieces({piece}, cuts, false, Progress()).cuts) {
+        made[cut.name] = cut;
+    }
+    int pairs = 0;
+    for (const auto& [name, left] : made) {
+        if (!name.starts_with("left ")) {
+            continue;
+        }
+        ASSERT_TRUE(made.contains("right " + name.substr(5))) << name;
+        const AppliedCut& right = made.at("right " + name.substr(5));
+        EXPECT_NEAR(left.length, right.length, 1e-6) << name;
+        for (const Eigen::Vector3d& point : left.points) {
+            const Eigen::Vector3d image = body->plane.reflected(point);
+            double off = HUGE_VAL;
+            for (std::size_t k = 1; k < right.points.size(); ++k) {
+                off = std::min(
+                    off, geometry::distanceToSegment(image, right.points[k - 1], right.points[k]));
+            }
+            EXPECT_LT(off, 1e-6) << name;
+        }
+        ++pairs;
+    }
+    EXPECT_GT(pairs, 0);
+}
+
 TEST(SmoothLines, WhatIsSymmetricIsCutAlikeToTheLastBits) {
     for (const MeshArrays& mesh :
          {test::wornShirt(), test::wornTrousers(), test::wornSkirt(), mirroredTee()}) {
-        const auto piece = test::wornPiece(mesh);
-        const auto body = readBody(piece);
-        ASSERT_TRUE(body);
-        std::vector<UserCut> cuts;
-        for (const TailorCut& cut : tailorCuts(*piece, *body, {})) {
-            cuts.push_back(cut.cut);
-        }
-        std::map<std::string, AppliedCut> made;
-        for (const AppliedCut& cut : cutPieces({piece}, cuts, false, Progress()).cuts) {
-            made[cut.name] = cut;
-        }
-        ASSERT_FALSE(made.empty());
-        for (const auto& [name, left] : made) {
-            if (!name.starts_with("left ")) {
-                continue;
-            }
-            ASSERT_TRUE(made.contains("right " + name.substr(5))) << name;
-            const AppliedCut& right = made.at("right " + name.substr(5));
-            EXPECT_NEAR(left.length, right.length, 1e-6) << name;
-            for (const Eigen::Vector3d& point : left.points) {
-                const Eigen::Vector3d image = body->plane.reflected(point);
-                double off = HUGE_VAL;
-                for (std::size_t k = 1; k < right.points.size(); ++k) {
-                    off = std::min(off, geometry::distanceToSegment(image, right.points[k - 1],
-                                                                    right.points[k]));
-                }
-                EXPECT_LT(off, 1e-6) << name;
-            }
-        }
+        expectMirrored(mesh, {});
     }
+}
+
+TEST(SmoothLines, BesideAPersonsCutsToo) {
+    UserCut opening;
+    opening.name = "opening";
+    opening.points = {{0, 520, 80}, {0, 0, 80}};
+    expectMirrored(mirroredTee(), {opening});
 }
 
 }  // namespace
