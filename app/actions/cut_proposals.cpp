@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/actions/cut_proposals.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
 #include "app/actions/workspace.h"
 #include "app/document/document.h"
+#include "app/text/proposed_name.h"
 
 namespace toile::app {
 
@@ -14,41 +14,6 @@ namespace {
 
 constexpr int kAfterMove = 700;     // ms, until what was moved is flattened anew
 constexpr std::size_t kSolved = 5;  // of the cuts that are enough, the first
-
-/// What tailors' cuts are called, but for a number, in the words of the core.
-constexpr const char* kNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left side"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right side"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left underarm"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right underarm"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left armhole"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right armhole"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left shoulder"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right shoulder"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left inseam"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right inseam"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "centre"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "waist"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "style line"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left style line"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right style line"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "ridge"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left ridge"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right ridge"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "dart"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "left dart"),
-                                  QT_TRANSLATE_NOOP("ProposedCut", "right dart")};
-
-/// In the person's language: a cut that is made is called so from then on.
-std::string namedFor(const std::string& name) {
-    for (const char* known : kNames) {
-        const std::string stem = known;
-        if (name == stem || name.starts_with(stem + ' ')) {
-            return QCoreApplication::translate("ProposedCut", known).toStdString() +
-                   name.substr(stem.size());
-        }
-    }
-    return name;
-}
 
 double areaOf(const Piece& piece) {
     double area = 0;
@@ -190,7 +155,7 @@ void CutProposals::take(const CutAdvice& advice) {
 void CutProposals::put(const CutAdvice& advice) {
     advice_ = advice;
     for (AdvisedCut& cut : advice_.cuts) {
-        cut.what.cut.name = namedFor(cut.what.cut.name);
+        cut.what.cut.name = proposedName(cut.what.cut.name);
     }
     lines_ = advised_ = linesOf(advice_);
     moving_.reset();

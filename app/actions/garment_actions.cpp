@@ -8,6 +8,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/actions/cut_proposals.h"
 #include "app/actions/material_menu.h"
 #include "app/actions/own_folders.h"
 #include "app/actions/pattern_printing.h"
@@ -61,7 +62,7 @@ void GarmentActions::connectState() {
     }
     // Their moves by hand are taken back as steps are.
     for (const auto signal : {&CutProposals::changed, &CutProposals::closed}) {
-        connect(&workspace_.proposals(), signal, this, askWhich);
+        connect(&workspace_.proposals(), signal, this, &GarmentActions::updateHistory);
     }
     connect(&workspace_, &Workspace::loadingChanged, this, [this, askWhich] {
         actions_.followChecked(workspace_);
@@ -87,7 +88,9 @@ void GarmentActions::updateHistory() {
     QAction& redo = actions_[ActionId::Redo];
     undo.setEnabled(workspace_.canUndo());
     redo.setEnabled(history.canRedo());
-    undo.setText(history.canUndo() ? tr("&Undo: %1").arg(history.undoText()) : tr("&Undo"));
+    undo.setText(workspace_.proposals().hasMoves() ? tr("&Undo: Move of a proposed cut")
+                 : history.canUndo()               ? tr("&Undo: %1").arg(history.undoText())
+                                                   : tr("&Undo"));
     redo.setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText()) : tr("&Redo"));
 }
 

@@ -6182,6 +6182,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Grain of %1</source>
         <translation>Fadenlauf von %1</translation>
     </message>
+    <message>
+        <source>&amp;Undo: Move of a proposed cut</source>
+        <translation>&amp;Rückgängig: Verschieben eines vorgeschlagenen Schnitts</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::GarmentCard</name>

@@ -12,6 +12,8 @@
 #include "app/actions/cut_proposals.h"
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
+#include "app/settings/language.h"
+#include "tests/app/support/doc_picture.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/mouse.h"
@@ -253,10 +255,27 @@ private slots:
         QVERIFY(proposals().isStale(cut));
         QCOMPARE(document().history().count(), steps);
         QVERIFY(fixture_.action(ActionId::Undo).isEnabled());
+        QVERIFY(fixture_.action(ActionId::Undo).text().contains("proposed cut"));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(proposals().lines() == before);
         QVERIFY(!proposals().isStale(cut));
         QVERIFY(!proposals().hasMoves());
+    }
+
+    void whatWasMovedIsFlattenedAnewAfterAPause() {
+        open("shirt.obj");
+        propose();
+        QTRY_VERIFY_WITH_TIMEOUT(!proposals().isSolving(), test::kPatience);
+        QVERIFY(proposals().advice().cuts[0].solved);
+        const UserCut before = proposals().lines()[0];
+        const int handle = handlesOf(proposals().lines(), 0)[1];
+        proposals().beginMove(0, handle);
+        proposals().moveTo(before.points[std::size_t(handle)] + Eigen::Vector3d(0, 12, 20));
+        QVERIFY(!proposals().advice().cuts[0].solved);
+        proposals().endMove();
+        QCOMPARE(proposals().advice().cuts[0].length, lengthAlong(proposals().lines()[0]));
+        QTRY_VERIFY_WITH_TIMEOUT(proposals().advice().cuts[0].solved, test::kPatience);
+        QVERIFY(proposals().isStale(0));
     }
 
     void escapeInADragPutsTheHandleBack() {
@@ -443,11 +462,23 @@ private slots:
             painter.setPen(QColor(120, 120, 120));
             painter.drawRect(QRect(at, shown.size()));
         }
-        const QString file = TOILE_SOURCE_DIR "/docs/images/window-proposals.png";
-        if (qEnvironmentVariableIsSet("TOILE_UPDATE_DOCS")) {
-            QVERIFY(picture.scaledToWidth(1100, Qt::SmoothTransformation).save(file));
-        }
-        QVERIFY2(!QPixmap(file).isNull(), qPrintable(file));
+        test::keepForDocs("window-proposals", picture);
+    }
+
+    /// The last: what has been translated stays.
+    void germanHasItsOwnNames() {
+        useLanguage(Language::German);
+        fixture_.close();
+        fixture_.open({1280, 680});
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        open("shirt.obj");
+        propose();
+        const int row = rowOf("linke Seitennaht");
+        QVERIFY(row >= 0);
+        table().setCurrentItem(table().topLevelItem(row));
+        QTest::keyClick(&table(), Qt::Key_Return);
+        QCOMPARE(document().history().undoText(), QString("Schnitt: linke Seitennaht"));
+        QCOMPARE(document().loading().seams.cuts.back().name, std::string("linke Seitennaht"));
     }
 };
 
