@@ -21,6 +21,9 @@ Result<StrainFigures> solvedStrain(const std::shared_ptr<const Piece>& piece,
         cuts.back().id = {};
     }
     const CutPieces made = cutPieces({piece}, cuts, true, Progress(progress, 0.3));
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
     std::vector<std::pair<double, double>> strains;
     for (const auto& part : made.pieces) {
         const auto flat = flatten(

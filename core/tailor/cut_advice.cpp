@@ -21,18 +21,37 @@ constexpr double kSeamLikely = 0.6;
 constexpr double kEnoughOfForms = 0.015;
 /// Beyond this mean strain the shortest cuts are no way to cover a form.
 constexpr double kFormInDoubt = 0.025;
-/// Of lines of the form, as many are looked at; of darts, as many are proposed.
+/// Of lines of the form, as many of a kind are looked at; of darts, as many are proposed.
 constexpr std::size_t kFormLines = 16, kDarts = 10;
-/// A ridge shorter than this part of the root of the area is none of the form.
-constexpr double kShortestRidge = 0.25;
+/// A line shorter than this part of the root of the area is none of the form.
+constexpr double kShortestLine = 0.25;
+
+Wording evidenceOf(const TailorCut& cut) {
+    if (cut.isFileBorder) {
+        return worded("a border of the file, in its UV map or its parts");
+    }
+    if (cut.likeliness > kSeamLikely) {
+        return worded("the mesh has a line there that looks like a seam (%1)",
+                      {figure(cut.likeliness, 2)});
+    }
+    return worded("by the form");
+}
+
+Wording ridgeEvidence() {
+    return worded("along a ridge of the form");
+}
+
+Wording planeEvidence(double deviation) {
+    return worded("where left meets right, %1 mm from symmetric", {figure(deviation, 1)});
+}
+
+Wording openingEvidence() {
+    return worded("the shortest that lets it lie flat");
+}
 
 AdvisedCut advisedCut(TailorCut cut) {
     AdvisedCut made;
-    made.evidence = cut.isFileBorder ? worded("a border of the file, in its UV map or its parts")
-                    : cut.likeliness > kSeamLikely
-                        ? worded("the mesh has a line there that looks like a seam (%1)",
-                                 {figure(cut.likeliness, 2)})
-                        : worded("by the form");
+    made.evidence = evidenceOf(cut);
     made.what = std::move(cut);
     return made;
 }
@@ -46,28 +65,26 @@ AdvisedCut formCut(const FormLine& line, TailorLine kind, Wording evidence) {
     return made;
 }
 
-/// Ridges, and where the mirror plane goes through.
-std::vector<AdvisedCut> formCuts(const std::shared_ptr<const Piece>& piece,
-                                 const SurfaceLinks& links, const Progress& progress) {
-    std::vector<AdvisedCut> cuts;
+/// Ridges, and where the mirror plane goes through; long ones, and not too many.
+std::vector<AdvisedCut> formCuts(const SurfaceLinks& links,
+                                 const std::optional<MirrorPlane>& plane) {
     double area = 0;
     for (int f = 0; f < links.faceCount(); ++f) {
         area += doubleAreaNormal(links.mesh(), f).norm() / 2;
     }
-    for (const FormLine& line : ridgesOf(links)) {
-        if (cuts.size() < kFormLines && line.points.size() > 2 &&
-            lengthOf(line.points, line.isRound) > kShortestRidge * std::sqrt(area)) {
-            cuts.push_back(formCut(line, TailorLine::Ridge, worded("along a ridge of the form")));
-        }
-    }
-    if (const auto plane = findMirrorPlane({piece}, progress)) {
-        for (const FormLine& line : sectionsOf(links, *plane)) {
-            if (line.points.size() > 2) {
-                cuts.push_back(formCut(line, TailorLine::Centre,
-                                       worded("where left meets right, %1 mm from symmetric",
-                                              {figure(plane->deviation, 1)})));
+    std::vector<AdvisedCut> cuts;
+    const auto add = [&](const std::vector<FormLine>& lines, TailorLine kind,
+                         const Wording& evidence) {
+        for (std::size_t k = 0; k < std::min(lines.size(), kFormLines); ++k) {
+            if (lines[k].points.size() > 2 &&
+                lengthOf(lines[k].points, lines[k].isRound) > kShortestLine * std::sqrt(area)) {
+                cuts.push_back(formCut(lines[k], kind, evidence));
             }
         }
+    };
+    add(ridgesOf(links), TailorLine::Ridge, ridgeEvidence());
+    if (plane) {
+        add(sectionsOf(links, *plane), TailorLine::Centre, planeEvidence(plane->deviation));
     }
     return cuts;
 }
@@ -84,12 +101,15 @@ AdvisedCut openingCut(const MeshArrays& mesh, const PathPolyline& path) {
     for (const SurfacePoint& point : path.points) {
         made.what.cut.points.push_back(positionOf(mesh, point));
     }
-    made.evidence = worded("the shortest that lets it lie flat");
+    made.evidence = openingEvidence();
     return made;
 }
 
-void giveNames(std::vector<AdvisedCut>& cuts) {
+void giveNames(std::vector<AdvisedCut>& cuts, const std::vector<UserCut>& own) {
     UniqueNames names;
+    for (const UserCut& cut : own) {
+        names.take(cut.name);
+    }
     for (const AdvisedCut& cut : cuts) {
         if (!cut.what.cut.name.empty()) {
             names.take(cut.what.cut.name);
@@ -108,19 +128,29 @@ bool isUsual(const AdvisedCut& cut, bool areTrousers) {
            (!areTrousers || cut.what.line != TailorLine::Side || cut.what.likeliness > kSeamLikely);
 }
 
-/// Without a bound the usual seams are needed; with one, what comes before it is reached.
-void markNeeded(CutAdvice& advice, bool isWorn, const std::optional<double>& enough) {
-    const bool areTrousers = std::ranges::any_of(
-        advice.cuts, [](const AdvisedCut& cut) { return cut.what.line == TailorLine::Inseam; });
-    double before = advice.before.mean;
-    for (AdvisedCut& cut : advice.cuts) {
-        cut.isNeeded = isWorn && !enough ? isUsual(cut, areTrousers)
-                                         : before > enough.value_or(kEnoughOfForms);
-        before = cut.predicted.mean;
-    }
+bool isOtherSide(const TailorCut& a, const TailorCut& b) {
+    return a.side != 0 && a.line == b.line && a.side == -b.side;
 }
 
 }  // namespace
+
+void markNeeded(CutAdvice& advice, const std::optional<double>& enough) {
+    const bool areTrousers = std::ranges::any_of(
+        advice.cuts, [](const AdvisedCut& cut) { return cut.what.line == TailorLine::Inseam; });
+    const double bound = enough.value_or(kEnoughOfForms);
+    bool isReached = advice.before.mean <= bound;
+    for (std::size_t k = 0; k < advice.cuts.size(); ++k) {
+        AdvisedCut& cut = advice.cuts[k];
+        if (advice.isWorn && !enough) {
+            cut.isNeeded = isUsual(cut, areTrousers);
+        } else if (k > 0 && isOtherSide(cut.what, advice.cuts[k - 1].what)) {
+            cut.isNeeded = advice.cuts[k - 1].isNeeded;
+        } else {
+            cut.isNeeded = !isReached;
+        }
+        isReached = isReached || cut.predicted.mean <= bound;
+    }
+}
 
 CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& own,
                      const AdviceOptions& options, const Progress& progress) {
@@ -137,13 +167,15 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
     const auto body = readBody(piece, progress, options.isFrontSwapped);
     const std::vector<TailorCut> tailors =
         body ? tailorCuts(*piece, *body, own, progress, options.borders) : std::vector<TailorCut>{};
-    const bool isWorn = !tailors.empty();
+    advice.isWorn = !tailors.empty();
     for (const TailorCut& cut : tailors) {
         order.propose(advisedCut(cut));
     }
     order.takeAll();
-    if (!isWorn && advice.before.mean > kFormInDoubt) {
-        std::vector<AdvisedCut> cuts = formCuts(piece, links, progress);
+    if (!advice.isWorn && advice.before.mean > kFormInDoubt) {
+        const bool isKnown = body && std::isfinite(body->plane.deviation);
+        std::vector<AdvisedCut> cuts =
+            formCuts(links, isKnown ? body->plane : findMirrorPlane({piece}, progress));
         if (cuts.empty() && rimLoops(links).empty()) {  // closed, and darts have to begin somewhere
             for (const PathPolyline& path : opening) {
                 order.propose(openingCut(piece->mesh, path));
@@ -154,16 +186,16 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
             order.propose(std::move(cut));
         }
     }
-    if (isWorn || advice.before.mean > kFormInDoubt) {
+    if (advice.isWorn || advice.before.mean > kFormInDoubt) {
         order.takeWorthwhile(kDarts);
     }
     if (progress.isCancelled()) {
         return {};
     }
     advice.cuts = std::move(order.taken());
-    giveNames(advice.cuts);
-    markNeeded(advice, isWorn, options.enoughStrain);
-    if (isWorn) {
+    giveNames(advice.cuts, own);
+    markNeeded(advice, options.enoughStrain);
+    if (advice.isWorn) {
         advice.nameOf = [piece, body = *body, tailors](const Piece& part) {
             return partName(*piece, body, tailors, part);
         };

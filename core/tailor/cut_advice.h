@@ -45,11 +45,16 @@ struct AdviceOptions {
 
 /// Cuts for one piece, those first that do most for their length, and what they are worth.
 struct CutAdvice {
+    bool isWorn = false;     ///< a garment that is worn was recognised
     StrainFigures before{};  ///< predicted for the shortest cuts that open the piece
     std::vector<AdvisedCut> cuts{};
     /// What a part is called that comes of these cuts: "front"; empty where nothing is known.
     std::function<std::string(const Piece&)> nameOf{};
 };
+
+/// Marks the cuts that are needed until a mean strain is reached, both sides of a garment alike.
+/// None: what is worn needs its usual seams, other forms as many as leave 1.5 %. Linear.
+void markNeeded(CutAdvice& advice, const std::optional<double>& enough);
 
 /// Proposes cuts for one piece: as tailors cut what is worn (`tailorCuts`), along ridges and the
 /// mirror plane where it is a solid that is to be covered, and darts where strain remains.

@@ -249,8 +249,8 @@ std::optional<CutOrder::DartFound> CutOrder::dartTo(int tip) {
     cut.what.cut.points = line;
     cut.length = lengthOf(line, false);
     cut.intake = intakeOf(line, *scale);
-    cut.evidence = worded("the cloth at its tip is %1 % too long",
-                          {figure(100 * std::expm1(-scale_->log[tip]), 0)});
+    cut.evidence = toile::worded("the cloth at its tip is %1 % too long",
+                                 {figure(100 * std::expm1(-scale_->log[tip]), 0)});
     const double gain = gainOf(scale) / cut.length;
     if (cut.intake->width <= 0 || cut.intake->angle <= 0 || gain <= 0) {
         return std::nullopt;
