@@ -177,7 +177,16 @@ void addReading(CLI::App& command, Arguments& arguments) {
     command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
     addChoice(command, "--cut-style", load.cutStyle, kCutStyleWords,
               "Where automatic cuts run: as tailors cut, or the shortest ways that open a piece")
-        ->default_str("topology");
+        ->default_str("auto");
+    command
+        .add_option_function<double>(
+            "--enough", [&load](double percent) { load.enoughStrain = percent / 100; },
+            "Strain at which no further cut is worth its length: of what tailors would cut as much "
+            "is cut as that needs [their usual seams]")
+        ->type_name("PERCENT")
+        ->check(CLI::Range(0.1, 100.0));
+    command.add_flag("--swap-front", load.isFrontSwapped,
+                     "Take the guessed front of tailors' cuts for the back");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
     addPreparing(command, load.preparing);
     command.add_flag("--close-slits", load.closeSlits,

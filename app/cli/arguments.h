@@ -32,7 +32,8 @@ struct Arguments {
     Command command = Command::Window;
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;
-    LoadOptions load;  ///< but for the seams file, which the command reads
+    /// But for the seams file, which the command reads.
+    LoadOptions load{.cutStyle = CutStyle::Auto};
     std::filesystem::path seams;
     bool advice = false;               ///< info: which cuts would do most
     bool json = false;                 ///< info, compare, check, walk: as JSON

@@ -68,7 +68,7 @@ std::optional<Arguments> refusalOfProject(const Arguments& arguments) {
     if (arguments.inputs.size() > 1) {
         return refused("a project is the only input: \"" + project->string() + "\".", kExitUsage);
     }
-    if (!(arguments.load == LoadOptions{}) || !arguments.seams.empty()) {
+    if (!(arguments.load == Arguments{}.load) || !arguments.seams.empty()) {
         return refused(
             "a project says itself how its files are read and cut; leave those options "
             "out, or give its meshes instead.",

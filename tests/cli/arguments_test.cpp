@@ -157,6 +157,18 @@ TEST(Arguments, TheWindowReadsFilesAsTheCommandsDo) {
     }
 }
 
+TEST(Arguments, CutsAreTailorsUnlessOneSaysOtherwise) {
+    EXPECT_EQ(parse({"info", "a.obj"}).load.cutStyle, CutStyle::Auto);
+    EXPECT_EQ(parse({"a.obj"}).load.cutStyle, CutStyle::Auto);
+    const Arguments said = parse({"info", "a.obj", "--auto-cut", "--cut-style", "topology",
+                                  "--swap-front", "--enough", "2.5"});
+    ASSERT_EQ(said.command, Command::Info) << said.message;
+    EXPECT_EQ(said.load.cutStyle, CutStyle::Topology);
+    EXPECT_TRUE(said.load.isFrontSwapped);
+    EXPECT_EQ(said.load.enoughStrain, 0.025);
+    EXPECT_EQ(parse({"info", "a.obj", "--enough", "0"}).status, kExitUsage);
+}
+
 TEST(Arguments, WhatIsDoneWithAFileGoesWithWhatItIs) {
     const Arguments scan = parse({"info", "a.obj", "--as", "scan", "--remesh", "8", "--smooth",
                                   "0.5", "--close-holes", "0", "--keep-debris"});

@@ -123,8 +123,8 @@ TEST(Check, ThickShellsAndScansAreInDoubtHoweverTheyAreCut) {
     for (const char* name : {"thick/tee_sim_thick.obj", "scans/dress_scan.obj"}) {
         const auto file = test::sharedFile(name);
         TOILE_NEEDS_SHARED(file);
-        const auto run =
-            test::toileRun({"flatten", file.string(), "--auto-cut", "--fail-on", "doubt"});
+        const auto run = test::toileRun({"flatten", file.string(), "--auto-cut", "--cut-style",
+                                         "topology", "--fail-on", "doubt"});
         EXPECT_EQ(run.status, 1) << name;
         EXPECT_NE(run.err.find("toile: doubt: "), std::string::npos) << run.err;
     }

@@ -77,11 +77,15 @@ TEST(Contract, ATubeIsOpenedOnlyWhenAsked) {
     const auto plain = test::toileRun({"flatten", file});
     EXPECT_EQ(plain.status, 1);
     EXPECT_NE(plain.err.find("several boundary loops"), std::string::npos) << plain.err;
-    const auto cut = test::toileRun({"flatten", file, "--auto-cut"});
+    const auto cut = test::toileRun({"flatten", file, "--auto-cut", "--cut-style", "topology"});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_NE(cut.out.find("automatic cut 1"), std::string::npos) << cut.out;
-    const auto info = test::toileRun({"info", file, "--auto-cut", "--json"});
+    const auto info =
+        test::toileRun({"info", file, "--auto-cut", "--cut-style", "topology", "--json"});
     EXPECT_EQ(nlohmann::json::parse(info.out)["cuts"].size(), 1U);
+    // As tailors cut it is a skirt, which has two sides.
+    const auto skirt = test::toileRun({"info", file, "--auto-cut", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(skirt.out)["cuts"].size(), 2U) << skirt.err;
 }
 
 TEST(Contract, ABadSeamsFileIsRefusedAndABadCutIsNot) {
