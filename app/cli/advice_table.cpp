@@ -8,6 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/input.h"
 #include "core/base/text.h"
+#include "core/garment/opening_cuts.h"
 #include "core/pipeline/solve_advice.h"
 #include "core/tailor/file_borders.h"
 
@@ -41,8 +42,7 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
         progress);
     out << piece->name << ": ";
     if (advice.cuts.empty()) {
-        out << "no cut is worth its length; strain " << percent(advice.before.mean)
-            << " % foretold\n\n";
+        out << "no cut is worth its length\n\n";
         return;
     }
     const auto solvedAfter = [&](std::size_t count) {
@@ -70,6 +70,10 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
 void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
                  std::ostream& out) {
     for (const auto& piece : garment.uncut) {
+        if (piece->defect && !isOpenable(*piece)) {
+            out << piece->name << ": cuts do not help, " << describe(piece->defect->code) << "\n\n";
+            continue;
+        }
         printFor(piece, ownCutsOf(garment, piece),
                  *garment.files[static_cast<std::size_t>(piece->file)]->soup, arguments, progress,
                  out);

@@ -246,7 +246,8 @@ private:
         });
         if (made.empty() || isHopeless) {
             done_.cuts = before.cuts;
-            if (own == 0 && isToOpen(*piece)) {
+            const bool isEnough = cuts.size() == own && proposed.nameOf;  // though it is seen
+            if (own == 0 && isToOpen(*piece) && !isEnough) {
                 done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
             }
             return {};

@@ -72,7 +72,7 @@ std::optional<FlatScale> CutOrder::scaleWith(std::vector<char> parted) {
             parted[static_cast<std::size_t>(vertex)] = 1;
         }
     }
-    return model_.solve(parted);
+    return model_.solve(std::move(parted));
 }
 
 /// What has no handles falls into disks where all lines and rims hang together.

@@ -13,6 +13,8 @@ namespace {
 
 /// Beyond a factor of e^3 in length nothing is told apart any more.
 constexpr double kMostLog = 3;
+/// A vertex that hangs on others by less has no say.
+constexpr double kLoose = 1e-9;
 /// Of what a conformal map would stretch the isometric one needs about this part, on garments.
 constexpr double kIsometricPart = 0.45;
 constexpr double kPassedOver = 0.001;  ///< of the area
@@ -71,8 +73,13 @@ StrainModel::StrainModel(const SurfaceLinks& links)
     laplacian_ = builder.build();
 }
 
-std::optional<FlatScale> StrainModel::solve(const std::vector<char>& parted) {
+std::optional<FlatScale> StrainModel::solve(std::vector<char> parted) {
     linalg::SymmetricMatrix system = laplacian_;
+    for (int v = 0; v < system.size; ++v) {
+        if (system.value[system.columnStart[v]] < kLoose) {  // of flat triangles alone
+            parted[static_cast<std::size_t>(v)] = 1;
+        }
+    }
     for (int j = 0; j < system.size; ++j) {
         for (int p = system.columnStart[j]; p < system.columnStart[j + 1]; ++p) {
             if (parted[static_cast<std::size_t>(j)] != 0 ||

@@ -44,7 +44,7 @@ public:
 
     /// @param parted  per vertex, whether a rim or a cut passes there; rims are not added
     /// @return none where a part of the surface has no such vertex, or memory is short
-    std::optional<FlatScale> solve(const std::vector<char>& parted);
+    std::optional<FlatScale> solve(std::vector<char> parted);
 
     /// Per vertex: on a rim.
     const std::vector<char>& rims() const { return rims_; }
