@@ -122,10 +122,19 @@ void giveNames(std::vector<AdvisedCut>& cuts, const std::vector<UserCut>& own) {
     }
 }
 
-/// Trousers have side seams where the mesh shows them or strain asks for them: many have none.
+/// Trousers have side seams where the mesh shows them: many have none. Maps are cut for more
+/// reasons than to sew: their borders beside the usual seams are offered, and no more.
 bool isUsual(const AdvisedCut& cut, bool areTrousers) {
-    return cut.what.line != TailorLine::Dart &&
-           (!areTrousers || cut.what.line != TailorLine::Side || cut.what.likeliness > kSeamLikely);
+    switch (cut.what.line) {
+        case TailorLine::Dart:
+            return false;
+        case TailorLine::Style:
+            return !cut.what.isFileBorder;
+        case TailorLine::Side:
+            return !areTrousers || cut.what.likeliness > kSeamLikely;
+        default:
+            return true;
+    }
 }
 
 bool isOtherSide(const TailorCut& a, const TailorCut& b) {

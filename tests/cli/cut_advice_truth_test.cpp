@@ -198,11 +198,12 @@ TEST(CutAdviceTruth, TailorsCutsStrainLessAndAreLittleLonger) {
         EXPECT_TRUE(tailor.areSound);
         EXPECT_LE(tailor.mean, most * shortest.mean);
         EXPECT_LE(tailor.length, 1.5 * shortest.length);
+        const bool isSymmetric = std::string(file).starts_with("samples/");
         for (const auto& [name, area] : tailor.areas) {
             if (const auto left = name.find("left "); left != std::string::npos) {
                 const auto other = tailor.areas.find(std::string(name).replace(left, 4, "right"));
                 ASSERT_NE(other, tailor.areas.end()) << name;
-                EXPECT_NEAR(area, other->second, 0.03 * area) << name;
+                EXPECT_NEAR(area, other->second, (isSymmetric ? 1e-6 : 0.1) * area) << name;
             }
         }
         table += "| " + std::filesystem::path(file).filename().string() +
