@@ -27,7 +27,7 @@ namespace {
 
 enum ProposalColumn { ProposedName, ProposedLength, StrainAfter, Intake, ProposalColumnCount };
 
-constexpr int kPollMilliseconds = 80, kTableHeight = 190, kFieldWidth = 90, kFormWidth = 430;
+constexpr int kPollMilliseconds = 80, kTableHeight = 236, kFieldWidth = 90, kFormWidth = 430;
 
 QString strainWord(double strain) {
     return ProposalsForm::tr("%1 %").arg(QLocale().toString(100 * strain, 'f', 1));

@@ -20,9 +20,9 @@ namespace {
 
 constexpr double kSpacing = 6;                   // mm, of what is drawn
 constexpr double kReach = 7, kHandleReach = 10;  // pixels
-constexpr double kThin = 2, kThick = 3.4, kHalo = 2.4;
-constexpr double kRound = 4.5;             // radius of a handle
-constexpr int kFaint = 120, kBehind = 70;  // of 255
+constexpr double kHair = 1.4, kThin = 2, kThick = 3.4, kHalo = 2.4;
+constexpr double kRound = 4.5;                              // radius of a handle
+constexpr int kFaint = 190, kFaintHalo = 55, kBehind = 70;  // of 255
 constexpr double kBesideName = 10;
 
 using Screen = std::optional<ToolView::WornPlace>;
@@ -179,11 +179,12 @@ void ProposalLines::paintLine(const ToolView& view, QPainter& painter, const Ren
     }
     QColor colour = style.seam;
     QColor halo = style.seamHalo;
-    if (!proposals_.isTaken(cut) && !isSelected) {
+    const bool isFaint = !proposals_.isTaken(cut) && !isSelected;
+    if (isFaint) {
         colour.setAlpha(kFaint);
-        halo.setAlpha(kFaint);
+        halo.setAlpha(kFaintHalo);
     }
-    const double width = isSelected ? kThick : kThin;
+    const double width = isSelected ? kThick : isFaint ? kHair : kThin;
     QPen pen(colour, width, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     pen.setDashPattern({3.2, 2});
     painter.setBrush(Qt::NoBrush);
