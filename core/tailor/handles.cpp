@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/geometry/segment.h"
 
 namespace toile {
 namespace {
@@ -42,14 +43,6 @@ int indexAt(const UserCut& cut, int from, double part) {
         along += step;
     }
     return (from + n - 1) % n;
-}
-
-Eigen::Vector3d nearestOnSegment(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                                 const Eigen::Vector3d& b) {
-    const Eigen::Vector3d along = b - a;
-    const double square = along.squaredNorm();
-    const double t = square > 0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0;
-    return a + t * along;
 }
 
 }  // namespace
@@ -116,8 +109,8 @@ CutShaper::RimPlace CutShaper::nearestRim(const Eigen::Vector3d& point) const {
     RimPlace nearest{-1, point, std::numeric_limits<double>::infinity()};
     for (std::size_t k = 0; k < rim_.size(); ++k) {
         const auto ends = piece_->table.edges.row(rim_[k]);
-        const Eigen::Vector3d there =
-            nearestOnSegment(point, piece_->mesh.V.row(ends[0]), piece_->mesh.V.row(ends[1]));
+        const Eigen::Vector3d a = piece_->mesh.V.row(ends[0]), b = piece_->mesh.V.row(ends[1]);
+        const Eigen::Vector3d there = a + geometry::nearestShare(point, a, b) * (b - a);
         const double distance = (there - point).norm();
         if (distance < nearest.distance) {
             nearest = {static_cast<int>(k), there, distance};
@@ -199,8 +192,9 @@ void CutShaper::moveOne(UserCut& cut, int point, const std::vector<int>& handles
             between.emplace_back(k, length);
         }
         for (const auto& [k, along] : between) {
+            const double share = length > 0 ? along / length : 0;
             cut.points[static_cast<std::size_t>((k % n + n) % n)] =
-                onSurface(at(k) + (1 - along / length) * way);
+                onSurface(at(k) + (1 - share) * way);
         }
     }
     cut.points[static_cast<std::size_t>(point)] = to;
