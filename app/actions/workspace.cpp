@@ -107,6 +107,8 @@ void Workspace::open(Paths files) {
         coming.loading.up.reset();
         coming.loading.preparing = {};
         coming.loading.seams = {};
+        coming.loading.isFrontSwapped = false;
+        coming.loading.enoughStrain.reset();
         coming.loading.seamSettings.clear();
         coming.loading.known.clear();
         divideByWhatIsThere(coming.loading);

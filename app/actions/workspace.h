@@ -68,7 +68,7 @@ public:
 
     /// Reads the files as one garment and flattens it. Whatever ran before is cancelled. Files
     /// other than those before begin anew: the unit, the up axis, what the files are, cuts and ease
-    /// that were stated were said about another garment.
+    /// that were stated, and what automatic cuts were told, were said about another garment.
     void open(Paths files);
     /// How the lines of garments that are opened from now on are drawn; a project says so itself.
     void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }

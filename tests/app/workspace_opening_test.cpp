@@ -131,6 +131,19 @@ private slots:
         QVERIFY(!document().loading().unit);
     }
 
+    void whatCutsWereToldIsNotSaidOfAnotherGarment() {
+        LoadOptions told = workspace().loading();
+        told.isFrontSwapped = true;
+        told.enoughStrain = 0.02;
+        workspace().setLoading(told);
+        QVERIFY(waitUntilDone());
+        workspace().open({file("other.obj")});
+        QVERIFY(waitUntilDone());
+        QCOMPARE(document().title(), QString("other.obj"));
+        QVERIFY(!document().loading().isFrontSwapped);
+        QVERIFY(!document().loading().enoughStrain);
+    }
+
     void whatTheOpenGarmentHasMayBeWishedForTheNext() {
         const test::Moment coming = test::momentOf(document());
         workspace().setUnit(LengthUnit::Inch);
