@@ -6,14 +6,16 @@
 
 #include "app/actions/workspace.h"
 #include "app/document/document.h"
+#include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
+#include "core/garment/opening_cuts.h"
 
 namespace toile::app {
 
 namespace {
 
 constexpr int kAfterMove = 700;     // ms, until what was moved is flattened anew
-constexpr std::size_t kSolved = 5;  // of the cuts that are enough, the first
+constexpr std::size_t kSolved = 5;  // of the list, the first
 
 double areaOf(const Piece& piece) {
     double area = 0;
@@ -74,11 +76,20 @@ CutProposals::CutProposals(Workspace& workspace)
     });
     connect(&adviser_, &CutAdviser::solved, this,
             [this](std::size_t count, const StrainFigures& figures) {
-                advice_.cuts[count - 1].solved = figures;
+                const std::size_t cut = count - 1;
+                advice_.cuts[cut].solved = figures;
+                if (!isStale(cut)) {
+                    advised_[cut].solved = figures;
+                }
                 emit changed();
             });
     connect(&adviser_, &CutAdviser::solvedAll, this, &CutProposals::changed);
     connect(&document_, &Document::changed, this, &CutProposals::onChanged);
+    connect(&workspace_, &Workspace::refused, this, [this] {
+        if (awaited_ > 0) {
+            ask(question_);  // what was to be made is proposed again
+        }
+    });
 }
 
 CutProposals::~CutProposals() = default;
@@ -90,11 +101,12 @@ void CutProposals::open() {
     }
     const auto& pieces = garment->pieces;
     const auto selected = document_.selection();
-    auto meant = std::ranges::find_if(pieces, [](const auto& one) { return bool(one->defect); });
+    auto meant = std::ranges::find_if(pieces, [](const auto& one) { return isOpenable(*one); });
     if (!selected.empty()) {
         meant = pieces.begin() + *selected.begin();
     } else if (meant == pieces.end()) {
-        meant = std::ranges::max_element(pieces, {}, [](const auto& one) { return areaOf(*one); });
+        meant = std::ranges::max_element(
+            pieces, {}, [](const auto& one) { return one->defect ? -1 : areaOf(*one); });
     }
     AdviceQuestion question = wholeOf(*garment, *meant);
     if (isOpen() && question.piece == piece() && question.own == question_.own) {
@@ -141,6 +153,15 @@ void CutProposals::ask(AdviceQuestion question) {
     question_ = std::move(question);
     problem_.clear();
     soon_.stop();
+    moving_.reset();
+    moves_.clear();
+    awaited_ = 0;
+    if (piece()->defect && !isOpenable(*piece())) {
+        adviser_.cancel();
+        problem_ = tr("No cuts can be proposed here. %1").arg(errorText(*piece()->defect));
+        take({});
+        return;
+    }
     state_ = State::Asking;
     adviser_.ask(question_);
     emit changed();
@@ -157,15 +178,16 @@ void CutProposals::put(const CutAdvice& advice) {
     for (AdvisedCut& cut : advice_.cuts) {
         cut.what.cut.name = proposedName(cut.what.cut.name);
     }
-    lines_ = advised_ = linesOf(advice_);
+    markNeeded(advice_, enough());  // which may have been stated since it was asked
+    advised_ = advice_.cuts;
+    lines_ = linesOf(advice_);
     moving_.reset();
     moves_.clear();
     awaited_ = 0;
     staleFrom_ = lines_.size();
     taken_.clear();
     for (const AdvisedCut& cut : advice_.cuts) {
-        const bool isDeclined = std::ranges::find(declined_, cut.what.cut.name) != declined_.end();
-        taken_.push_back(cut.isNeeded && !isDeclined ? 1 : 0);
+        taken_.push_back(cut.isNeeded && !isDeclined(cut.what.cut.name) ? 1 : 0);
     }
     selected_.reset();
     emit changed();
@@ -174,12 +196,12 @@ void CutProposals::put(const CutAdvice& advice) {
 
 void CutProposals::solve() {
     std::vector<std::size_t> counts;
-    for (std::size_t k = 0; k < advice_.cuts.size() && counts.size() < kSolved; ++k) {
-        if (advice_.cuts[k].isNeeded && !advice_.cuts[k].solved) {
+    for (std::size_t k = 0; k < std::min(kSolved, advice_.cuts.size()); ++k) {
+        if (!advice_.cuts[k].solved) {
             counts.push_back(k + 1);
         }
     }
-    if (state_ == State::Known && !counts.empty()) {
+    if (state_ == State::Known && awaited_ == 0 && !counts.empty()) {
         adviser_.solve(question_, advice_, std::move(counts), document_.options());
         emit changed();
     }
@@ -231,6 +253,10 @@ void CutProposals::setTaken(std::size_t cut, bool taken) {
     emit changed();
 }
 
+bool CutProposals::isDeclined(const std::string& name) const {
+    return std::ranges::find(declined_, name) != declined_.end();
+}
+
 std::size_t CutProposals::takenCount() const {
     return static_cast<std::size_t>(std::ranges::count(taken_, 1));
 }
@@ -244,11 +270,19 @@ void CutProposals::select(std::optional<std::size_t> cut) {
 
 void CutProposals::stateEnough(std::optional<double> strain) {
     stated_ = strain;
-    AdviceQuestion question = question_;
-    question.options.enoughStrain = stated_ ? stated_ : fabricLimit();
-    if (isOpen() && question != question_) {
-        ask(std::move(question));
+    if (!isOpen()) {
+        return;
     }
+    question_.options.enoughStrain = stated_ ? stated_ : fabricLimit();
+    const std::vector<AdvisedCut> before = advice_.cuts;
+    markNeeded(advice_, enough());
+    for (std::size_t k = 0; k < before.size(); ++k) {
+        const AdvisedCut& cut = advice_.cuts[k];
+        if (cut.isNeeded != before[k].isNeeded) {
+            taken_[k] = cut.isNeeded && !isDeclined(cut.what.cut.name) ? 1 : 0;
+        }
+    }
+    emit changed();
 }
 
 void CutProposals::swapFront() {
@@ -287,6 +321,13 @@ void CutProposals::make(std::size_t cut) {
 void CutProposals::remove(std::size_t cut) {
     adviser_.cancelSolving();
     const auto at = static_cast<std::ptrdiff_t>(cut);
+    if (cut == 0) {
+        advice_.before = advice_.cuts[0].predicted;
+    }
+    for (std::size_t k = 0; k < cut; ++k) {  // those before it were flattened without
+        advice_.cuts[k].solved.reset();
+        advised_[k].solved.reset();
+    }
     const auto drop = [at](auto& list) { list.erase(list.begin() + at); };
     drop(advice_.cuts);
     drop(lines_);
@@ -295,6 +336,11 @@ void CutProposals::remove(std::size_t cut) {
     for (auto& lines : moves_) {
         drop(lines);
     }
+    for (std::size_t k = moves_.size(); k-- > 0;) {  // that moved nothing else
+        if (moves_[k] == (k + 1 < moves_.size() ? moves_[k + 1] : lines_)) {
+            moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+    }
     staleFrom_ = firstOther(lines_);
     selected_.reset();
     emit changed();
@@ -302,20 +348,32 @@ void CutProposals::remove(std::size_t cut) {
 }
 
 std::size_t CutProposals::firstOther(const std::vector<UserCut>& lines) const {
-    return static_cast<std::size_t>(std::ranges::mismatch(lines, advised_).in1 - lines.begin());
+    const auto isAdvised = [](const UserCut& line, const AdvisedCut& cut) {
+        return line == cut.what.cut;
+    };
+    return static_cast<std::size_t>(std::ranges::mismatch(lines, advised_, isAdvised).in1 -
+                                    lines.begin());
 }
 
 void CutProposals::setLines(std::vector<UserCut> lines) {
     const std::size_t first =
         static_cast<std::size_t>(std::ranges::mismatch(lines, lines_).in1 - lines.begin());
     lines_ = std::move(lines);
+    staleFrom_ = firstOther(lines_);
     for (std::size_t k = first; k < lines_.size(); ++k) {
         AdvisedCut& cut = advice_.cuts[k];
+        const AdvisedCut& advised = advised_[k];
+        const bool isMoved = lines_[k] != advised.what.cut;
+        if (isMoved && cut.what.cut != lines_[k]) {
+            cut.length = lengthAlong(lines_[k]);
+            cut.intake.reset();
+        } else if (!isMoved) {
+            cut.length = advised.length;
+            cut.intake = advised.intake;
+        }
         cut.what.cut = lines_[k];
-        cut.length = lengthAlong(lines_[k]);
-        cut.solved.reset();
+        cut.solved = isStale(k) ? std::nullopt : advised.solved;
     }
-    staleFrom_ = firstOther(lines_);
     adviser_.cancelSolving();
     soon_.start();
     emit changed();

@@ -33,7 +33,8 @@ public:
     ~CutProposals() override;
 
     /// Asks for the selected piece, else for the first that cannot lie flat, else for the largest;
-    /// of one that was cut for the whole of it. Nothing where no garment is open.
+    /// of one that was cut for the whole of it. Nothing where no garment is open. What no cut can
+    /// open has a `problem`.
     void open();
     void close();
 
@@ -63,6 +64,7 @@ public:
     /// The strain that is enough: the stated one, else the fabric's least limit where one is known.
     std::optional<double> enough() const { return question_.options.enoughStrain; }
     const std::optional<double>& statedEnough() const { return stated_; }
+    /// Ticks what is needed for it; nothing is searched for, and moved handles stay.
     void stateEnough(std::optional<double> strain);
     bool isFrontSwapped() const { return question_.options.isFrontSwapped; }
     void swapFront();
@@ -110,6 +112,7 @@ private:
     void setLines(std::vector<UserCut> lines);
     void solve();
     void remove(std::size_t cut);
+    bool isDeclined(const std::string& name) const;
     std::optional<double> fabricLimit() const;
     /// The first that is not as it was advised.
     std::size_t firstOther(const std::vector<UserCut>& lines) const;
@@ -120,7 +123,8 @@ private:
     AdviceQuestion question_;
     std::optional<double> stated_;
     CutAdvice advice_;
-    std::vector<UserCut> lines_, advised_;  ///< as they are, and as they were advised
+    std::vector<UserCut> lines_;
+    std::vector<AdvisedCut> advised_;  ///< as they were before any handle was moved
     std::vector<char> taken_;
     std::vector<std::string> declined_;  ///< names of those that are not to be made
     std::optional<std::size_t> selected_;

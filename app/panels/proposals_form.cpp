@@ -7,9 +7,11 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScopedValueRollback>
+#include <QStyleOptionViewItem>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <vector>
@@ -76,6 +78,7 @@ ProposalsForm::ProposalsForm(CutProposals& proposals, QWidget* parent)
     makeOne->setObjectName("makeThisCut");
     table_->addAction(makeOne);
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    table_->viewport()->installEventFilter(this);
 
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(saying_);
@@ -124,6 +127,9 @@ QLayout* ProposalsForm::makeFields() {
         tr("The mean strain from which on no cut is worth its length, in percent. Empty: what the "
            "fabric allows, where that is known"));
     connect(enough_, &QLineEdit::editingFinished, this, [this] {
+        if (!enough_->isModified()) {
+            return;  // what is shown is rounded
+        }
         if (const auto entered = parsePercent(enough_->text())) {
             const auto fraction = entered->fraction;
             proposals_.stateEnough(fraction && *fraction > 0 ? fraction : std::nullopt);
@@ -167,6 +173,23 @@ void ProposalsForm::reject() {
     } else {
         QDialog::reject();
     }
+}
+
+bool ProposalsForm::eventFilter(QObject* object, QEvent* event) {
+    if (object == table_->viewport() && event->type() == QEvent::MouseButtonDblClick) {
+        const QPoint at = static_cast<const QMouseEvent*>(event)->position().toPoint();
+        const QModelIndex index = table_->indexAt(at);
+        QStyleOptionViewItem row;
+        row.initFrom(table_);
+        row.rect = table_->visualRect(index);
+        row.features = QStyleOptionViewItem::HasCheckIndicator;
+        // Two clicks on a box are two clicks.
+        return index.column() == ProposedName &&
+               table_->style()
+                   ->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &row, table_)
+                   .contains(at);
+    }
+    return QDialog::eventFilter(object, event);
 }
 
 QString ProposalsForm::saying() const {

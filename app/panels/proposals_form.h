@@ -27,6 +27,7 @@ public:
     ProposalsForm(CutProposals& proposals, QWidget* parent);
 
     void reject() override;
+    bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
     QLayout* makeFields();

@@ -24,11 +24,8 @@ constexpr const char* kProposedNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left
                                           QT_TRANSLATE_NOOP("ProposedCut", "left style line"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "right style line"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "ridge"),
-                                          QT_TRANSLATE_NOOP("ProposedCut", "left ridge"),
-                                          QT_TRANSLATE_NOOP("ProposedCut", "right ridge"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "dart"),
-                                          QT_TRANSLATE_NOOP("ProposedCut", "left dart"),
-                                          QT_TRANSLATE_NOOP("ProposedCut", "right dart")};
+                                          QT_TRANSLATE_NOOP("ProposedCut", "opening")};
 
 }  // namespace
 

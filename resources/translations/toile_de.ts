@@ -515,24 +515,12 @@ veraltet</translation>
         <translation>Kante</translation>
     </message>
     <message>
-        <source>left ridge</source>
-        <translation>linke Kante</translation>
-    </message>
-    <message>
-        <source>right ridge</source>
-        <translation>rechte Kante</translation>
-    </message>
-    <message>
         <source>dart</source>
         <translation>Abnäher</translation>
     </message>
     <message>
-        <source>left dart</source>
-        <translation>linker Abnäher</translation>
-    </message>
-    <message>
-        <source>right dart</source>
-        <translation>rechter Abnäher</translation>
+        <source>opening</source>
+        <translation>Öffnungsschnitt</translation>
     </message>
 </context>
 <context>
@@ -5651,6 +5639,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Cut along %1</source>
         <translation>Schnitt: %1</translation>
+    </message>
+    <message>
+        <source>No cuts can be proposed here. %1</source>
+        <translation>Hier lassen sich keine Schnitte vorschlagen. %1</translation>
     </message>
 </context>
 <context>

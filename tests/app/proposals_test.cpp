@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QStyleOptionViewItem>
 #include <QTreeWidget>
 #include <algorithm>
 
@@ -13,6 +14,7 @@
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
 #include "app/settings/language.h"
+#include "app/text/proposed_name.h"
 #include "tests/app/support/doc_picture.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
@@ -97,6 +99,39 @@ private:
         return std::nullopt;
     }
 
+    /// A handle that only its own line has, and a cut that has one.
+    std::pair<std::size_t, int> loneHandle() {
+        const auto& lines = proposals().lines();
+        for (std::size_t cut = 0; cut < lines.size(); ++cut) {
+            for (const int handle : handlesOf(lines, cut)) {
+                const Eigen::Vector3d& point = lines[cut].points[std::size_t(handle)];
+                const auto others = std::ranges::count_if(lines, [&point](const UserCut& line) {
+                    return std::ranges::find(line.points, point) != line.points.end();
+                });
+                if (others == 1) {
+                    return {cut, handle};
+                }
+            }
+        }
+        return {0, -1};
+    }
+
+    /// As a drag would. @return whether anything has moved
+    bool move(std::size_t cut, int handle, const Eigen::Vector3d& by) {
+        const std::vector<UserCut> before = proposals().lines();
+        proposals().beginMove(cut, handle);
+        proposals().moveTo(before[cut].points[std::size_t(handle)] + by);
+        proposals().endMove();
+        return proposals().lines() != before;
+    }
+
+    void type(QLineEdit& field, const QString& text) {
+        field.setFocus();
+        field.selectAll();
+        QTest::keyClicks(&field, text);
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+
     std::size_t ownCuts() { return document().loading().seams.cuts.size(); }
 
 private slots:
@@ -106,6 +141,8 @@ private slots:
         test::writeObj(fixture_.path("skirt.obj").toStdString(), {{"skirt", test::wornSkirt()}});
         test::writeObj(fixture_.path("sheet.obj").toStdString(),
                        {{"sheet", test::makeSheet(200, 150, 8, 6)}});
+        test::writeObj(fixture_.path("moebius.obj").toStdString(),
+                       {{"moebius", test::moebiusStrip(20)}});
     }
 
     void init() {
@@ -302,6 +339,152 @@ private slots:
         QVERIFY(!proposals().isOpen());
     }
 
+    void aHandleThatGoesUnderThePointerIsLetGo() {
+        open("shirt.obj");
+        GarmentView& view = fixture_.garmentView();
+        for (const bool isAskedAnew : {true, false}) {
+            propose();
+            const auto cut = static_cast<std::size_t>(rowOf("left armhole"));
+            proposals().select(cut);
+            const auto handle = seenHandle(cut, false);
+            QVERIFY(handle);
+            const QPointF at = onScreen(proposals().lines()[cut].points[std::size_t(*handle)]);
+            test::sendMouse(view, QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
+            QVERIFY(proposals().isMoving());
+            if (isAskedAnew) {
+                proposals().swapFront();
+                QVERIFY(isKnown());
+            } else {
+                proposals().close();
+            }
+            const std::vector<UserCut> lines = proposals().lines();
+            test::sendMouse(view, QEvent::MouseMove, at + QPointF(-30, 0), Qt::NoButton,
+                            Qt::LeftButton);
+            test::sendMouse(view, QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
+            QVERIFY(proposals().lines() == lines);
+            QVERIFY(!proposals().hasMoves());
+        }
+    }
+
+    void aMoveOfACutThatIsMadeIsNoneOfTheOthers() {
+        open("shirt.obj");
+        propose();
+        const auto [cut, handle] = loneHandle();
+        QVERIFY(handle >= 0);
+        QVERIFY(move(cut, handle, {0, 12, 8}));
+        QVERIFY(proposals().hasMoves());
+        proposals().make(cut);
+        QVERIFY(!proposals().hasMoves());
+        QVERIFY(fixture_.waitForResults());
+        fixture_.action(ActionId::Undo).trigger();  // the cut, at once
+        QVERIFY(fixture_.waitForResults());
+        QCOMPARE(ownCuts(), std::size_t{0});
+    }
+
+    void whatIsRefusedIsAskedForAnew() {
+        open("shirt.obj");
+        propose();
+        const std::size_t count = proposals().lines().size();
+        proposals().make(0);
+        QCOMPARE(proposals().lines().size(), count - 1);
+        emit fixture_.workspace().refused("It opens nothing.");
+        QCOMPARE(proposals().state(), CutProposals::State::Asking);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(isKnown());
+    }
+
+    void whatIsEnoughIsNoReasonToDropWhatWasMoved() {
+        open("shirt.obj");
+        propose();
+        QTRY_VERIFY_WITH_TIMEOUT(!proposals().isSolving(), test::kPatience);
+        const std::size_t usual = proposals().takenCount();
+        const auto [cut, handle] = loneHandle();
+        QVERIFY(move(cut, handle, {0, 12, 8}));
+        const std::vector<UserCut> moved = proposals().lines();
+        auto& field = fixture_.find<QLineEdit>("proposalsEnough");
+        type(field, "90 %");
+        QCOMPARE(proposals().state(), CutProposals::State::Known);
+        QCOMPARE(proposals().takenCount(), std::size_t{0});
+        QVERIFY(proposals().lines() == moved);
+        field.selectAll();
+        QTest::keyClick(&field, Qt::Key_Delete);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(proposals().takenCount(), usual);
+        QVERIFY(proposals().takeMoveBack());
+    }
+
+    void enoughIsKeptAsItWasTyped() {
+        open("shirt.obj");
+        propose();
+        auto& field = fixture_.find<QLineEdit>("proposalsEnough");
+        type(field, "1.26 %");
+        QCOMPARE(proposals().enough(), std::optional(0.0126));
+        QCOMPARE(field.text(), QString("1.3 %"));
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(proposals().enough(), std::optional(0.0126));
+    }
+
+    void figuresOfWhatDidNotMoveStay() {
+        open("shirt.obj");
+        propose();
+        type(fixture_.find<QLineEdit>("proposalsEnough"), "0.1 %");  // with darts
+        QTRY_VERIFY_WITH_TIMEOUT(!proposals().isSolving(), test::kPatience);
+        const auto figures = [this] {
+            std::vector<std::pair<double, std::optional<DartIntake>>> all;
+            for (const AdvisedCut& cut : proposals().advice().cuts) {
+                all.emplace_back(cut.length, cut.intake);
+            }
+            return all;
+        };
+        const auto before = figures();
+        const auto solved = proposals().advice().cuts[0].solved;
+        const auto [cut, handle] = loneHandle();
+        QVERIFY(move(cut, handle, {0, 12, 8}));
+        const auto after = figures();
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            QCOMPARE(after[k] == before[k], k != cut);
+        }
+        QVERIFY(!after[cut].second);
+        QVERIFY(proposals().takeMoveBack());
+        QVERIFY(figures() == before);
+        QVERIFY(proposals().advice().cuts[0].solved == solved);
+    }
+
+    void clicksOnABoxMakeNothing() {
+        open("shirt.obj");
+        propose();
+        const std::size_t taken = proposals().takenCount();
+        const QModelIndex index = table().model()->index(0, 0);
+        QStyleOptionViewItem option;
+        option.initFrom(&table());
+        option.rect = table().visualRect(index);
+        option.features |= QStyleOptionViewItem::HasCheckIndicator;
+        const QPoint box =
+            table()
+                .style()
+                ->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &option, &table())
+                .center();
+        const int steps = document().history().count();
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, box);
+        QCOMPARE(proposals().takenCount(), taken - 1);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, box);
+        QCOMPARE(proposals().takenCount(), taken - 1);
+        QCOMPARE(document().history().count(), steps);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {},
+                           option.rect.center() + QPoint(20, 0));
+        QCOMPARE(document().history().count(), steps + 1);
+    }
+
+    void whatNoCutOpensIsSaidToBeSo() {
+        open("moebius.obj");
+        QVERIFY(document().garment()->pieces[0]->defect);
+        fixture_.action(ActionId::ProposeCuts).trigger();
+        QCOMPARE(proposals().state(), CutProposals::State::Known);
+        QVERIFY(proposals().lines().empty());
+        QVERIFY2(saying().startsWith("No cuts can be proposed here. moebius"),
+                 qPrintable(saying()));
+    }
+
     void anEndGoesAlongItsRim() {
         open("skirt.obj");
         propose();
@@ -479,6 +662,15 @@ private slots:
         QTest::keyClick(&table(), Qt::Key_Return);
         QCOMPARE(document().history().undoText(), QString("Schnitt: linke Seitennaht"));
         QCOMPARE(document().loading().seams.cuts.back().name, std::string("linke Seitennaht"));
+        const std::pair<const char*, const char*> kNumbered[] = {{"dart 2", "Abnäher 2"},
+                                                                 {"ridge 3", "Kante 3"},
+                                                                 {"style line 2", "Teilungsnaht 2"},
+                                                                 {"centre 2", "Mittelnaht 2"},
+                                                                 {"opening", "Öffnungsschnitt"},
+                                                                 {"dartboard", "dartboard"}};
+        for (const auto& [name, german] : kNumbered) {
+            QCOMPARE(proposedName(name), std::string(german));
+        }
     }
 };
 

@@ -5,7 +5,6 @@
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "app/actions/cut_proposals.h"
 #include "app/document/document.h"
 #include "app/render/render_style.h"
+#include "core/geometry/segment.h"
 
 namespace toile::app {
 
@@ -28,11 +28,8 @@ constexpr double kBesideName = 10;
 using Screen = std::optional<ToolView::WornPlace>;
 
 double distanceTo(const QPointF& at, const QPointF& a, const QPointF& b) {
-    const QPointF along = b - a;
-    const double square = QPointF::dotProduct(along, along);
-    const double t =
-        square > 0 ? std::clamp(QPointF::dotProduct(at - a, along) / square, 0.0, 1.0) : 0;
-    return QLineF(at, a + t * along).length();
+    const auto vector = [](const QPointF& p) { return Eigen::Vector2d(p.x(), p.y()); };
+    return geometry::distanceToSegment(vector(at), vector(a), vector(b));
 }
 
 }  // namespace
@@ -90,6 +87,10 @@ std::optional<std::size_t> ProposalLines::lineAt(const ToolView& view, const QPo
         }
     }
     return nearest;
+}
+
+bool ProposalLines::isHeld() const {
+    return held_ && proposals_.isMoving();
 }
 
 bool ProposalLines::press(const ToolView& view, const QPointF& at) {

@@ -24,7 +24,9 @@ public:
     bool areShown(const ToolView& view) const;
     /// @return whether the press has taken hold of a handle
     bool press(const ToolView& view, const QPointF& at);
-    bool isHeld() const { return held_.has_value(); }
+    /// False also where an answer or a cut has taken the proposals away under the pointer.
+    bool isHeld() const;
+    /// Requires `isHeld`.
     void drag(const ToolView& view, const QPointF& at);
     void release();
     void cancel();
