@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -229,7 +230,8 @@ private:
 /// Of processor time: no garment takes this long, and some damaged files never end.
 constexpr int kMostSeconds = 120;
 
-/// Assimp looks for the files that a glTF names by their URIs as these are written.
+/// Assimp looks for the files that a glTF names by their URIs as these are written. Only a file is
+/// opened: a pipe or a device may have no end.
 class FilesByUri : public Assimp::DefaultIOSystem {
 public:
     bool Exists(const char* file) const override {
@@ -237,9 +239,16 @@ public:
                DefaultIOSystem::Exists(io::withoutEscapes(file).c_str());
     }
     Assimp::IOStream* Open(const char* file, const char* mode) override {
-        Assimp::IOStream* const asWritten = DefaultIOSystem::Open(file, mode);
-        return asWritten != nullptr ? asWritten
-                                    : DefaultIOSystem::Open(io::withoutEscapes(file).c_str(), mode);
+        Assimp::IOStream* const asWritten = openFile(file, mode);
+        return asWritten != nullptr ? asWritten : openFile(io::withoutEscapes(file), mode);
+    }
+
+private:
+    Assimp::IOStream* openFile(const std::string& file, const char* mode) {
+        std::error_code unknown;
+        return std::filesystem::is_regular_file(file, unknown)
+                   ? DefaultIOSystem::Open(file.c_str(), mode)
+                   : nullptr;
     }
 };
 

@@ -1,16 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/gltf_buffers.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
 #include <system_error>
 
+#include "core/base/characters.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
 #include "core/base/json_fields.h"
+#include "core/base/wording.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kBufferElsewhere = translatable(
+    "its buffer \"%1\" does not lie in its folder; export it anew with its files beside it, or as "
+    ".glb");
+constexpr const char* kBufferNoFile = translatable(
+    "its buffer \"%1\" is no file but a folder, pipe or device; put the file itself there");
+constexpr const char* kBuffersTooLong = translatable(
+    "its buffers are longer than 2 GiB, from \"%1\" on; export fewer or coarser meshes");
+
+}  // namespace
+}  // namespace toile
 
 namespace toile::io {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A path that leads from a folder to something in it or below.
+bool staysBelow(const fs::path& path) {
+    return !path.has_root_path() && std::ranges::find(path, "..") == path.end();
+}
+
+}  // namespace
 
 std::string withoutEscapes(std::string_view uri) {
     std::string path;
@@ -28,29 +55,52 @@ std::string withoutEscapes(std::string_view uri) {
     return path;
 }
 
-std::uint64_t hashWithBuffers(const std::filesystem::path& path, std::string_view text) {
-    constexpr std::size_t kMostBuffers = 100;
+Result<std::uint64_t> hashWithBuffers(const fs::path& path, std::string_view text,
+                                      const Progress& progress) {
     std::uint64_t hash = contentHash(text);
     const Result<JsonDocument> root = parseJson(text, {}, ErrorCode::MalformedFile);
     if (!root || !root->is_object() || !root->contains("buffers")) {
         return hash;
     }
-    std::size_t count = 0;
+    const std::string name = readableName(pathText(path.filename()));
+    const auto refused = [&name](const char* why, const std::string& buffer) {
+        return Error{ErrorCode::FileUnreadable, Subject::file(name),
+                     worded(why, {shownText(buffer)})};
+    };
+    std::uintmax_t sum = 0;
     for (const JsonDocument& buffer : (*root)["buffers"]) {
         const auto uri = buffer.is_object() ? buffer.find("uri") : buffer.end();
         if (uri == buffer.end() || !uri->is_string() ||
-            uri->get_ref<const std::string&>().starts_with("data:") || ++count > kMostBuffers) {
+            uri->get_ref<const std::string&>().starts_with("data:")) {
             continue;
         }
-        const auto& name = uri->get_ref<const std::string&>();
-        const auto beside = path.parent_path() / name;
-        std::error_code unknown;
-        const Result<std::string> bytes = readFile(std::filesystem::exists(beside, unknown)
-                                                       ? beside
-                                                       : path.parent_path() / withoutEscapes(name));
-        if (bytes) {
-            hash = hashOf({hash, contentHash(*bytes)});
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled, Subject::file(name)};
         }
+        const auto& written = uri->get_ref<const std::string&>();
+        if (!staysBelow(written) || !staysBelow(withoutEscapes(written))) {
+            return refused(kBufferElsewhere, written);
+        }
+        std::error_code unknown;
+        const fs::path beside = path.parent_path() / written;
+        const fs::path at =
+            fs::exists(beside, unknown) ? beside : path.parent_path() / withoutEscapes(written);
+        if (!fs::exists(at, unknown)) {
+            continue;  // assimp says so
+        }
+        if (!fs::is_regular_file(at, unknown)) {
+            return refused(kBufferNoFile, written);
+        }
+        const std::uintmax_t size = fs::file_size(at, unknown);
+        if (unknown || size > kMostBufferBytes - sum) {
+            return refused(kBuffersTooLong, written);
+        }
+        sum += size;
+        const Result<std::string> bytes = readFile(at);
+        if (!bytes) {
+            return bytes.error();
+        }
+        hash = hashOf({hash, contentHash(*bytes)});
     }
     return hash;
 }

@@ -126,16 +126,19 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     if (!bytes) {
         return bytes.error();
     }
-    const std::uint64_t hash = equalsIgnoringCase(ending, ".gltf")
-                                   ? io::hashWithBuffers(path, *bytes)
-                                   : contentHash(*bytes);
+    const Result<std::uint64_t> hash = equalsIgnoringCase(ending, ".gltf")
+                                           ? io::hashWithBuffers(path, *bytes, progress)
+                                           : contentHash(*bytes);
+    if (!hash) {
+        return hash.error();
+    }
     Result<PolygonSoup> soup = isForAssimp(ending) ? readWithAssimp(path, name, progress)
                                : isZip
                                    ? readZipped(*bytes, name, progress)
                                    : readOwn(std::make_shared<const std::string>(std::move(*bytes)),
                                              name, ending, progress);
     if (soup) {
-        soup->contentHash = hash;
+        soup->contentHash = *hash;
     }
     return soup;
 }

@@ -735,6 +735,18 @@ veraltet</translation>
 <context>
     <name>toile</name>
     <message>
+        <source>its buffer &quot;%1&quot; does not lie in its folder; export it anew with its files beside it, or as .glb</source>
+        <translation>ihr Puffer „%1“ liegt nicht in ihrem Ordner; exportieren Sie sie neu mit ihren Dateien daneben oder als .glb</translation>
+    </message>
+    <message>
+        <source>its buffer &quot;%1&quot; is no file but a folder, pipe or device; put the file itself there</source>
+        <translation>ihr Puffer „%1“ ist keine Datei, sondern ein Ordner, eine Pipe oder ein Gerät; legen Sie die Datei selbst dorthin</translation>
+    </message>
+    <message>
+        <source>its buffers are longer than 2 GiB, from &quot;%1&quot; on; export fewer or coarser meshes</source>
+        <translation>ihre Puffer sind ab „%1“ länger als 2 GiB; exportieren Sie weniger oder gröbere Netze</translation>
+    </message>
+    <message>
         <source>the file cannot be read</source>
         <translation>die Datei lässt sich nicht lesen</translation>
     </message>

@@ -2,8 +2,10 @@
 #include "core/io/assimp_reader.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "core/base/content_hash.h"
+#include "core/io/gltf_buffers.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/io/soup_checks.h"
 #include "tests/core/io/zip_archive.h"
@@ -194,6 +196,46 @@ TEST_F(AssimpReader, AGltfIsKnownByTheBytesOfItsBuffersToo) {
     EXPECT_EQ(hashWith({0, 0, 0, 1, 0, 0, 1, 1, 0}), first);
     // Without such a file it is that of the text, as of all formats.
     EXPECT_EQ(readAs("a.gltf", kGltf)->contentHash, contentHash(kGltf));
+}
+
+TEST_F(AssimpReader, AGltfMayNameButFilesInItsFolder) {
+    const auto readWithBuffers = [this](const std::string& buffers) {
+        return readAs("yoke.gltf",
+                      R"({"asset": {"version": "2.0"}, "buffers": [)" + buffers + "]}");
+    };
+    const auto buffer = [](const std::string& uri) {
+        return R"({"byteLength": 36, "uri": ")" + uri + R"("})";
+    };
+    // A pipe that nobody writes to has no end: to open it is to wait for ever.
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    for (const char* uri :
+         {"/dev/zero", "../a.bin", "%2e%2e/a.bin", "b/../../a.bin", "pipe", "."}) {
+        const auto refused = readWithBuffers(buffer(uri));
+        ASSERT_FALSE(refused) << uri;
+        EXPECT_EQ(refused.error().code, ErrorCode::FileUnreadable) << uri;
+        EXPECT_EQ(refused.error().subject.name, "yoke.gltf");
+        EXPECT_NE(sentence(refused.error()).find(uri), std::string::npos);
+    }
+    // Together they are bounded, and none is read for nothing.
+    folder_.write("a.bin", "a");
+    std::filesystem::resize_file(folder_.write("b.bin", "b"), io::kMostBufferBytes);
+    const auto tooLong = readWithBuffers(buffer("a.bin") + ", " + buffer("b.bin"));
+    ASSERT_FALSE(tooLong);
+    EXPECT_NE(sentence(tooLong.error()).find("2 GiB"), std::string::npos);
+}
+
+TEST_F(AssimpReader, APipeIsNotWaitedFor) {
+    // In a .glb, too, whose buffers assimp alone looks at.
+    ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+    std::string json =
+        R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "pipe"}]})";
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const auto word = [](std::size_t value) {
+        const auto bits = static_cast<std::uint32_t>(value);
+        return std::string(reinterpret_cast<const char*>(&bits), sizeof bits);
+    };
+    EXPECT_FALSE(readAs(
+        "a.glb", "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json));
 }
 
 TEST_F(AssimpReader, RefusesWithAReason) {
