@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/join_soups.h"
 
-#include <algorithm>
-#include <iterator>
+#include <map>
 #include <utility>
 
+#include "core/base/unique_names.h"
 #include "core/io/soup_builder.h"
 
 namespace toile::io {
@@ -15,26 +15,37 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// @param facesBefore  those without a name
-void appendNames(std::vector<std::string>& names, std::vector<int>& ofFace,
-                 const std::vector<std::string>& more, const std::vector<int>& ofMore,
-                 int facesBefore) {
-    if (ofMore.empty()) {
-        return;
-    }
-    std::vector<int> index{};
-    for (const std::string& name : more) {
-        const auto known = std::ranges::find(names, name);
-        index.push_back(static_cast<int>(known - names.begin()));
-        if (known == names.end()) {
-            names.push_back(name);
+/// Names of one kind of all files, and which each face carries; what is named alike is one.
+class JoinedNames {
+public:
+    JoinedNames(std::vector<std::string>& names, std::vector<int>& ofFace)
+        : names_(names), ofFace_(ofFace) {}
+
+    /// @param facesBefore  those without a name
+    void append(const std::vector<std::string>& more, const std::vector<int>& ofMore,
+                int facesBefore) {
+        if (ofMore.empty()) {
+            return;
+        }
+        std::vector<int> index{};
+        for (const std::string& name : more) {
+            const auto [known, isNew] = indexOf_.try_emplace(name, static_cast<int>(names_.size()));
+            index.push_back(known->second);
+            if (isNew) {
+                names_.push_back(name);
+            }
+        }
+        ofFace_.resize(static_cast<std::size_t>(facesBefore), -1);
+        for (const int name : ofMore) {
+            ofFace_.push_back(name < 0 ? -1 : index[static_cast<std::size_t>(name)]);
         }
     }
-    ofFace.resize(static_cast<std::size_t>(facesBefore), -1);
-    for (const int name : ofMore) {
-        ofFace.push_back(name < 0 ? -1 : index[static_cast<std::size_t>(name)]);
-    }
-}
+
+private:
+    std::vector<std::string>& names_;
+    std::vector<int>& ofFace_;
+    std::map<std::string, int> indexOf_;
+};
 
 void padTo(std::size_t count, std::vector<int>& list) {
     if (!list.empty()) {
@@ -42,16 +53,14 @@ void padTo(std::size_t count, std::vector<int>& list) {
     }
 }
 
-/// Objects by names that no file before has.
-void nameObjects(PolygonSoup& soup, const std::string& file, const PolygonSoup& before) {
+/// Objects by names that no other has.
+void nameObjects(PolygonSoup& soup, const std::string& file, UniqueNames& names) {
     if (soup.objects.empty()) {
         soup.objects = {file};
         soup.faceObject.assign(static_cast<std::size_t>(soup.faceCount()), 0);
     }
     for (std::string& name : soup.objects) {
-        if (std::ranges::find(before.objects, name) != before.objects.end()) {
-            name = file + " " + name;
-        }
+        name = names.free(names.isFree(name) ? name : file + " " + name);
     }
 }
 
@@ -61,8 +70,11 @@ PolygonSoup joinedSoups(std::vector<NamedSoup> files) {
     PolygonSoup all;
     all.statedUnit = files.front().soup.statedUnit;
     all.statedUp = files.front().soup.statedUp;
+    UniqueNames names;
+    JoinedNames objects(all.objects, all.faceObject), groups(all.groups, all.faceGroup),
+        materials(all.materials, all.faceMaterial);
     for (auto& [name, soup] : files) {
-        nameObjects(soup, name, all);
+        nameObjects(soup, name, names);
         const auto positions = static_cast<int>(all.positions.size());
         const auto uvs = static_cast<int>(all.uvs.size());
         const auto corners = static_cast<int>(all.corners.size());
@@ -81,9 +93,9 @@ PolygonSoup joinedSoups(std::vector<NamedSoup> files) {
         for (int face = 1; face <= soup.faceCount(); ++face) {
             all.faceStart.push_back(corners + soup.faceStart[static_cast<std::size_t>(face)]);
         }
-        appendNames(all.objects, all.faceObject, soup.objects, soup.faceObject, faces);
-        appendNames(all.groups, all.faceGroup, soup.groups, soup.faceGroup, faces);
-        appendNames(all.materials, all.faceMaterial, soup.materials, soup.faceMaterial, faces);
+        objects.append(soup.objects, soup.faceObject, faces);
+        groups.append(soup.groups, soup.faceGroup, faces);
+        materials.append(soup.materials, soup.faceMaterial, faces);
         append(all.problems, soup.problems);
     }
     padTo(all.corners.size(), all.cornerUvs);

@@ -93,6 +93,7 @@ Result<PolygonSoup> readZipped(const std::string& archive, const std::string& na
         }
         const std::size_t start = mesh.name.rfind('/', dot) + 1;  // 0 where there is none
         soups.push_back({readableName(mesh.name.substr(start, dot - start)), *std::move(soup)});
+        progress.report(static_cast<double>(soups.size()) / static_cast<double>(meshes->size()));
     }
     if (soups.size() == 1) {
         return std::move(soups.front().soup);

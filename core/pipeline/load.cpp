@@ -236,16 +236,17 @@ Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progres
 
 Result<ReadFiles> readFiles(const std::vector<fs::path>& paths, Progress& progress) {
     ReadFiles files;
-    progress.start(static_cast<double>(paths.size()));
+    progress.start(1);
     for (const fs::path& path : paths) {
         const Stopwatch time;
-        auto soup = readSoup(path, progress);
+        Progress one(progress, 1 / static_cast<double>(paths.size()));
+        auto soup = readSoup(path, one);
         if (!soup) {
             return soup.error();
         }
         files.push_back(
             {path, std::make_shared<const PolygonSoup>(std::move(*soup)), time.seconds()});
-        progress.advance(1);
+        one.report(1);
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/zip_reader.h"
 
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "core/base/content_hash.h"
@@ -93,6 +95,27 @@ TEST_F(ZippedMesh, SeveralAreOneGarment) {
     // What befalls one of them befalls the archive.
     EXPECT_FALSE(readAs({{"front.obj", kSquare}, {"back.obj", kSquare, true}}));
     EXPECT_FALSE(readAs({{"front.obj", kSquare}, {"back.obj", "no mesh"}}));
+}
+
+TEST_F(ZippedMesh, ObjectsOfOneNameInFilesOfOneNameStayApart) {
+    const auto soup =
+        readAs({{"a/shirt.obj", kSquare},
+                {"b/shirt.obj", kSquare},
+                {"c/shirt.obj", kSquare},
+                {"d/shirt.obj", "o shirt shirt\nv 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n"}});
+    ASSERT_TRUE(soup) << sentence(soup.error());
+    EXPECT_EQ(soup->faceObject, (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(std::set<std::string>(soup->objects.begin(), soup->objects.end()).size(), 4U);
+}
+
+TEST_F(ZippedMesh, ReadingTellsHowManyOfTheMeshesAreRead) {
+    Progress progress, broken;
+    ASSERT_TRUE(readSoup(folder_.write("a.zip", zipOf({{"a.obj", kSquare}, {"b.obj", kSquare}})),
+                         progress));
+    EXPECT_EQ(progress.fraction(), 1);
+    const std::string half = zipOf({{"a.obj", kSquare}, {"b.obj", "no mesh"}});
+    ASSERT_FALSE(readSoup(folder_.write("b.zip", half), broken));
+    EXPECT_EQ(broken.fraction(), 0.5);
 }
 
 TEST_F(ZippedMesh, SeveralOfDifferentUnitsAreRefused) {
