@@ -11,7 +11,7 @@
 #include "app/render/render_style.h"
 #include "app/text/error_text.h"
 #include "app/views/tool.h"
-#include "core/mesh/mesh_arrays.h"
+#include "core/project/left_out.h"
 
 namespace toile::app {
 namespace {
@@ -34,12 +34,10 @@ const Error* troubleOf(const Document& document, int piece) {
     return defect ? &*defect : nullptr;
 }
 
-double areaOf(const MeshArrays& mesh) {
-    double area = 0;
-    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-        area += 0.5 * doubleAreaNormal(mesh, f).norm();
-    }
-    return std::isfinite(area) ? area : 0;
+/// Side of a square as large as the piece, mm; at least 1, also of what has no finite area.
+double sideOf(const Piece& piece) {
+    const double side = std::sqrt(wornArea(piece));
+    return std::isfinite(side) ? std::max(1.0, side) : 1;
 }
 
 }  // namespace
@@ -53,10 +51,7 @@ void PiecePlaces::follow(const Document& document, const SheetPlaces& sheet) {
         for (int piece = 0; piece < document.pieceCount() && !results_.empty(); ++piece) {
             if (const Error* trouble = troubleOf(document, piece)) {
                 const Piece& of = *garment_->pieces[static_cast<std::size_t>(piece)];
-                all_.push_back({piece,
-                                std::max(1.0, std::sqrt(areaOf(of.mesh))),
-                                {},
-                                troubleText(*trouble, of)});
+                all_.push_back({piece, sideOf(of), {}, troubleText(*trouble, of)});
             }
         }
     }

@@ -41,6 +41,15 @@ PathPolyline polylineOf(const SurfaceLinks& links, const std::vector<int>& verti
     return path;
 }
 
+std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path) {
+    std::vector<Eigen::Vector3d> points;
+    points.reserve(path.points.size());
+    for (const SurfacePoint& point : path.points) {
+        points.push_back(positionOf(mesh, point));
+    }
+    return points;
+}
+
 namespace {
 
 /// Points on each edge beside its ends: more find the right side of a bump more surely, and a mesh

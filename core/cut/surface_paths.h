@@ -24,6 +24,9 @@ Result<PathPolyline> edgePath(const SurfaceLinks& links, int from, int to,
 /// A way of vertices as surface points. Precondition: neighbours share an edge.
 PathPolyline polylineOf(const SurfaceLinks& links, const std::vector<int>& vertices);
 
+/// Where a path's points lie in space. Cost: linear. Pure.
+std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path);
+
 /// Short ways across the surface, through the insides of triangles: A* on a graph of vertices and
 /// points on edges (after [Lan99]) finds the side of every bump to pass on, then the way is pulled
 /// tight (see straightened). Locally shortest, and never longer than the way along edges; that no

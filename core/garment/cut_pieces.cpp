@@ -9,6 +9,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/unique_names.h"
+#include "core/cut/surface_paths.h"
 #include "core/garment/cut_owner.h"
 #include "core/garment/part_origins.h"
 #include "core/mesh/repair.h"
@@ -87,15 +88,6 @@ Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPo
     }
     opened = std::move(cut->cuts);
     return made;
-}
-
-std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path) {
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(path.points.size());
-    for (const SurfacePoint& point : path.points) {
-        points.push_back(positionOf(mesh, point));
-    }
-    return points;
 }
 
 bool cutsCanRepair(ErrorCode defect) {

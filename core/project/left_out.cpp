@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/mesh/mesh_arrays.h"
+#include "core/mesh/surface_area.h"
 
 namespace toile {
 
@@ -27,11 +27,7 @@ PieceResults withoutLeftOut(PieceResults results, const Garment& garment,
 }
 
 double wornArea(const Piece& piece) {
-    double doubled = 0;
-    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
-        doubled += doubleAreaNormal(piece.mesh, f).norm();
-    }
-    return doubled / 2;
+    return surfaceArea(piece.mesh);
 }
 
 }  // namespace toile

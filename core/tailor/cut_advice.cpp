@@ -8,6 +8,8 @@
 #include "core/base/unique_names.h"
 #include "core/cut/auto_cut.h"
 #include "core/cut/fill_holes.h"
+#include "core/cut/surface_paths.h"
+#include "core/mesh/surface_area.h"
 #include "core/tailor/cut_order.h"
 #include "core/tailor/form_lines.h"
 #include "core/tailor/part_names.h"
@@ -22,7 +24,7 @@ constexpr double kEnoughOfForms = 0.015;
 /// Beyond this mean strain the shortest cuts are no way to cover a form.
 constexpr double kFormInDoubt = 0.025;
 /// Of lines of the form, as many of a kind are looked at; of darts, as many are proposed.
-constexpr std::size_t kFormLines = 16, kDarts = 10;
+constexpr unsigned kFormLines = 16, kDarts = 10;
 /// A line shorter than this part of the root of the area is none of the form.
 constexpr double kShortestLine = 0.25;
 
@@ -68,16 +70,13 @@ AdvisedCut formCut(const FormLine& line, TailorLine kind, Wording evidence) {
 /// Ridges, and where the mirror plane goes through; long ones, and not too many.
 std::vector<AdvisedCut> formCuts(const SurfaceLinks& links,
                                  const std::optional<MirrorPlane>& plane) {
-    double area = 0;
-    for (int f = 0; f < links.faceCount(); ++f) {
-        area += doubleAreaNormal(links.mesh(), f).norm() / 2;
-    }
+    const double size = std::sqrt(surfaceArea(links.mesh()));
     std::vector<AdvisedCut> cuts;
     const auto add = [&](const std::vector<FormLine>& lines, TailorLine kind,
                          const Wording& evidence) {
-        for (std::size_t k = 0; k < std::min(lines.size(), kFormLines); ++k) {
+        for (std::size_t k = 0; k < std::min<std::size_t>(lines.size(), kFormLines); ++k) {
             if (lines[k].points.size() > 2 &&
-                lengthOf(lines[k].points, lines[k].isRound) > kShortestLine * std::sqrt(area)) {
+                lengthOf(lines[k].points, lines[k].isRound) > kShortestLine * size) {
                 cuts.push_back(formCut(lines[k], kind, evidence));
             }
         }
@@ -98,9 +97,7 @@ std::vector<PathPolyline> openingPaths(const Piece& piece, const Progress& progr
 AdvisedCut openingCut(const MeshArrays& mesh, const PathPolyline& path) {
     AdvisedCut made;
     made.what.line = TailorLine::Opening;
-    for (const SurfacePoint& point : path.points) {
-        made.what.cut.points.push_back(positionOf(mesh, point));
-    }
+    made.what.cut.points = positionsOf(mesh, path);
     made.evidence = openingEvidence();
     return made;
 }

@@ -25,15 +25,6 @@ constexpr double kFlat = 0.002;
 /// So many places are tried for the next dart.
 constexpr int kPlaces = 3;
 
-std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyline& path) {
-    std::vector<Eigen::Vector3d> points;
-    points.reserve(path.points.size());
-    for (const SurfacePoint& point : path.points) {
-        points.push_back(positionOf(mesh, point));
-    }
-    return points;
-}
-
 }  // namespace
 
 CutOrder::CutOrder(const SurfaceLinks& links, const std::vector<PathPolyline>& opening,

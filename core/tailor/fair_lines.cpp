@@ -85,10 +85,7 @@ double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3
 std::vector<PathPolyline> geodesicsNear(const SurfaceLinks& links, std::span<const int> way,
                                         double near) {
     PathPolyline path = straightened(links, polylineOf(links, {way.begin(), way.end()}));
-    std::vector<Eigen::Vector3d> line;
-    for (const SurfacePoint& point : path.points) {
-        line.push_back(positionOf(links.mesh(), point));
-    }
+    const std::vector<Eigen::Vector3d> line = positionsOf(links.mesh(), path);
     double most = near;
     std::size_t farthest = 0;
     for (std::size_t k = 1; k + 1 < way.size(); ++k) {

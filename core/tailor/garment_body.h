@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "core/base/progress.h"
 #include "core/garment/piece.h"
@@ -42,6 +43,8 @@ struct GarmentBody {
     /// Signed distance from the mirror plane, mm.
     double across(const Eigen::Vector3d& p) const { return plane.normal.dot(p) - plane.offset; }
     double height(const Eigen::Vector3d& p) const { return up.dot(p); }
+    /// Whether the wearer's left is where `across` is above 0.
+    bool isLeftAcross() const { return up.cross(forward).dot(plane.normal) > 0; }
     /// The first opening of a kind, or null.
     const BodyOpening* find(OpeningKind kind) const;
     /// Both openings of a kind: of the side with `across` below 0, and the other.

@@ -114,8 +114,7 @@ private:
         if (area_.left < kOnOneSide && area_.left > 1 - kOnOneSide) {
             return {};
         }
-        const bool isLeftAcross = body_.up.cross(body_.forward).dot(body_.plane.normal) > 0;
-        return (area_.left > 0.5) == isLeftAcross ? "left" : "right";
+        return (area_.left > 0.5) == body_.isLeftAcross() ? "left" : "right";
     }
 
     /// "neck band", "cuff": a strip along an opening.

@@ -67,20 +67,15 @@ std::vector<double> PartedLines::distances(const std::vector<double>& edgeLength
 std::vector<Eigen::Vector3d> PartedLines::wayTo(int vertex, const std::vector<double>& edgeLengths,
                                                 const Progress& progress) const {
     const auto ways = forest(edgeLengths, vertex, progress);
-    std::vector<Eigen::Vector3d> points;
     if (ways.source[static_cast<std::size_t>(vertex)] < 0 || progress.isCancelled()) {
-        return points;
+        return {};
     }
     const int from = ways.pathTo(vertex, links_.table().edges).front();
     const auto known = place_.find(from);
     const SurfacePoint begin =
         known != place_.end() ? nearest_.find(known->second) : links_.atVertex(from);
-    if (const auto path = geodesicPath(links_, begin, links_.atVertex(vertex), progress)) {
-        for (const SurfacePoint& point : path->points) {
-            points.push_back(positionOf(links_.mesh(), point));
-        }
-    }
-    return points;
+    const auto path = geodesicPath(links_, begin, links_.atVertex(vertex), progress);
+    return path ? positionsOf(links_.mesh(), *path) : std::vector<Eigen::Vector3d>();
 }
 
 }  // namespace toile

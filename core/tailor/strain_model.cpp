@@ -43,8 +43,7 @@ StrainFigures strainFigures(std::vector<std::pair<double, double>> strainsAndAre
 }
 
 StrainModel::StrainModel(const SurfaceLinks& links)
-    : links_(links),
-      curvature_(Eigen::VectorXd::Zero(links.vertexCount())),
+    : curvature_(Eigen::VectorXd::Zero(links.vertexCount())),
       rims_(static_cast<std::size_t>(links.vertexCount()), 0),
       areas_(static_cast<std::size_t>(links.vertexCount()), 0) {
     const MeshArrays& mesh = links.mesh();

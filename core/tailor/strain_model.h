@@ -39,7 +39,7 @@ struct FlatScale {
 /// factorisation of size #V for each question; the order of elimination is found once.
 class StrainModel {
 public:
-    /// Keeps a reference to the surface. Linear.
+    /// Linear.
     explicit StrainModel(const SurfaceLinks& links);
 
     /// @param parted  per vertex, whether a rim or a cut passes there; rims are not added
@@ -51,7 +51,6 @@ public:
     const std::vector<double>& areas() const { return areas_; }  ///< per vertex, sums to the area
 
 private:
-    const SurfaceLinks& links_;
     linalg::SymmetricMatrix laplacian_;
     linalg::SparseCholesky factor_;
     Eigen::VectorXd curvature_;

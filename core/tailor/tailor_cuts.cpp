@@ -25,8 +25,7 @@ std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
     if (seam.side == 0) {
         return word;
     }
-    const bool isLeftAcross = body.up.cross(body.forward).dot(body.plane.normal) > 0;
-    return ((seam.side > 0) == isLeftAcross ? "left " : "right ") + word;
+    return ((seam.side > 0) == body.isLeftAcross() ? "left " : "right ") + word;
 }
 
 /// Makes both sides alike: those of one are those of the other, reflected, and the centre lies in

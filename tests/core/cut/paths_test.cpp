@@ -32,6 +32,16 @@ TEST(Straightened, KeepsALoopAroundAHandle) {
     expectValidPath(s, tight);
 }
 
+TEST(Polyline, OfVerticesLiesWhereTheyDo) {
+    const Surface s(test::piercedTorus(32, 16));
+    const std::vector<int> way = {16, 0, 1, 2};
+    const auto points = positionsOf(s.mesh, polylineOf(s.links, way));
+    ASSERT_EQ(points.size(), way.size());
+    for (std::size_t k = 0; k < way.size(); ++k) {
+        EXPECT_EQ(points[k], s.mesh.V.row(way[k]).transpose());
+    }
+}
+
 TEST(NearestSurface, FindsWhatASearchOfAllTrianglesFinds) {
     const MeshArrays mesh = test::saddle(12, 100, 1.5);
     const NearestSurface nearest(mesh);

@@ -31,6 +31,7 @@ TEST(GarmentBody, AShirtHasNeckHemAndCuffs) {
     EXPECT_NEAR(body.across((*cuffs)[1]->centre), 360, 1e-6);
     EXPECT_LT(body.plane.deviation, 1e-6);
     EXPECT_GT(body.forward.z(), 0.99);  // where the neck is low
+    EXPECT_EQ(body.isLeftAcross(), body.plane.normal.x() > 0);
 }
 
 TEST(GarmentBody, TrousersAndSkirtsAreToldApart) {
