@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "core/nest/problem.h"
+
+// For the sources of this folder only.
+namespace toile::nest {
+
+/// All copies placed inside a strip of some length, overlaps allowed, and what each pair of them
+/// loses by it. Weights make a pair matter more to those who look for better places.
+class Lay {
+public:
+    /// The problem must outlive it.
+    Lay(const Problem& problem, const std::vector<Pose>& poses, double length);
+    Lay(const Lay&) = delete;
+    Lay& operator=(const Lay&) = delete;
+
+    const Problem& problem() const { return *problem_; }
+    const std::vector<Pose>& poses() const { return poses_; }
+    double length() const { return length_; }
+    std::size_t count() const { return poses_.size(); }
+    const Shape& shape(std::size_t copy) const { return *shapes_[copy]; }
+    /// Sum over the pairs that collide, without weights; exactly 0 where none does.
+    double loss() const;
+    double weightedLossOf(std::size_t copy) const;
+    /// Where the last copy ends.
+    double usedLength() const;
+
+    /// The sum of weighted losses that the copy would have with this shape at (x, y); stops, with
+    /// what it has, as soon as that is `enough`.
+    double lossAt(std::size_t copy, const Shape& shape, double x, double y,
+                  double enough = std::numeric_limits<double>::infinity()) const;
+    void place(std::size_t copy, const Pose& pose);
+    void placeAll(const std::vector<Pose>& poses, double length);
+
+    /// The pose moved inside the strip; false where the shape is too large for it.
+    bool moveInside(const Shape& shape, Pose& pose) const;
+    /// The variant turned by the pose's turn: kept in `own` where it has one.
+    const Shape& shapeOf(std::size_t copy, const Pose& pose, Shape& own) const;
+
+    void resetWeights();
+    /// Pairs that collide grow in proportion to their loss, the others fade ([GVW25]).
+    void raiseWeights();
+
+private:
+    double& lossOf(std::size_t a, std::size_t b) { return losses_[a * count() + b]; }
+    void setPose(std::size_t copy, const Pose& pose);
+    void updateLosses(std::size_t copy);
+
+    const Problem* problem_;
+    double length_;
+    std::vector<Pose> poses_;
+    std::vector<Shape> owned_;
+    std::vector<const Shape*> shapes_;
+    std::vector<double> left_, bottom_, right_, top_;  ///< of the copies' boxes
+    std::vector<double> losses_, weights_;             ///< of pairs, symmetric
+};
+
+}  // namespace toile::nest

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/geometry/polygon.h"
+
+namespace toile {
+
+/// Lays shapes on a strip of given width as densely as it can ([GVW25]): the strip runs along x
+/// from 0, its width along y from 0. All lengths in mm, angles in radians.
+
+/// Where a copy lies: a point p of its shape is mirrored (x changes its sign), then turned
+/// anti-clockwise, then moved.
+struct NestPlacement {
+    int item = 0;
+    double angle = 0;
+    bool mirrored = false;
+    double x = 0, y = 0;
+
+    bool operator==(const NestPlacement&) const = default;
+};
+
+/// A shape and how its copies may lie.
+struct NestItem {
+    std::string name;
+    /// The outline, then its holes; closed, first point not repeated, either winding. No ring
+    /// crosses itself or another; the holes lie inside.
+    std::vector<geometry::Polygon> rings;
+    int demand = 1;                 ///< copies
+    std::vector<double> angles{0};  ///< by which it may be turned; at least one
+    double tolerance = 0;           ///< and so much more, to both sides; from pi on: freely
+    bool mayMirror = false;
+    /// Where its one copy lies, whatever else holds. `item` is not looked at.
+    std::optional<NestPlacement> fixed{};
+};
+
+struct NestInstance {
+    std::string name;
+    double width = 0;  ///< of the strip
+    std::vector<NestItem> items;
+};
+
+struct NestOptions {
+    double gap = 0;     ///< between two copies at least
+    double border = 0;  ///< between a copy and the edges of the strip, also at both its ends
+    std::uint64_t seed = 1;
+    /// Searches that go on side by side, and share the best after each round. The nest depends on
+    /// their number, and so it is stated, and never that of the machine's cores.
+    int searches = 2;
+    int threads = 0;  ///< to work with, 0: as the machine has; the nest does not depend on it
+};
+
+struct NestResult {
+    std::vector<NestPlacement> placements;  ///< of all copies, by item
+    double length = 0;                      ///< of the strip, with the border at its end
+    double use = 0;                         ///< area of the shapes / (width x length)
+    int rounds = 0;
+    bool valid = false;    ///< nothing overlaps and all is inside, by exact arithmetic
+    bool optimal = false;  ///< as short as the areas and sizes let any nest be: no use to go on
+};
+
+/// The rings of an item as they lie; whole quarter turns without rounding.
+std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlacement& placement);
+
+/// Improves a nest round by round, for as long as one lets it. After round k the nest depends on
+/// instance, seed and `searches` alone. The best so far is valid from the start.
+class Nester {
+public:
+    /// With a first nest, laid one by one. The instance is kept.
+    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles;
+    /// MalformedFile naming an item without an area, with an unusable ring, number or angle, or a
+    /// fixed one that lies outside or on another fixed one.
+    /// Cost: about n^2 m in n copies, m points each.
+    static Result<Nester> make(NestInstance instance, const NestOptions& options);
+    ~Nester();
+    Nester(Nester&&) noexcept;
+    Nester& operator=(Nester&&) noexcept;
+
+    const NestInstance& instance() const;
+    const NestResult& best() const;
+    /// One round: a fixed amount of search, about a tenth of a second for each search. A cancelled
+    /// round changes nothing.
+    void step(const Progress& progress);
+
+private:
+    struct State;
+    explicit Nester(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace toile

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nest/problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <polyclipping/clipper.hpp>
+
+#include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/nest/exact_overlap.h"
+
+namespace toile::nest {
+namespace {
+
+using geometry::Polygon;
+
+constexpr double kMostSize = 1e7;   // mm: of coordinates, so that Clipper's grid holds them
+constexpr double kNestGrid = 1e-5;  // mm: of the whole numbers that Clipper works with
+constexpr double kArcShare = 1e-3;  // mm: by how much the arcs of a gap are wider than it
+constexpr int kMostDemand = 100'000;
+
+Error wrong(const NestItem& item, const Wording& what) {
+    return {ErrorCode::MalformedFile, Subject::piece(item.name), what};
+}
+
+std::optional<Error> wrongIn(const NestItem& item) {
+    if (item.rings.empty() || std::ranges::any_of(item.rings, [](const Polygon& ring) {
+            return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
+        })) {
+        return wrong(item, translatable("its outline is no polygon"));
+    }
+    if (!(std::abs(geometry::signedAreaOf(item.rings[0])) > 0)) {
+        return wrong(item, translatable("its outline has no area"));
+    }
+    if (item.angles.empty() ||
+        !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
+        !(item.tolerance >= 0) || item.demand < 0 || item.demand > kMostDemand ||
+        (item.fixed && item.demand != 1)) {
+        return wrong(item, translatable("its copies or angles are no usable numbers"));
+    }
+    return std::nullopt;
+}
+
+/// The rings farther out by `distance`, holes smaller: at least so far, as arcs are drawn outside.
+Rings grown(const Rings& rings, double distance) {
+    if (!(distance > 0)) {
+        return rings;
+    }
+    ClipperLib::ClipperOffset offset(2.0, kArcShare / kNestGrid / 2);
+    for (const Polygon& ring : rings) {
+        ClipperLib::Path path;
+        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+            path.emplace_back(std::llround(ring(k, 0) / kNestGrid),
+                              std::llround(ring(k, 1) / kNestGrid));
+        }
+        offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+    }
+    ClipperLib::Paths paths;
+    offset.Execute(paths, (distance + kArcShare) / kNestGrid);
+    std::ranges::sort(paths, std::ranges::greater{},
+                      [](const auto& path) { return ClipperLib::Area(path); });
+    Rings result;
+    for (const ClipperLib::Path& path : paths) {
+        Polygon ring(static_cast<Eigen::Index>(path.size()), 2);
+        for (std::size_t k = 0; k < path.size(); ++k) {
+            ring.row(static_cast<Eigen::Index>(k)) << static_cast<double>(path[k].X) * kNestGrid,
+                static_cast<double>(path[k].Y) * kNestGrid;
+        }
+        result.push_back(ring);
+    }
+    return result;
+}
+
+Rings mirrored(const Rings& rings) {
+    Rings turned = rings;
+    for (Polygon& ring : turned) {
+        ring.col(0) *= -1;
+        ring = Polygon(ring.colwise().reverse());
+    }
+    return turned;
+}
+
+/// How small box sides can be at a variant's further turns: in steps, so to a thousandth.
+struct LeastSides {
+    double along = HUGE_VAL, across = HUGE_VAL;
+};
+LeastSides leastSides(const Shape& shape, double tolerance) {
+    constexpr int kSteps = 180;
+    LeastSides least;
+    Shape turned;
+    const double most = std::min(tolerance, kPi);
+    for (int k = -kSteps; k <= kSteps; k += tolerance > 0 ? 1 : 2 * kSteps) {
+        const double angle = tolerance > 0 ? most * k / kSteps : 0;
+        turn(shape, angle, turned);
+        least.along = std::min(least.along, turned.box.right - turned.box.left);
+        least.across = std::min(least.across, turned.box.top - turned.box.bottom);
+    }
+    return least;
+}
+
+/// The variants that fit across the strip; none where none does.
+Item makeItem(const NestItem& asked, const Rings& rings, double width) {
+    Item item;
+    item.grown = rings;
+    item.tolerance = asked.fixed ? 0 : std::min(asked.tolerance, kPi);
+    item.isFixed = asked.fixed.has_value();
+    item.leastExtent = HUGE_VAL;
+    for (const bool isMirrored : {false, true}) {
+        if (asked.fixed ? asked.fixed->mirrored != isMirrored : isMirrored && !asked.mayMirror) {
+            continue;
+        }
+        const Shape shape = makeShape(isMirrored ? mirrored(rings) : rings);
+        for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
+            Variant variant{angle, isMirrored, {}};
+            turn(shape, angle, variant.shape);
+            const LeastSides sides = leastSides(variant.shape, item.tolerance);
+            if (sides.across <= width) {
+                item.leastExtent = std::min(item.leastExtent, sides.along);
+                item.variants.push_back(std::move(variant));
+            }
+        }
+    }
+    return item;
+}
+
+Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose) {
+    NestItem item;
+    item.rings = problem.itemOf(copy).grown;
+    NestPlacement placement = placementOf(problem, copy, pose);
+    placement.x = pose.x;
+    placement.y = pose.y;
+    return wound(placedRings(item, placement));
+}
+
+}  // namespace
+
+NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose) {
+    const Variant& variant = problem.itemOf(copy).variants[static_cast<std::size_t>(pose.variant)];
+    return {problem.copies[copy].item, variant.angle + pose.turn, variant.mirrored,
+            pose.x + problem.origin, pose.y + problem.origin};
+}
+
+bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length) {
+    std::vector<Rings> placed;
+    for (std::size_t c = 0; c < poses.size(); ++c) {
+        placed.push_back(ringsAt(problem, c, poses[c]));
+        const Polygon& outline = placed.back()[0];
+        if (outline.minCoeff() < 0 || outline.col(0).maxCoeff() > length ||
+            outline.col(1).maxCoeff() > problem.width) {
+            return false;
+        }
+        for (std::size_t d = 0; d < c; ++d) {
+            if (doOverlap(placed[d], placed[c])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options) {
+    Problem problem;
+    problem.origin = options.border - options.gap / 2;
+    problem.width = instance.width - 2 * problem.origin;
+    const NestItem strip{.name = instance.name, .rings = {}};
+    if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
+          options.border >= 0 && options.gap <= kMostSize && problem.width > 0)) {
+        return wrong(strip, translatable("width, gap and border leave no strip"));
+    }
+    double grownArea = 0;
+    std::vector<Pose> fixed;
+    for (std::size_t i = 0; i < instance.items.size(); ++i) {
+        const NestItem& asked = instance.items[i];
+        if (auto fault = wrongIn(asked)) {
+            return *std::move(fault);
+        }
+        const Rings rings = wound(asked.rings);
+        Item item = makeItem(asked, grown(rings, options.gap / 2), problem.width);
+        if (item.variants.empty()) {
+            return Error{
+                ErrorCode::PageTooSmall, Subject::piece(asked.name),
+                worded(translatable(
+                           "it does not fit across a strip of %1 mm at any angle that it may have"),
+                       {figure(instance.width, 1)})};
+        }
+        const Shape& shape = item.variants[0].shape;
+        double area = 0;
+        for (const Polygon& ring : rings) {
+            area += geometry::signedAreaOf(ring);
+        }
+        problem.area += area * asked.demand;
+        grownArea += shape.area * asked.demand;
+        Copy copy{static_cast<int>(i)};
+        if (asked.fixed) {
+            copy.start = {0, 0, asked.fixed->x - problem.origin, asked.fixed->y - problem.origin};
+            item.leastExtent = copy.start.x + shape.box.right;
+        }
+        problem.leastLength = asked.demand > 0 ? std::max(problem.leastLength, item.leastExtent)
+                                               : problem.leastLength;
+        problem.items.push_back(std::move(item));
+        problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
+        if (asked.fixed) {
+            const std::size_t c = problem.copies.size() - 1;
+            const Rings own = ringsAt(problem, c, copy.start);
+            if (own[0].minCoeff() < 0 || own[0].col(1).maxCoeff() > problem.width) {
+                return wrong(asked,
+                             translatable("it is kept where it lies, which is outside the strip"));
+            }
+            for (std::size_t d = 0; d < c; ++d) {
+                if (problem.itemOf(d).isFixed &&
+                    doOverlap(own, ringsAt(problem, d, problem.copies[d].start))) {
+                    return wrong(
+                        asked,
+                        worded(translatable("it is kept where it lies, which is on %1"),
+                               {instance.items[static_cast<std::size_t>(problem.copies[d].item)]
+                                    .name}));
+                }
+            }
+        }
+    }
+    problem.leastLength = std::max(problem.leastLength, grownArea / problem.width);
+    return problem;
+}
+
+}  // namespace toile::nest

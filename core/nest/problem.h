@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/nest/nest.h"
+#include "core/nest/shape.h"
+
+// For the sources of this folder only.
+namespace toile::nest {
+
+/// Where a copy lies: which variant of its item, turned by so much more, then moved.
+struct Pose {
+    int variant = 0;
+    double turn = 0;
+    double x = 0, y = 0;
+};
+
+/// An item at one of its angles, mirrored or not.
+struct Variant {
+    double angle = 0;
+    bool mirrored = false;
+    Shape shape;
+};
+
+struct Item {
+    std::vector<Variant> variants;  ///< that fit the strip; at least one
+    double tolerance = 0;           ///< of further turns
+    bool isFixed = false;
+    double leastExtent = 0;  ///< along the strip
+    Rings grown;             ///< by half the gap, as the search sees them
+};
+
+struct Copy {
+    int item = 0;
+    Pose start{};  ///< of a fixed one
+};
+
+/// What is searched: shapes grown by half the gap, in a strip from (0, 0), so that whatever does
+/// not overlap keeps gap and border.
+struct Problem {
+    std::vector<Item> items;
+    std::vector<Copy> copies;
+    double width = 0;
+    double origin = 0;       ///< of the searched strip in the one asked for, along both axes
+    double leastLength = 0;  ///< no nest is shorter
+    double area = 0;         ///< of the shapes as given
+
+    const Item& itemOf(std::size_t copy) const {
+        return items[static_cast<std::size_t>(copies[copy].item)];
+    }
+};
+
+/// Errors: as of Nester::make.
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options);
+
+NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose);
+
+/// Nothing overlaps and all is inside a strip of this length, by exact arithmetic.
+bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length);
+
+}  // namespace toile::nest

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nest/shape.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+
+#include "core/base/units.h"
+#include "core/geometry/segment.h"
+
+namespace toile::nest {
+namespace {
+
+using Eigen::Vector2d;
+using geometry::Polygon;
+
+/// How many circles at most until so much of the area is covered ([GVW25]).
+constexpr std::array<std::pair<std::size_t, double>, 3> kCircleLimits{
+    {{64, 0.0}, {16, 0.8}, {8, 0.9}}};
+constexpr std::size_t kLanes = 4;
+
+struct Circle {
+    Vector2d centre;
+    double radius = 0;
+};
+
+/// How far a point is inside the area and outside the circles; negative: it is not.
+double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& circles) {
+    double square = HUGE_VAL;
+    bool isIn = false;
+    for (const Polygon& ring : rings) {
+        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+            const Vector2d a = ring.row(k), b = ring.row((k + 1) % ring.rows());
+            const Vector2d way = a + geometry::nearestShare(p, a, b) * (b - a) - p;
+            square = std::min(square, way.squaredNorm());
+            if ((a.y() > p.y()) != (b.y() > p.y()) &&
+                p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+                isIn = !isIn;
+            }
+        }
+    }
+    double room = isIn ? std::sqrt(square) : -std::sqrt(square);
+    for (const Circle& circle : circles) {
+        room = std::min(room, (p - circle.centre).norm() - circle.radius);
+    }
+    return room;
+}
+
+/// The largest circle in what is left, to 2 %: by halving squares, the most promising first.
+Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
+    constexpr double kTolerance = 0.02;
+    constexpr int kMostSquares = 2000;
+    struct Square {
+        Vector2d centre;
+        double half, room;
+        double most() const { return room + half * std::sqrt(2.0); }
+        bool operator<(const Square& other) const { return most() < other.most(); }
+    };
+    const Vector2d low = rings[0].colwise().minCoeff(), high = rings[0].colwise().maxCoeff();
+    const double half = (high - low).maxCoeff() / 2;
+    Circle best;
+    std::priority_queue<Square> squares;
+    const auto add = [&](const Vector2d& centre, double size) {
+        const Square square{centre, size, roomAt(centre, rings, circles)};
+        if (square.room > best.radius) {
+            best = {centre, square.room};
+        }
+        squares.push(square);
+    };
+    add((low + high) / 2, half);
+    for (int k = 0; k < kMostSquares && !squares.empty(); ++k) {
+        const Square square = squares.top();
+        squares.pop();
+        if (square.most() <= best.radius * (1 + kTolerance)) {
+            break;
+        }
+        const double quarter = square.half / 2;
+        for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {-1, 1}, {1, 1}}) {
+            add(square.centre + quarter * Vector2d(x, y), quarter);
+        }
+    }
+    return best;
+}
+
+std::vector<Circle> inscribedCircles(const Rings& rings, double area) {
+    std::vector<Circle> circles;
+    double covered = 0;
+    while (std::ranges::none_of(kCircleLimits, [&](const auto& limit) {
+        return circles.size() >= limit.first && covered >= limit.second * area;
+    })) {
+        const Circle circle = largestCircle(rings, circles);
+        if (!(circle.radius > 0)) {
+            break;
+        }
+        covered += kPi * circle.radius * circle.radius;
+        circles.push_back(circle);
+    }
+    return circles;
+}
+
+Box boxOf(const Shape& shape) {
+    const auto [left, right] = std::ranges::minmax(shape.x);
+    const auto [bottom, top] = std::ranges::minmax(shape.y);
+    return {left, bottom, right, top};
+}
+
+}  // namespace
+
+Vector2d wayOf(double angle) {
+    const double quarters = angle / (kPi / 2), whole = std::round(quarters);
+    if (std::abs(quarters - whole) < 1e-9) {
+        static constexpr std::array<std::pair<int, int>, 4> kWays{
+            {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+        const auto [x, y] = kWays[static_cast<std::size_t>(std::fmod(std::fmod(whole, 4) + 4, 4))];
+        return {x, y};
+    }
+    return {std::cos(angle), std::sin(angle)};
+}
+
+double hullAreaOf(const Polygon& points) {
+    std::vector<Vector2d> sorted;
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        sorted.emplace_back(points.row(k));
+    }
+    std::ranges::sort(sorted, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
+    double twice = 0;
+    for (int side = 0; side < 2; ++side) {
+        std::vector<Vector2d> chain;
+        for (const Vector2d& p : sorted) {
+            while (chain.size() > 1 &&
+                   geometry::cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0) {
+                chain.pop_back();
+            }
+            chain.push_back(p);
+        }
+        for (std::size_t k = 1; k < chain.size(); ++k) {
+            twice += geometry::cross(chain[k - 1], chain[k]);
+        }
+        std::ranges::reverse(sorted);
+    }
+    return twice / 2;
+}
+
+Shape makeShape(const Rings& rings) {
+    Shape shape;
+    for (const Polygon& ring : rings) {
+        const int first = static_cast<int>(shape.x.size()), count = static_cast<int>(ring.rows());
+        shape.ringStarts.push_back(first);
+        for (int k = 0; k < count; ++k) {
+            shape.x.push_back(ring(k, 0));
+            shape.y.push_back(ring(k, 1));
+            shape.next.push_back(first + (k + 1) % count);
+        }
+        shape.area += geometry::signedAreaOf(ring);
+    }
+    shape.box = boxOf(shape);
+    shape.hullRoot = std::sqrt(hullAreaOf(rings[0]));
+    shape.diameter = std::hypot(shape.box.right - shape.box.left, shape.box.top - shape.box.bottom);
+    for (const Circle& circle : inscribedCircles(rings, shape.area)) {
+        shape.circles.x.push_back(static_cast<float>(circle.centre.x()));
+        shape.circles.y.push_back(static_cast<float>(circle.centre.y()));
+        shape.circles.radius.push_back(static_cast<float>(circle.radius));
+    }
+    while (shape.circles.x.empty() || shape.circles.x.size() % kLanes != 0) {
+        shape.circles.x.push_back(shape.circles.x.empty() ? 0 : shape.circles.x[0]);
+        shape.circles.y.push_back(shape.circles.y.empty() ? 0 : shape.circles.y[0]);
+        shape.circles.radius.push_back(0);
+    }
+    return shape;
+}
+
+void turn(const Shape& shape, double angle, Shape& turned) {
+    turned = shape;
+    const Vector2d way = wayOf(angle);
+    for (std::size_t k = 0; k < shape.x.size(); ++k) {
+        turned.x[k] = way.x() * shape.x[k] - way.y() * shape.y[k];
+        turned.y[k] = way.y() * shape.x[k] + way.x() * shape.y[k];
+    }
+    const float c = static_cast<float>(way.x()), s = static_cast<float>(way.y());
+    for (std::size_t k = 0; k < shape.circles.x.size(); ++k) {
+        turned.circles.x[k] = c * shape.circles.x[k] - s * shape.circles.y[k];
+        turned.circles.y[k] = s * shape.circles.x[k] + c * shape.circles.y[k];
+    }
+    turned.box = boxOf(turned);
+}
+
+}  // namespace toile::nest

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/geometry/polygon.h"
+#include "core/nest/exact_overlap.h"
+
+// For the sources of this folder only.
+namespace toile::nest {
+
+struct Box {
+    double left = 0, bottom = 0, right = 0, top = 0;
+};
+
+/// Circles inscribed in a shape one after the other, largest first, in single precision and padded
+/// to a multiple of four by circles without a size: they only rank.
+struct Circles {
+    std::vector<float> x, y, radius;
+};
+
+/// A shape at one angle, as the search looks at it: about its own origin.
+struct Shape {
+    std::vector<double> x, y;     ///< of all points, ring after ring
+    std::vector<int> next;        ///< the point after each in its ring
+    std::vector<int> ringStarts;  ///< the first point of each ring
+    Circles circles;
+    Box box;
+    double area = 0;
+    double hullRoot = 0;  ///< the square root of the area of its convex hull
+    double diameter = 0;  ///< of the box
+};
+
+/// Takes time: the circles are searched. Precondition: the outline has an area.
+Shape makeShape(const Rings& rings);
+/// The same, turned: quarter turns without rounding.
+void turn(const Shape& shape, double angle, Shape& turned);
+
+/// Cosine and sine; of whole quarter turns exactly.
+Eigen::Vector2d wayOf(double angle);
+/// Area of the convex hull of points.
+double hullAreaOf(const geometry::Polygon& points);
+
+}  // namespace toile::nest

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/nest/search.h"
+
+// For the sources of this folder only.
+namespace toile::nest {
+
+/// A first nest: the largest copies first, each as far to the left as it goes. Valid.
+Found firstNest(const Problem& problem);
+
+}  // namespace toile::nest
