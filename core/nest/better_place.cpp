@@ -78,8 +78,10 @@ public:
     Tried tryAnywhere(double enough) {
         Pose pose = randomPose();
         const Shape& shape = lay_.shapeOf(copy_, pose, own_);
-        pose.x = random_.between(-shape.box.left, lay_.length() - shape.box.right);
-        pose.y = random_.between(-shape.box.bottom, lay_.problem().width - shape.box.top);
+        pose.x =
+            random_.between(lay_.problem().low - shape.box.left, lay_.length() - shape.box.right);
+        pose.y = random_.between(lay_.problem().low - shape.box.bottom,
+                                 lay_.problem().high - shape.box.top);
         return evaluate(shape, pose, enough);
     }
 

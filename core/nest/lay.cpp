@@ -13,18 +13,6 @@ namespace {
 constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kFading = 0.95;
 constexpr double kMostWeight = 1e100;
 
-/// Between two walls, whatever rounding does.
-bool clampBetween(double low, double high, double wall, double& at) {
-    if (!(high - low <= wall)) {
-        return false;
-    }
-    at = std::clamp(at, -low, std::max(-low, wall - high));
-    while (at + high > wall) {
-        at = std::nextafter(at, -HUGE_VAL);
-    }
-    return true;
-}
-
 }  // namespace
 
 Lay::Lay(const Problem& problem, const std::vector<Pose>& poses, double length)
@@ -102,8 +90,8 @@ const Shape& Lay::shapeOf(std::size_t copy, const Pose& pose, Shape& own) const 
 }
 
 bool Lay::moveInside(const Shape& shape, Pose& pose) const {
-    return clampBetween(shape.box.left, shape.box.right, length_, pose.x) &&
-           clampBetween(shape.box.bottom, shape.box.top, problem_->width, pose.y);
+    return moveBetween(shape.box.left, shape.box.right, problem_->low, length_, pose.x) &&
+           moveBetween(shape.box.bottom, shape.box.top, problem_->low, problem_->high, pose.y);
 }
 
 void Lay::setPose(std::size_t copy, const Pose& pose) {

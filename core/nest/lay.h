@@ -9,8 +9,8 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// All copies placed inside a strip of some length, overlaps allowed, and what each pair of them
-/// loses by it. Weights make a pair matter more to those who look for better places.
+/// All copies placed inside a strip that ends at some length, overlaps allowed, and what each pair
+/// of them loses by it. Weights make a pair matter more to those who look for better places.
 class Lay {
 public:
     /// The problem must outlive it.

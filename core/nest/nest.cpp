@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <future>
 #include <thread>
 #include <utility>
@@ -14,7 +15,6 @@
 namespace toile {
 namespace {
 
-constexpr long kEvaluationsPerRound = 50'000;
 constexpr int kCompressEvery = 3;  // rounds, where exploring is stuck
 constexpr int kMostSearches = 64;
 
@@ -32,7 +32,10 @@ struct Nester::State {
         for (std::size_t copy = 0; copy < found.poses.size(); ++copy) {
             best.placements.push_back(nest::placementOf(problem, copy, found.poses[copy]));
         }
-        best.length = found.length + 2 * problem.origin;
+        best.length = found.poses.empty() ? 0 : found.length + problem.low;
+        while (best.length - problem.low < found.length) {
+            best.length = std::nextafter(best.length, HUGE_VAL);
+        }
         best.use = best.length > 0 ? problem.area / (instance.width * best.length) : 0;
         best.valid = nest::isValid(problem, found.poses, found.length);
         best.optimal = !(found.length > problem.leastLength * (1 + 1e-12));
@@ -43,7 +46,7 @@ struct Nester::State {
         std::atomic<std::size_t> next{0};
         const auto work = [&] {
             for (std::size_t k = next++; k < searches.size(); k = next++) {
-                searches[k]->run(kEvaluationsPerRound, mayCompress, progress);
+                searches[k]->run(options.evaluations, mayCompress, progress);
             }
         };
         const int wanted = options.threads > 0
@@ -123,7 +126,7 @@ void Nester::step(const Progress& progress) {
     for (auto& search : searches) {
         search->adopt(shortest);
     }
-    if (shortest.length + 2 * state_->problem.origin < best.length) {
+    if (shortest.length + state_->problem.low < best.length) {
         state_->take(shortest);
     }
 }

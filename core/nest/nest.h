@@ -54,6 +54,8 @@ struct NestOptions {
     /// Searches that go on side by side, and share the best after each round. The nest depends on
     /// their number, and so it is stated, and never that of the machine's cores.
     int searches = 2;
+    long evaluations =
+        50'000;       ///< places that each search looks at in a round; states the nest, too
     int threads = 0;  ///< to work with, 0: as the machine has; the nest does not depend on it
 };
 
@@ -70,7 +72,8 @@ struct NestResult {
 std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlacement& placement);
 
 /// Improves a nest round by round, for as long as one lets it. After round k the nest depends on
-/// instance, seed and `searches` alone. The best so far is valid from the start.
+/// instance and options alone, and of these not on `threads`. The best so far is valid from the
+/// start.
 class Nester {
 public:
     /// With a first nest, laid one by one. The instance is kept.
@@ -85,8 +88,8 @@ public:
 
     const NestInstance& instance() const;
     const NestResult& best() const;
-    /// One round: a fixed amount of search, about a tenth of a second for each search. A cancelled
-    /// round changes nothing.
+    /// One round: a fixed amount of search, usually about a tenth of a second for each search. A
+    /// cancelled round adds nothing to the best.
     void step(const Progress& progress);
 
 private:

@@ -81,7 +81,9 @@ Rings mirrored(const Rings& rings) {
     return turned;
 }
 
-/// How small box sides can be at a variant's further turns: in steps, so to a thousandth.
+constexpr double kBetweenSteps = 0.01;  // of the diameter: by how much sides at most differ
+
+/// How small box sides can be at a variant's further turns, looked at in steps.
 struct LeastSides {
     double along = HUGE_VAL, across = HUGE_VAL;
 };
@@ -116,7 +118,9 @@ Item makeItem(const NestItem& asked, const Rings& rings, double width) {
             turn(shape, angle, variant.shape);
             const LeastSides sides = leastSides(variant.shape, item.tolerance);
             if (sides.across <= width) {
-                item.leastExtent = std::min(item.leastExtent, sides.along);
+                const double between =
+                    item.tolerance > 0 ? kBetweenSteps * variant.shape.diameter : 0;
+                item.leastExtent = std::min(item.leastExtent, sides.along - between);
                 item.variants.push_back(std::move(variant));
             }
         }
@@ -127,18 +131,28 @@ Item makeItem(const NestItem& asked, const Rings& rings, double width) {
 Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose) {
     NestItem item;
     item.rings = problem.itemOf(copy).grown;
-    NestPlacement placement = placementOf(problem, copy, pose);
-    placement.x = pose.x;
-    placement.y = pose.y;
-    return wound(placedRings(item, placement));
+    return wound(placedRings(item, placementOf(problem, copy, pose)));
 }
 
 }  // namespace
 
+bool moveBetween(double least, double most, double from, double to, double& at) {
+    if (!(most - least <= to - from)) {
+        return false;
+    }
+    at = std::clamp(at, from - least, std::max(from - least, to - most));
+    while (at + least < from) {
+        at = std::nextafter(at, HUGE_VAL);
+    }
+    while (at + most > to) {
+        at = std::nextafter(at, -HUGE_VAL);
+    }
+    return true;
+}
+
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose) {
     const Variant& variant = problem.itemOf(copy).variants[static_cast<std::size_t>(pose.variant)];
-    return {problem.copies[copy].item, variant.angle + pose.turn, variant.mirrored,
-            pose.x + problem.origin, pose.y + problem.origin};
+    return {problem.copies[copy].item, variant.angle + pose.turn, variant.mirrored, pose.x, pose.y};
 }
 
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length) {
@@ -146,8 +160,8 @@ bool isValid(const Problem& problem, const std::vector<Pose>& poses, double leng
     for (std::size_t c = 0; c < poses.size(); ++c) {
         placed.push_back(ringsAt(problem, c, poses[c]));
         const Polygon& outline = placed.back()[0];
-        if (outline.minCoeff() < 0 || outline.col(0).maxCoeff() > length ||
-            outline.col(1).maxCoeff() > problem.width) {
+        if (outline.minCoeff() < problem.low || outline.col(0).maxCoeff() > length ||
+            outline.col(1).maxCoeff() > problem.high) {
             return false;
         }
         for (std::size_t d = 0; d < c; ++d) {
@@ -161,11 +175,11 @@ bool isValid(const Problem& problem, const std::vector<Pose>& poses, double leng
 
 Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options) {
     Problem problem;
-    problem.origin = options.border - options.gap / 2;
-    problem.width = instance.width - 2 * problem.origin;
+    problem.low = options.border - options.gap / 2;
+    problem.high = instance.width - problem.low;
     const NestItem strip{.name = instance.name, .rings = {}};
     if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
-          options.border >= 0 && options.gap <= kMostSize && problem.width > 0)) {
+          options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
         return wrong(strip, translatable("width, gap and border leave no strip"));
     }
     double grownArea = 0;
@@ -176,7 +190,7 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
             return *std::move(fault);
         }
         const Rings rings = wound(asked.rings);
-        Item item = makeItem(asked, grown(rings, options.gap / 2), problem.width);
+        Item item = makeItem(asked, grown(rings, options.gap / 2), problem.width());
         if (item.variants.empty()) {
             return Error{
                 ErrorCode::PageTooSmall, Subject::piece(asked.name),
@@ -193,8 +207,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         grownArea += shape.area * asked.demand;
         Copy copy{static_cast<int>(i)};
         if (asked.fixed) {
-            copy.start = {0, 0, asked.fixed->x - problem.origin, asked.fixed->y - problem.origin};
-            item.leastExtent = copy.start.x + shape.box.right;
+            copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
+            item.leastExtent = copy.start.x + shape.box.right - problem.low;
         }
         problem.leastLength = asked.demand > 0 ? std::max(problem.leastLength, item.leastExtent)
                                                : problem.leastLength;
@@ -203,7 +217,7 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         if (asked.fixed) {
             const std::size_t c = problem.copies.size() - 1;
             const Rings own = ringsAt(problem, c, copy.start);
-            if (own[0].minCoeff() < 0 || own[0].col(1).maxCoeff() > problem.width) {
+            if (own[0].minCoeff() < problem.low || own[0].col(1).maxCoeff() > problem.high) {
                 return wrong(asked,
                              translatable("it is kept where it lies, which is outside the strip"));
             }
@@ -219,7 +233,7 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
             }
         }
     }
-    problem.leastLength = std::max(problem.leastLength, grownArea / problem.width);
+    problem.leastLength = problem.low + std::max(problem.leastLength, grownArea / problem.width());
     return problem;
 }
 

@@ -36,27 +36,31 @@ struct Copy {
     Pose start{};  ///< of a fixed one
 };
 
-/// What is searched: shapes grown by half the gap, in a strip from (0, 0), so that whatever does
-/// not overlap keeps gap and border.
+/// What is searched: shapes grown by half the gap, in the strip without its border but for that
+/// half, so that whatever does not overlap keeps gap and border.
 struct Problem {
     std::vector<Item> items;
     std::vector<Copy> copies;
-    double width = 0;
-    double origin = 0;       ///< of the searched strip in the one asked for, along both axes
-    double leastLength = 0;  ///< no nest is shorter
-    double area = 0;         ///< of the shapes as given
+    double low = 0, high = 0;  ///< between which they lie across the strip, and from which along it
+    double leastLength = 0;    ///< no nest ends before
+    double area = 0;           ///< of the shapes as given
 
+    double width() const { return high - low; }
     const Item& itemOf(std::size_t copy) const {
         return items[static_cast<std::size_t>(copies[copy].item)];
     }
 };
+
+/// A shape from `least` to `most` moved by `at` so that it lies between two walls, whatever
+/// rounding does; false where it is too large.
+bool moveBetween(double least, double most, double from, double to, double& at);
 
 /// Errors: as of Nester::make.
 Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options);
 
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose);
 
-/// Nothing overlaps and all is inside a strip of this length, by exact arithmetic.
+/// Nothing overlaps and all is inside a strip that ends there, by exact arithmetic.
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length);
 
 }  // namespace toile::nest

@@ -111,7 +111,7 @@ void Search::disturb(std::vector<Pose>& poses) {
         swapTwo(poses, a, others[random_.below(others.size())]);
     } else {
         poses[a].x = random_.between(0, exploring_.lay().length());
-        poses[a].y = random_.between(0, problem_->width);
+        poses[a].y = random_.between(0, problem_->high);
     }
 }
 

@@ -9,7 +9,7 @@ namespace toile::nest {
 /// A nest without overlaps.
 struct Found {
     std::vector<Pose> poses;
-    double length = 0;  ///< in the searched strip
+    double length = 0;  ///< where the last copy ends
 };
 
 /// One of the searches that go on side by side: explores ever shorter strips, and compresses its

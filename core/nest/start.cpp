@@ -83,11 +83,13 @@ private:
                 Pose pose{static_cast<int>(v), turns > 0 ? item.tolerance * k / turns : 0};
                 Shape own;
                 const Shape& shape = shapeOf(copy, pose, own);
-                if (!(shape.box.top - shape.box.bottom <= problem_.width)) {
+                if (!(shape.box.top - shape.box.bottom <= problem_.width())) {
                     continue;
                 }
                 for (const double bottom : rowsFor(shape)) {
                     pose.y = bottom - shape.box.bottom;
+                    moveBetween(shape.box.bottom, shape.box.top, problem_.low, problem_.high,
+                                pose.y);
                     pose.x = leftmost(shape, pose.y, end);
                     if (pose.x + shape.box.right < end) {
                         end = pose.x + shape.box.right;
@@ -102,7 +104,7 @@ private:
     /// One whose only fitting turns are between those tried: at the finest steps, past all others.
     Pose upright(std::size_t copy) const {
         const Item& item = problem_.itemOf(copy);
-        double right = 0;
+        double right = problem_.low;
         for (const Laid& laid : laid_) {
             right = std::max(right, laid.right());
         }
@@ -115,8 +117,10 @@ private:
                 const Shape& shape = shapeOf(copy, pose, own);
                 if (const double height = shape.box.top - shape.box.bottom; height < least) {
                     least = height;
-                    pose.x = right - shape.box.left;
-                    pose.y = -shape.box.bottom;
+                    pose.x = right - shape.box.left + kApart;
+                    pose.y = problem_.low - shape.box.bottom;
+                    moveBetween(shape.box.bottom, shape.box.top, problem_.low, problem_.high,
+                                pose.y);
                     best = pose;
                 }
             }
@@ -126,8 +130,8 @@ private:
 
     /// Where it would lie on the edges or on, or under, the boxes of others.
     std::vector<double> rowsFor(const Shape& shape) const {
-        const double height = shape.box.top - shape.box.bottom, most = problem_.width - height;
-        std::set<double> rows{0, most};
+        const double height = shape.box.top - shape.box.bottom, most = problem_.high - height;
+        std::set<double> rows{problem_.low, most};
         for (const Laid& laid : laid_) {
             rows.insert(laid.y + laid.shape->box.top);
             rows.insert(laid.y + laid.shape->box.bottom - height);
@@ -135,7 +139,7 @@ private:
         }
         std::vector<double> list;
         std::ranges::copy_if(rows, std::back_inserter(list),
-                             [most](double y) { return y >= 0 && y <= most; });
+                             [&](double y) { return y >= problem_.low && y <= most; });
         if (list.size() > kMostRows) {  // evenly chosen, with the edges
             for (std::size_t k = 0; k < kMostRows; ++k) {
                 list[k] = list[k * (list.size() - 1) / (kMostRows - 1)];
@@ -147,7 +151,8 @@ private:
 
     /// As far left as it goes along a row, by way of the ends of the boxes that it hits.
     double leftmost(const Shape& shape, double y, double enough) const {
-        double x = -shape.box.left;
+        double x = problem_.low - shape.box.left;
+        moveBetween(shape.box.left, shape.box.right, problem_.low, HUGE_VAL, x);
         while (x + shape.box.right < enough) {
             double next = HUGE_VAL;
             for (const Laid& laid : laid_) {
