@@ -6,10 +6,12 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/units.h"
+
 namespace toile::nest {
 namespace {
 
-constexpr std::size_t kLanes = 4;
+constexpr std::size_t kCircleLanes = 4;
 constexpr double kEpsilonShare = 0.01;  // of the larger diameter
 
 struct Side {
@@ -63,8 +65,8 @@ bool isInShape(const Shape& shape, double x, double y) {
 
 /// Whether the largest circles meet: most pairs that collide are known by them.
 bool doLargestMeet(const Circles& a, const Circles& b, float dx, float dy) {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        for (std::size_t k = 0; k < kLanes; ++k) {
+    for (std::size_t i = 0; i < kCircleLanes; ++i) {
+        for (std::size_t k = 0; k < kCircleLanes; ++k) {
             const float x = b.x[k] + dx - a.x[i], y = b.y[k] + dy - a.y[i];
             // A little less, as single precision rounds.
             const float reach = 0.9999f * (a.radius[i] + b.radius[k]);
@@ -78,7 +80,8 @@ bool doLargestMeet(const Circles& a, const Circles& b, float dx, float dy) {
 
 /// A point of each ring, and the middle of the largest circle, as none of the edges cross.
 bool isAPartInside(const Shape& a, const Shape& b, double dx, double dy) {
-    return isInShape(b, a.circles.x[0] - dx, a.circles.y[0] - dy) ||
+    return isInShape(b, static_cast<double>(a.circles.x[0]) - dx,
+                     static_cast<double>(a.circles.y[0]) - dy) ||
            std::ranges::any_of(a.ringStarts, [&](int k) {
                const auto start = static_cast<std::size_t>(k);
                return isInShape(b, a.x[start] - dx, a.y[start] - dy);
@@ -118,15 +121,15 @@ double collisionLoss(const Shape& a, const Shape& b, double dx, double dy) {
     const float epsilon = static_cast<float>(kEpsilonShare * std::max(a.diameter, b.diameter));
     const float square = epsilon * epsilon, twice = 2 * epsilon;
     const float moveX = static_cast<float>(dx), moveY = static_cast<float>(dy);
-    std::array<float, kLanes> sums{};
+    std::array<float, kCircleLanes> sums{};
     const std::size_t countA = a.circles.x.size(), countB = b.circles.x.size();
     const float* const bx = b.circles.x.data();
     const float* const by = b.circles.y.data();
     const float* const br = b.circles.radius.data();
     for (std::size_t i = 0; i < countA; ++i) {
         const float x = a.circles.x[i] - moveX, y = a.circles.y[i] - moveY, r = a.circles.radius[i];
-        for (std::size_t k = 0; k < countB; k += kLanes) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        for (std::size_t k = 0; k < countB; k += kCircleLanes) {
+            for (std::size_t lane = 0; lane < kCircleLanes; ++lane) {
                 const float ux = bx[k + lane] - x, uy = by[k + lane] - y, s = br[k + lane];
                 const float depth = r + s - std::sqrt(ux * ux + uy * uy);
                 const float outside = square / (twice - std::min(depth, epsilon));
@@ -135,8 +138,7 @@ double collisionLoss(const Shape& a, const Shape& b, double dx, double dy) {
             }
         }
     }
-    const double overlap =
-        3.14159265358979 * (static_cast<double>(sums[0]) + sums[1] + sums[2] + sums[3]);
+    const double overlap = kPi * static_cast<double>((sums[0] + sums[1]) + (sums[2] + sums[3]));
     const double eps = static_cast<double>(epsilon);
     return std::sqrt(overlap + eps * eps) * std::sqrt(a.hullRoot * b.hullRoot);
 }

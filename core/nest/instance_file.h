@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/nest/nest.h"
+
+namespace toile {
+
+/// Reads an instance of the nesting problem as they are published (JSON; `strip_height` and `items`
+/// with `demand`, `allowed_orientations` in degrees and `shape`: a "simple_polygon" or a "polygon"
+/// with holes). An item whose orientations are not said turns freely. Its numbers are taken as mm.
+/// An item is named by its `id`.
+/// @param name  of the file, for errors
+/// Errors: MalformedFile naming the file and the place. Cost: linear.
+Result<NestInstance> parseNestInstance(std::string_view text, const std::string& name);
+/// Errors: also FileUnreadable.
+Result<NestInstance> readNestInstance(const std::filesystem::path& path);
+
+}  // namespace toile
