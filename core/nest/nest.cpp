@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-constexpr int kCompressEvery = 3;  // rounds, where exploring is stuck
+constexpr int kCompressEvery = 5;  // rounds, where exploring is stuck
 constexpr int kMostSearches = 64;
 
 }  // namespace

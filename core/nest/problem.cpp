@@ -177,10 +177,10 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     Problem problem;
     problem.low = options.border - options.gap / 2;
     problem.high = instance.width - problem.low;
-    const NestItem strip{.name = instance.name, .rings = {}};
     if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
           options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
-        return wrong(strip, translatable("width, gap and border leave no strip"));
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name),
+                     translatable("width, gap and border leave no strip")};
     }
     double grownArea = 0;
     std::vector<Pose> fixed;
