@@ -7,6 +7,7 @@
 #include <charconv>
 #include <map>
 #include <sstream>
+#include <tuple>
 
 #include <CLI/CLI.hpp>
 
@@ -466,6 +467,59 @@ void addWalk(CLI::App& app, Arguments& arguments) {
     walk.add_flag("--json", arguments.json, "Print as JSON");
 }
 
+/// The file's name ends so, in small letters or large.
+CLI::Validator endingIn(const std::string& small, const std::string& large) {
+    return CLI::Validator(
+        [small, large](const std::string& name) {
+            return name.ends_with(small) || name.ends_with(large)
+                       ? std::string()
+                       : "the name must end in " + small + ", not \"" + name + "\"";
+        },
+        "");
+}
+
+void addMarker(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& command = *app.add_subcommand(
+        "marker", "Nest shapes on a strip of cloth as densely as time allows (docs/marker.md)");
+    command.callback([&arguments] { arguments.command = Arguments::Command::Marker; });
+    command.footer(
+        "\nAfter so many rounds the nest is the same everywhere; a time says after which round\n"
+        "it ends.");
+    command.add_option("INPUT", arguments.inputs, "Instance of the nesting problem, as published")
+        ->required()
+        ->expected(1)
+        ->type_name("FILE.json")
+        ->check(endingIn(".json", ".JSON"));
+    command.add_option("-o,--output", typed.picture, "Picture of the nest to write")
+        ->type_name("FILE.svg")
+        ->check(endingIn(".svg", ".SVG"));
+    command.add_option("--report", typed.report, "Write use, length and places of copies as JSON")
+        ->type_name("FILE.json");
+    MarkerArguments& marker = arguments.marker;
+    command.add_option("--rounds", marker.rounds, "End after so many rounds")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1'000'000'000));
+    command
+        .add_option("--time", marker.seconds,
+                    "End after so many seconds [5 where no rounds are given]")
+        ->type_name("S")
+        ->check(CLI::Range(0.0, 1e6));
+    command.add_option("--seed", marker.seed, "Another seed, another nest")
+        ->type_name("N")
+        ->capture_default_str();
+    for (const auto& [option, length, help] :
+         {std::tuple("--gap", &marker.gap, "Between two copies at least"),
+          std::tuple("--border", &marker.border, "Between copies and the edges of the cloth")}) {
+        command.add_option(option, *length, help)
+            ->type_name("MM")
+            ->check(CLI::Range(0.0, 1000.0))
+            ->capture_default_str();
+    }
+    command.add_option("--threads", marker.threads, "To work with; the nest is the same [all]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64));
+}
+
 void addInfo(CLI::App& app, Arguments& arguments) {
     CLI::App& info = addCommand(app, arguments, Arguments::Command::Info, "info",
                                 "Tell what a garment file holds");
@@ -555,6 +609,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addCompare(app, typed, arguments);
     addCheck(app, arguments);
     addWalk(app, arguments);
+    addMarker(app, typed, arguments);
     addInfo(app, arguments);
     addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.

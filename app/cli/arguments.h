@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/marker_arguments.h"
 #include "app/cli/picture_arguments.h"
 #include "app/cli/stated_options.h"
 #include "app/document/view_state.h"
@@ -26,6 +27,7 @@ struct Arguments {
         Info,
         Render,
         Walk,
+        Marker,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
 
@@ -51,6 +53,7 @@ struct Arguments {
     std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth
     std::optional<Panel> panel;        ///< window: the list in front
     PictureArguments picture;          ///< render
+    MarkerArguments marker{};          ///< marker
     std::optional<Fabric> fabric{};    ///< check: typed, or a project's
     std::optional<Project> project{};  ///< that the inputs are of, once `withProject` has read it
 

@@ -29,6 +29,8 @@ int runCommand(const Arguments& typed) {
                 return runInfo(arguments, std::cout, std::cerr);
             case Arguments::Command::Walk:
                 return runWalk(arguments, std::cout, std::cerr);
+            case Arguments::Command::Marker:
+                return runMarker(arguments, std::cout, std::cerr);
             case Arguments::Command::Message:
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;

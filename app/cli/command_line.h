@@ -16,7 +16,8 @@ enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnrea
 
 struct Arguments;
 
-/// Runs `toile flatten`, `toile compare`, `toile check`, `toile walk`, `toile info`, `--help` or
+/// Runs `toile flatten`, `toile compare`, `toile check`, `toile walk`, `toile marker`, `toile
+/// info`, `--help` or
 /// `--version` as parsed. Output goes to stdout, errors to stderr, one sentence each. Never throws.
 int runCommand(const Arguments& typed);
 
@@ -28,6 +29,7 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
 int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err);
+int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err);
 
 /// Where the input is a project file: the same arguments with its meshes as the input and with what
 /// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
