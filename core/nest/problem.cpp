@@ -3,12 +3,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <polyclipping/clipper.hpp>
 
-#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/nest/exact_overlap.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kNoStrip = translatable("width, gap and border leave no strip");
+constexpr const char* kNoOutline = translatable("its outline is no polygon");
+constexpr const char* kNoArea = translatable("its outline has no area");
+constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
+constexpr const char* kTooWide =
+    translatable("it does not fit across a strip of %1 mm at any angle that it may have");
+constexpr const char* kKeptOutside =
+    translatable("it is kept where it lies, which is outside the strip");
+constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+
+}  // namespace
+}  // namespace toile
 
 namespace toile::nest {
 namespace {
@@ -28,16 +44,16 @@ std::optional<Error> wrongIn(const NestItem& item) {
     if (item.rings.empty() || std::ranges::any_of(item.rings, [](const Polygon& ring) {
             return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
         })) {
-        return wrong(item, translatable("its outline is no polygon"));
+        return wrong(item, kNoOutline);
     }
     if (!(std::abs(geometry::signedAreaOf(item.rings[0])) > 0)) {
-        return wrong(item, translatable("its outline has no area"));
+        return wrong(item, kNoArea);
     }
     if (item.angles.empty() ||
         !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
         !(item.tolerance >= 0) || item.demand < 0 || item.demand > kMostDemand ||
         (item.fixed && item.demand != 1)) {
-        return wrong(item, translatable("its copies or angles are no usable numbers"));
+        return wrong(item, kNoCopies);
     }
     return std::nullopt;
 }
@@ -134,6 +150,25 @@ Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose) {
     return wound(placedRings(item, placementOf(problem, copy, pose)));
 }
 
+/// Of the copy added last: it lies outside, or on another fixed one.
+std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
+    const auto askedOf = [&](std::size_t copy) -> const NestItem& {
+        return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
+    };
+    const std::size_t last = problem.copies.size() - 1;
+    const Rings own = ringsAt(problem, last, problem.copies[last].start);
+    if (own[0].minCoeff() < problem.low || own[0].col(1).maxCoeff() > problem.high) {
+        return wrong(askedOf(last), kKeptOutside);
+    }
+    for (std::size_t copy = 0; copy < last; ++copy) {
+        if (problem.itemOf(copy).isFixed &&
+            doOverlap(own, ringsAt(problem, copy, problem.copies[copy].start))) {
+            return wrong(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 bool moveBetween(double least, double most, double from, double to, double& at) {
@@ -179,11 +214,9 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     problem.high = instance.width - problem.low;
     if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
           options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
-        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name),
-                     translatable("width, gap and border leave no strip")};
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
     }
     double grownArea = 0;
-    std::vector<Pose> fixed;
     for (std::size_t i = 0; i < instance.items.size(); ++i) {
         const NestItem& asked = instance.items[i];
         if (auto fault = wrongIn(asked)) {
@@ -192,11 +225,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         const Rings rings = wound(asked.rings);
         Item item = makeItem(asked, grown(rings, options.gap / 2), problem.width());
         if (item.variants.empty()) {
-            return Error{
-                ErrorCode::PageTooSmall, Subject::piece(asked.name),
-                worded(translatable(
-                           "it does not fit across a strip of %1 mm at any angle that it may have"),
-                       {figure(instance.width, 1)})};
+            return Error{ErrorCode::PageTooSmall, Subject::piece(asked.name),
+                         worded(kTooWide, {figure(instance.width, 1)})};
         }
         const Shape& shape = item.variants[0].shape;
         double area = 0;
@@ -214,23 +244,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
                                                : problem.leastLength;
         problem.items.push_back(std::move(item));
         problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
-        if (asked.fixed) {
-            const std::size_t c = problem.copies.size() - 1;
-            const Rings own = ringsAt(problem, c, copy.start);
-            if (own[0].minCoeff() < problem.low || own[0].col(1).maxCoeff() > problem.high) {
-                return wrong(asked,
-                             translatable("it is kept where it lies, which is outside the strip"));
-            }
-            for (std::size_t d = 0; d < c; ++d) {
-                if (problem.itemOf(d).isFixed &&
-                    doOverlap(own, ringsAt(problem, d, problem.copies[d].start))) {
-                    return wrong(
-                        asked,
-                        worded(translatable("it is kept where it lies, which is on %1"),
-                               {instance.items[static_cast<std::size_t>(problem.copies[d].item)]
-                                    .name}));
-                }
-            }
+        if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
+            return *std::move(fault);
         }
     }
     problem.leastLength = problem.low + std::max(problem.leastLength, grownArea / problem.width());

@@ -747,6 +747,30 @@ veraltet</translation>
         <translation>ihre Puffer sind ab „%1“ länger als 2 GiB; exportieren Sie weniger oder gröbere Netze</translation>
     </message>
     <message>
+        <source>its outline is no polygon</source>
+        <translation>sein Umriss ist kein Polygon</translation>
+    </message>
+    <message>
+        <source>its copies or angles are no usable numbers</source>
+        <translation>seine Anzahl oder seine Winkel sind keine brauchbaren Zahlen</translation>
+    </message>
+    <message>
+        <source>width, gap and border leave no strip</source>
+        <translation>Breite, Abstand und Rand lassen keinen Streifen übrig</translation>
+    </message>
+    <message>
+        <source>it does not fit across a strip of %1 mm at any angle that it may have</source>
+        <translation>es passt in keinem erlaubten Winkel in einen Streifen von %1 mm</translation>
+    </message>
+    <message>
+        <source>it is kept where it lies, which is outside the strip</source>
+        <translation>es soll liegen bleiben, liegt aber außerhalb des Streifens</translation>
+    </message>
+    <message>
+        <source>it is kept where it lies, which is on %1</source>
+        <translation>es soll liegen bleiben, liegt aber auf %1</translation>
+    </message>
+    <message>
         <source>the file cannot be read</source>
         <translation>die Datei lässt sich nicht lesen</translation>
     </message>
