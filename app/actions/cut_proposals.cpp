@@ -9,6 +9,7 @@
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/garment/opening_cuts.h"
+#include "core/project/left_out.h"
 
 namespace toile::app {
 
@@ -16,14 +17,6 @@ namespace {
 
 constexpr int kAfterMove = 700;     // ms, until what was moved is flattened anew
 constexpr std::size_t kSolved = 5;  // of the list, the first
-
-double areaOf(const Piece& piece) {
-    double area = 0;
-    for (Eigen::Index f = 0; f < piece.mesh.F.rows(); ++f) {
-        area += doubleAreaNormal(piece.mesh, f).norm() / 2;
-    }
-    return area;
-}
 
 AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
                           const std::vector<UserCut>& own = {}) {
@@ -106,7 +99,7 @@ void CutProposals::open() {
         meant = pieces.begin() + *selected.begin();
     } else if (meant == pieces.end()) {
         meant = std::ranges::max_element(
-            pieces, {}, [](const auto& one) { return one->defect ? -1 : areaOf(*one); });
+            pieces, {}, [](const auto& one) { return one->defect ? -1 : wornArea(*one); });
     }
     AdviceQuestion question = wholeOf(*garment, *meant);
     if (isOpen() && question.piece == piece() && question.own == question_.own) {

@@ -77,11 +77,10 @@ std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlace
 class Nester {
 public:
     /// With a first nest, laid one by one. The instance is kept.
-    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles, or the
-    /// instance where width, gap and border leave no strip;
-    /// MalformedFile naming an item without an area, with an unusable ring, number or angle, or a
-    /// fixed one that lies outside or on another fixed one.
-    /// Cost: about n^2 m in n copies, m points each.
+    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles, or
+    /// the instance where width, gap and border leave no strip; MalformedFile naming an item
+    /// without an area, with an unusable ring, number or angle, or a fixed one that lies outside or
+    /// on another fixed one. Cost: about n^2 m in n copies, m points each.
     static Result<Nester> make(NestInstance instance, const NestOptions& options);
     ~Nester();
     Nester(Nester&&) noexcept;
