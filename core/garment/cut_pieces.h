@@ -74,14 +74,17 @@ struct CutPieces {
 
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
 /// those that make a disk of every piece that is none: first what is proposed for it, where the
-/// user's own leave anything closed, then what still is needed (`proposeCuts`). Of proposals those
-/// that cannot be made are left out, and all of them where they leave a part that no cut opens. A
-/// piece that comes apart is named by who proposed its cuts, "leggings, left leg", or numbered:
-/// "leggings 1", "leggings 2". A piece without cuts is handed on as it is, by pointer. A cut that
-/// fails leaves the others, and its piece, alone; a piece that no automatic cut opens keeps its
-/// defect, with the reason. Cost: the cuts'; nothing for the pieces without.
+/// user's own leave anything closed (of disks, too, where the proposer is for them), then what
+/// still is needed (`proposeCuts`). Of proposals those that cannot be made are left out, and all of
+/// them where they leave a part that no cut opens. A piece that comes apart is named by who
+/// proposed its cuts, "leggings, left leg", or numbered: "leggings 1", "leggings 2". A piece
+/// without cuts is handed on as it is, by pointer. A cut that fails leaves the others, and its
+/// piece, alone; a piece that no automatic cut opens keeps its defect, with the reason. Cost: the
+/// cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
-/// @param proposer  where there is one; a piece for which it has nothing is noted (NoBodySeen)
+/// @param proposer  where there is one; a piece that is to be opened, without cuts of the user's,
+/// for
+///                  which it has nothing is noted (NoBodySeen)
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.

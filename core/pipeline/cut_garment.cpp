@@ -27,15 +27,16 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
         return {};
     }
     const AdviceOptions asked{options.isFrontSwapped, options.enoughStrain};
-    const auto propose = [asked, files = garment.files](const std::shared_ptr<const Piece>& piece,
-                                                        const std::vector<UserCut>& own,
-                                                        const Progress& progress) {
+    const bool isForForms = options.cutStyle == CutStyle::Tailor || asked.enoughStrain;
+    const auto propose = [asked, isForForms, files = garment.files](
+                             const std::shared_ptr<const Piece>& piece,
+                             const std::vector<UserCut>& own, const Progress& progress) {
         AdviceOptions inFile = asked;
         inFile.borders = fileBorders(*piece, *files[static_cast<std::size_t>(piece->file)]->soup);
         CutAdvice advice = adviseCuts(piece, own, inFile, progress);
         ProposedCuts made;
         for (AdvisedCut& cut : advice.cuts) {
-            if (cut.isNeeded) {
+            if (cut.isNeeded && (advice.isWorn || isForForms)) {
                 made.cuts.push_back({std::move(cut.what.cut), std::move(cut.evidence)});
             }
         }
@@ -44,8 +45,9 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     };
     // Millionths of a strain are all that tells one from the other.
     const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
-    return {propose, 4 + 2 * static_cast<int>(enough) + (asked.isFrontSwapped ? 1 : 0),
-            asked.enoughStrain.has_value()};
+    const int way =
+        8 + 4 * static_cast<int>(enough) + (isForForms ? 2 : 0) + (asked.isFrontSwapped ? 1 : 0);
+    return {propose, way, asked.enoughStrain.has_value()};
 }
 
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.

@@ -28,7 +28,7 @@ namespace toile {
 /// Where automatic cuts run.
 enum class CutStyle {
     Auto,      ///< as tailors cut, where a garment that is worn is recognised; else the shortest
-    Tailor,    ///< the same
+    Tailor,    ///< the same, and gores for forms that nobody wears
     Topology,  ///< the shortest that make a piece lie flat
 };
 
