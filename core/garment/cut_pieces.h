@@ -82,9 +82,8 @@ struct CutPieces {
 /// piece, alone; a piece that no automatic cut opens keeps its defect, with the reason. Cost: the
 /// cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
-/// @param proposer  where there is one; a piece that is to be opened, without cuts of the user's,
-/// for
-///                  which it has nothing is noted (NoBodySeen)
+/// @param proposer  where there is one; a closed piece without cuts of the user's for which it has
+///                  nothing is noted (NoBodySeen)
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.

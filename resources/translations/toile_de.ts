@@ -2714,6 +2714,26 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>its meshes state different units or up axes; unpack it and open those of one garment together</source>
         <translation>seine Netze geben verschiedene Einheiten oder Hochachsen an; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
     </message>
+    <message>
+        <source>a border of the file, in its UV map or its parts</source>
+        <translation>eine Grenze der Datei, in ihrer UV-Karte oder ihren Teilen</translation>
+    </message>
+    <message>
+        <source>along a ridge of the form</source>
+        <translation>entlang einer Kante der Form</translation>
+    </message>
+    <message>
+        <source>where left meets right, %1 mm from symmetric</source>
+        <translation>wo links auf rechts trifft, %1 mm von der Symmetrie entfernt</translation>
+    </message>
+    <message>
+        <source>the shortest that lets it lie flat</source>
+        <translation>der kürzeste, mit dem es flach liegen kann</translation>
+    </message>
+    <message>
+        <source>the cloth at its tip is %1 % too long</source>
+        <translation>der Stoff an seiner Spitze ist um %1 % zu lang</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
