@@ -60,9 +60,10 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
     std::size_t found = 0;
     for (std::size_t other = 0; other < count(); ++other) {  // without a branch
         near[found] = static_cast<std::uint32_t>(other);
-        found += static_cast<std::size_t>((left_[other] < right) & (right_[other] > left) &
-                                          (bottom_[other] < top) & (top_[other] > bottom) &
-                                          (other != copy));
+        const unsigned meetsAlong = unsigned{left_[other] < right} & unsigned{right_[other] > left};
+        const unsigned meetsAcross =
+            unsigned{bottom_[other] < top} & unsigned{top_[other] > bottom};
+        found += meetsAlong & meetsAcross & unsigned{other != copy};
     }
     double sum = 0;
     const double* const weights = &weights_[copy * count()];
