@@ -470,8 +470,9 @@ private slots:
         QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, box);
         QCOMPARE(proposals().takenCount(), taken - 1);
         QCOMPARE(document().history().count(), steps);
-        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {},
-                           option.rect.center() + QPoint(20, 0));
+        const QPoint name = option.rect.center() + QPoint(20, 0);
+        QTest::mouseClick(table().viewport(), Qt::LeftButton, {}, name);
+        QTest::mouseDClick(table().viewport(), Qt::LeftButton, {}, name);
         QCOMPARE(document().history().count(), steps + 1);
     }
 
