@@ -43,11 +43,11 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
     options.border = typed.border;
     options.threads = typed.threads;
     const Stopwatch watch;
-    auto nester = Nester::make(std::move(*instance), options);
+    const Progress progress;
+    auto nester = Nester::make(std::move(*instance), options, progress);
     if (!nester) {
         return refuseMarker(nester.error(), err);
     }
-    const Progress progress;
     const NestResult& best = nester->best();
     while (!best.optimal && isToGoOn(typed, best.rounds, watch.seconds())) {
         nester->step(progress);

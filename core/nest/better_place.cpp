@@ -56,7 +56,7 @@ private:
 
 class PlaceFinder {
 public:
-    PlaceFinder(const Lay& lay, std::size_t copy, Random& random, long& evaluations)
+    PlaceFinder(const Lay& lay, std::size_t copy, Random& random, std::int64_t& evaluations)
         : lay_(lay),
           copy_(copy),
           item_(lay.problem().itemOf(copy)),
@@ -153,7 +153,7 @@ private:
     std::size_t copy_;
     const Item& item_;
     Random& random_;
-    long& evaluations_;
+    std::int64_t& evaluations_;
     double side_ = 0;
     Shape own_;
 };
@@ -161,7 +161,7 @@ private:
 }  // namespace
 
 void findBetterPlace(Lay& lay, std::size_t copy, const PlaceSearch& search, Random& random,
-                     long& evaluations) {
+                     std::int64_t& evaluations) {
     PlaceFinder finder(lay, copy, random, evaluations);
     BestPlaces best(finder.side() * 0.01);
     const Pose present = lay.poses()[copy];

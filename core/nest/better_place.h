@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/nest/lay.h"
 #include "core/nest/random.h"
 
@@ -17,6 +19,6 @@ struct PlaceSearch {
 /// Moves a copy to the best place found, where that is better than the present one.
 /// @param evaluations  counts the places that were looked at
 void findBetterPlace(Lay& lay, std::size_t copy, const PlaceSearch& search, Random& random,
-                     long& evaluations);
+                     std::int64_t& evaluations);
 
 }  // namespace toile::nest

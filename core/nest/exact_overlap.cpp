@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/geometry/segment.h"
 
@@ -94,6 +95,34 @@ bool doEdgesMeet(const Edge& a, const Edge& b) {
            doWedgesMeet(b.from, {a.to, a.from}, {b.to, b.before});
 }
 
+/// Whether the way over a point goes from one side of another to its other side. Where they run
+/// along each other it is taken for touching.
+bool goesAcross(const Point& at, const Wedge& way, const Wedge& other) {
+    const auto isAlong = [&](const Point& end) {
+        return isSameWay(at, end, other.next) || isSameWay(at, end, other.last);
+    };
+    return !isAlong(way.next) && !isAlong(way.last) &&
+           goesInto(at, way.next, other) != goesInto(at, way.last, other);
+}
+
+bool doEdgesCross(const Edge& a, const Edge& b) {
+    const int a0 = exactOrientation(b.from, b.to, a.from);
+    const int a1 = exactOrientation(b.from, b.to, a.to);
+    const int b0 = exactOrientation(a.from, a.to, b.from);
+    const int b1 = exactOrientation(a.from, a.to, b.to);
+    if (a0 * a1 < 0 && b0 * b1 < 0) {
+        return true;
+    }
+    if (a.from == b.from) {
+        return goesAcross(a.from, {a.to, a.before}, {b.to, b.before});
+    }
+    if (a0 == 0 && a.from != b.to && isInBox(a.from, b)) {
+        return goesAcross(a.from, {a.to, a.before}, {b.to, b.from});
+    }
+    return b0 == 0 && b.from != a.to && isInBox(b.from, a) &&
+           goesAcross(b.from, {b.to, b.before}, {a.to, a.from});
+}
+
 /// 1 inside, 0 on the rim, -1 outside.
 int sideOf(const Point& p, const Rings& rings) {
     bool isIn = false;
@@ -141,6 +170,21 @@ bool doOverlap(const Rings& a, const Rings& b) {
         }
     }
     return isARingInside(a, b) || isARingInside(b, a);
+}
+
+bool doRingsCross(const Rings& rings) {
+    const Point all = Point::Constant(HUGE_VAL);
+    const auto edges = edgesIn(rings, -all, all);
+    for (auto a = edges.begin(); a != edges.end(); ++a) {
+        const Point low = a->from.cwiseMin(a->to), high = a->from.cwiseMax(a->to);
+        for (auto b = edges.begin(); b != a; ++b) {
+            if ((b->from.cwiseMin(b->to).array() <= high.array()).all() &&
+                (b->from.cwiseMax(b->to).array() >= low.array()).all() && doEdgesCross(*a, *b)) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 Rings wound(Rings rings) {

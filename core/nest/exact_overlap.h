@@ -14,6 +14,10 @@ using Rings = std::vector<geometry::Polygon>;
 /// Cost: n m for the edges in the common part of their boxes. Pure.
 bool doOverlap(const Rings& a, const Rings& b);
 
+/// Whether rings cross themselves or each other; to touch is not to cross. Exact. No two points
+/// next to each other are the same. Cost: the square of the points. Pure.
+bool doRingsCross(const Rings& rings);
+
 /// The rings with the winding that `doOverlap` expects.
 Rings wound(Rings rings);
 

@@ -25,6 +25,7 @@ Lay::Lay(const Problem& problem, const std::vector<Pose>& poses, double length)
       bottom_(poses.size()),
       right_(poses.size()),
       top_(poses.size()),
+      excess_(poses.size()),
       losses_(poses.size() * poses.size()),
       weights_(poses.size() * poses.size(), 1) {
     placeAll(poses, length);
@@ -33,6 +34,7 @@ Lay::Lay(const Problem& problem, const std::vector<Pose>& poses, double length)
 double Lay::loss() const {
     double sum = 0;
     for (std::size_t a = 0; a < count(); ++a) {
+        sum += excess_[a];
         for (std::size_t b = 0; b < a; ++b) {
             sum += losses_[a * count() + b];
         }
@@ -41,7 +43,7 @@ double Lay::loss() const {
 }
 
 double Lay::weightedLossOf(std::size_t copy) const {
-    double sum = 0;
+    double sum = excess_[copy];
     for (std::size_t k = copy * count(); k < (copy + 1) * count(); ++k) {
         sum += losses_[k] * weights_[k];
     }
@@ -80,16 +82,6 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
     return sum;
 }
 
-const Shape& Lay::shapeOf(std::size_t copy, const Pose& pose, Shape& own) const {
-    const Shape& shape =
-        problem_->itemOf(copy).variants[static_cast<std::size_t>(pose.variant)].shape;
-    if (pose.turn == 0) {
-        return shape;
-    }
-    turn(shape, pose.turn, own);
-    return own;
-}
-
 bool Lay::moveInside(const Shape& shape, Pose& pose) const {
     return moveBetween(shape.box.left, shape.box.right, problem_->low, length_, pose.x) &&
            moveBetween(shape.box.bottom, shape.box.top, problem_->low, problem_->high, pose.y);
@@ -99,9 +91,9 @@ void Lay::setPose(std::size_t copy, const Pose& pose) {
     poses_[copy] = pose;
     const Shape& shape = shapeOf(copy, pose, owned_[copy]);
     shapes_[copy] = &shape;
-    if (!problem_->itemOf(copy).isFixed) {
-        moveInside(shape, poses_[copy]);
-    }
+    // A loss like that of a pair one upon the other, so that it looks for another turn.
+    const bool fits = problem_->itemOf(copy).isFixed || moveInside(shape, poses_[copy]);
+    excess_[copy] = fits ? 0 : shape.diameter * shape.diameter;
     const Pose& at = poses_[copy];
     left_[copy] = at.x + shape.box.left;
     right_[copy] = at.x + shape.box.right;
@@ -112,8 +104,10 @@ void Lay::setPose(std::size_t copy, const Pose& pose) {
 void Lay::updateLosses(std::size_t copy) {
     for (std::size_t other = 0; other < count(); ++other) {
         double loss = 0;
-        if (other != copy && left_[other] < right_[copy] && right_[other] > left_[copy] &&
-            bottom_[other] < top_[copy] && top_[other] > bottom_[copy]) {
+        const bool areFixed = problem_->itemOf(copy).isFixed && problem_->itemOf(other).isFixed;
+        if (other != copy && !areFixed && left_[other] < right_[copy] &&
+            right_[other] > left_[copy] && bottom_[other] < top_[copy] &&
+            top_[other] > bottom_[copy]) {
             const double dx = poses_[other].x - poses_[copy].x,
                          dy = poses_[other].y - poses_[copy].y;
             if (doCollide(*shapes_[copy], *shapes_[other], dx, dy)) {

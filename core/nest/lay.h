@@ -23,7 +23,8 @@ public:
     double length() const { return length_; }
     std::size_t count() const { return poses_.size(); }
     const Shape& shape(std::size_t copy) const { return *shapes_[copy]; }
-    /// Sum over the pairs that collide, without weights; exactly 0 where none does.
+    /// Sum over the pairs that collide, without weights, and the copies that are longer than the
+    /// strip as they are turned; exactly 0 where there are none.
     double loss() const;
     double weightedLossOf(std::size_t copy) const;
     /// Where the last copy ends.
@@ -38,8 +39,9 @@ public:
 
     /// The pose moved inside the strip; false where the shape is too large for it.
     bool moveInside(const Shape& shape, Pose& pose) const;
-    /// The variant turned by the pose's turn: kept in `own` where it has one.
-    const Shape& shapeOf(std::size_t copy, const Pose& pose, Shape& own) const;
+    const Shape& shapeOf(std::size_t copy, const Pose& pose, Shape& own) const {
+        return nest::shapeOf(problem_->itemOf(copy), pose, own);
+    }
 
     void resetWeights();
     /// Pairs that collide grow in proportion to their loss, the others fade ([GVW25]).
@@ -56,6 +58,7 @@ private:
     std::vector<Shape> owned_;
     std::vector<const Shape*> shapes_;
     std::vector<double> left_, bottom_, right_, top_;  ///< of the copies' boxes
+    std::vector<double> excess_;                       ///< of copies that do not fit as they lie
     std::vector<double> losses_, weights_;             ///< of pairs, symmetric
 };
 

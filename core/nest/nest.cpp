@@ -38,7 +38,7 @@ struct Nester::State {
         }
         best.use = best.length > 0 ? problem.area / (instance.width * best.length) : 0;
         best.valid = nest::isValid(problem, found.poses, found.length);
-        best.optimal = !(found.length > problem.leastLength * (1 + 1e-12));
+        best.optimal = found.poses.empty() || !(found.length > problem.leastLength * (1 + 1e-12));
     }
 
     /// The searches side by side, as many at once as there are threads.
@@ -76,8 +76,9 @@ std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlace
     return rings;
 }
 
-Result<Nester> Nester::make(NestInstance instance, const NestOptions& options) {
-    auto problem = nest::makeProblem(instance, options);
+Result<Nester> Nester::make(NestInstance instance, const NestOptions& options,
+                            const Progress& progress) {
+    auto problem = nest::makeProblem(instance, options, progress);
     if (!problem) {
         return problem.error();
     }
@@ -85,7 +86,10 @@ Result<Nester> Nester::make(NestInstance instance, const NestOptions& options) {
     state->instance = std::move(instance);
     state->options = options;
     state->problem = std::move(*problem);
-    const nest::Found start = nest::firstNest(state->problem);
+    const nest::Found start = nest::firstNest(state->problem, progress);
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
     const int count = std::clamp(options.searches, 1, kMostSearches);
     for (int k = 0; k < count; ++k) {
         state->searches.push_back(std::make_unique<nest::Search>(

@@ -54,8 +54,8 @@ struct NestOptions {
     /// Searches that go on side by side, and share the best after each round. The nest depends on
     /// their number, and so it is stated, and never that of the machine's cores.
     int searches = 2;
-    long evaluations =
-        50'000;       ///< places that each search looks at in a round; states the nest, too
+    /// Places that each search looks at in a round; states the nest, too.
+    std::int64_t evaluations = 50'000;
     int threads = 0;  ///< to work with, 0: as the machine has; the nest does not depend on it
 };
 
@@ -80,8 +80,11 @@ public:
     /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles, or
     /// the instance where width, gap and border leave no strip; MalformedFile naming an item
     /// without an area, with an unusable ring, number or angle, or a fixed one that lies outside or
-    /// on another fixed one. Cost: about n^2 m in n copies, m points each.
-    static Result<Nester> make(NestInstance instance, const NestOptions& options);
+    /// on another fixed one; MalformedFile naming the instance with more copies than are laid at
+    /// once; Cancelled. What has no copies is not looked at. Cost: about n^2 m in n copies, m
+    /// points each, and m^2.
+    static Result<Nester> make(NestInstance instance, const NestOptions& options,
+                               const Progress& progress = {});
     ~Nester();
     Nester(Nester&&) noexcept;
     Nester& operator=(Nester&&) noexcept;

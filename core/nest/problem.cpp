@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include <polyclipping/clipper.hpp>
@@ -19,6 +20,8 @@ constexpr const char* kNoArea = translatable("its outline has no area");
 constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
 constexpr const char* kTooWide =
     translatable("it does not fit across a strip of %1 mm at any angle that it may have");
+constexpr const char* kTooManyCopies =
+    translatable("more than %1 copies are not laid at once: lay several markers, or fewer copies");
 constexpr const char* kKeptOutside =
     translatable("it is kept where it lies, which is outside the strip");
 constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
@@ -31,28 +34,54 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kMostSize = 1e7;   // mm: of coordinates, so that Clipper's grid holds them
-constexpr double kNestGrid = 1e-5;  // mm: of the whole numbers that Clipper works with
-constexpr double kArcShare = 1e-3;  // mm: by how much the arcs of a gap are wider than it
-constexpr int kMostDemand = 100'000;
+constexpr double kMostSize = 1e7;    // mm: of coordinates, so that Clipper's grid holds them
+constexpr double kNestGrid = 1e-5;   // mm: of the whole numbers that Clipper works with
+constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap are wider than it
+constexpr double kLeastSide = 1e-3;  // mm: of an outline's box
+constexpr int kMostCopies = 4000;
 
 Error wrong(const NestItem& item, const Wording& what) {
     return {ErrorCode::MalformedFile, Subject::piece(item.name), what};
 }
 
-std::optional<Error> wrongIn(const NestItem& item) {
-    if (item.rings.empty() || std::ranges::any_of(item.rings, [](const Polygon& ring) {
+bool isUsable(const NestPlacement& placement) {
+    return std::isfinite(placement.angle) && std::abs(placement.x) <= kMostSize &&
+           std::abs(placement.y) <= kMostSize;
+}
+
+/// The rings without points that repeat the one before.
+Rings withoutRepeats(const Rings& rings) {
+    Rings result;
+    for (const Polygon& ring : rings) {
+        Polygon kept(ring.rows(), 2);
+        Eigen::Index count = 0;
+        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+            if (ring.row(k) != ring.row((k + 1) % ring.rows())) {
+                kept.row(count++) = ring.row(k);
+            }
+        }
+        result.emplace_back(kept.topRows(count));
+    }
+    return result;
+}
+
+/// @param rings  its own without repeats
+std::optional<Error> wrongIn(const NestItem& item, const Rings& rings) {
+    if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
             return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
         })) {
         return wrong(item, kNoOutline);
     }
-    if (!(std::abs(geometry::signedAreaOf(item.rings[0])) > 0)) {
+    const auto sides = rings[0].colwise().maxCoeff() - rings[0].colwise().minCoeff();
+    if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
         return wrong(item, kNoArea);
+    }
+    if (doRingsCross(rings)) {
+        return wrong(item, kNoOutline);
     }
     if (item.angles.empty() ||
         !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
-        !(item.tolerance >= 0) || item.demand < 0 || item.demand > kMostDemand ||
-        (item.fixed && item.demand != 1)) {
+        !(item.tolerance >= 0) || (item.fixed && (item.demand != 1 || !isUsable(*item.fixed)))) {
         return wrong(item, kNoCopies);
     }
     return std::nullopt;
@@ -128,7 +157,8 @@ Item makeItem(const NestItem& asked, const Rings& rings, double width) {
         if (asked.fixed ? asked.fixed->mirrored != isMirrored : isMirrored && !asked.mayMirror) {
             continue;
         }
-        const Shape shape = makeShape(isMirrored ? mirrored(rings) : rings);
+        Shape& shape = item.unturned[isMirrored ? 1 : 0];
+        shape = makeShape(isMirrored ? mirrored(rings) : rings);
         for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
             Variant variant{angle, isMirrored, {}};
             turn(shape, angle, variant.shape);
@@ -190,6 +220,15 @@ NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& 
     return {problem.copies[copy].item, variant.angle + pose.turn, variant.mirrored, pose.x, pose.y};
 }
 
+const Shape& shapeOf(const Item& item, const Pose& pose, Shape& own) {
+    const Variant& variant = item.variants[static_cast<std::size_t>(pose.variant)];
+    if (pose.turn == 0) {
+        return variant.shape;
+    }
+    turn(item.unturned[variant.mirrored ? 1 : 0], variant.angle + pose.turn, own);
+    return own;
+}
+
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length) {
     std::vector<Rings> placed;
     for (std::size_t c = 0; c < poses.size(); ++c) {
@@ -208,7 +247,8 @@ bool isValid(const Problem& problem, const std::vector<Pose>& poses, double leng
     return true;
 }
 
-Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options) {
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options,
+                            const Progress& progress) {
     Problem problem;
     problem.low = options.border - options.gap / 2;
     problem.high = instance.width - problem.low;
@@ -216,14 +256,37 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
           options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
         return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
     }
+    std::int64_t copies = 0;
+    for (const NestItem& asked : instance.items) {
+        if (asked.demand < 0) {
+            return wrong(asked, kNoCopies);
+        }
+        copies += asked.demand;
+    }
+    if (copies > kMostCopies) {
+        return Error{ErrorCode::MalformedFile, Subject::file(instance.name),
+                     worded(kTooManyCopies, {figure(kMostCopies, 0)})};
+    }
     double grownArea = 0;
     for (std::size_t i = 0; i < instance.items.size(); ++i) {
         const NestItem& asked = instance.items[i];
-        if (auto fault = wrongIn(asked)) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        if (asked.demand == 0) {
+            problem.items.emplace_back();
+            continue;
+        }
+        Rings rings = withoutRepeats(asked.rings);
+        if (auto fault = wrongIn(asked, rings)) {
             return *std::move(fault);
         }
-        const Rings rings = wound(asked.rings);
-        Item item = makeItem(asked, grown(rings, options.gap / 2), problem.width());
+        rings = wound(std::move(rings));
+        const Rings larger = grown(rings, options.gap / 2);
+        if (larger.empty()) {
+            return wrong(asked, kNoOutline);
+        }
+        Item item = makeItem(asked, larger, problem.width());
         if (item.variants.empty()) {
             return Error{ErrorCode::PageTooSmall, Subject::piece(asked.name),
                          worded(kTooWide, {figure(instance.width, 1)})};
@@ -240,8 +303,7 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
             copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
             item.leastExtent = copy.start.x + shape.box.right - problem.low;
         }
-        problem.leastLength = asked.demand > 0 ? std::max(problem.leastLength, item.leastExtent)
-                                               : problem.leastLength;
+        problem.leastLength = std::max(problem.leastLength, item.leastExtent);
         problem.items.push_back(std::move(item));
         problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
         if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/nest/nest.h"
@@ -27,8 +28,9 @@ struct Item {
     std::vector<Variant> variants;  ///< that fit the strip; at least one
     double tolerance = 0;           ///< of further turns
     bool isFixed = false;
-    double leastExtent = 0;  ///< along the strip
-    Rings grown;             ///< by half the gap, as the search sees them
+    double leastExtent = 0;         ///< along the strip
+    std::array<Shape, 2> unturned;  ///< as given and, where it is asked for, mirrored
+    Rings grown;                    ///< by half the gap, as the search sees them
 };
 
 struct Copy {
@@ -55,8 +57,13 @@ struct Problem {
 /// rounding does; false where it is too large.
 bool moveBetween(double least, double most, double from, double to, double& at);
 
+/// The item's shape as it is turned there: kept in `own` where the pose has a turn of its own.
+/// Turned once, as `placedRings` does, so that both have the same points.
+const Shape& shapeOf(const Item& item, const Pose& pose, Shape& own);
+
 /// Errors: as of Nester::make.
-Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options);
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options,
+                            const Progress& progress);
 
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose);
 

@@ -173,14 +173,14 @@ void Search::compressPass(const Progress& progress) {
     }
 }
 
-void Search::run(long evaluations, bool mayCompress, const Progress& progress) {
+void Search::run(std::int64_t evaluations, bool mayCompress, const Progress& progress) {
     const bool compresses = mayCompress && isStuck_;
-    for (const long end = evaluations_ + evaluations;
+    for (const std::int64_t end = evaluations_ + evaluations;
          evaluations_ < end && !progress.isCancelled();) {
         if (!(best_.length > problem_->leastLength)) {
             return;
         }
-        const long before = evaluations_;
+        const std::int64_t before = evaluations_;
         compresses ? compressPass(progress) : explorePass(progress);
         evaluations_ += evaluations_ == before ? 1 : 0;
     }

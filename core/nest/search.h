@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/nest/separation.h"
 
 // For the sources of this folder only.
@@ -23,7 +25,7 @@ public:
     void adopt(const Found& found);
     /// So much search; the rest of a pass at most longer.
     /// @param mayCompress  in this round
-    void run(long evaluations, bool mayCompress, const Progress& progress);
+    void run(std::int64_t evaluations, bool mayCompress, const Progress& progress);
 
 private:
     struct FailedState {
@@ -50,7 +52,7 @@ private:
     double squeeze_;                   ///< the same when compressing
     bool isStuck_ = false;             ///< the last attempt to explore failed
     bool compresses_ = false;          ///< has begun to, from the best as it is
-    long evaluations_ = 0;
+    std::int64_t evaluations_ = 0;
 };
 
 }  // namespace toile::nest

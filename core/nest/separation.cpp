@@ -25,7 +25,8 @@ void Separation::begin(const std::vector<Pose>& poses, double length, const Pati
     passes_ = inVain_ = strikes_ = 0;
 }
 
-Separation::Outcome Separation::pass(Random& random, long& evaluations, const Progress& progress) {
+Separation::Outcome Separation::pass(Random& random, std::int64_t& evaluations,
+                                     const Progress& progress) {
     std::vector<std::size_t> colliding;
     for (std::size_t copy = 0; copy < lay_.count(); ++copy) {
         if (!lay_.problem().itemOf(copy).isFixed && lay_.weightedLossOf(copy) > 0) {

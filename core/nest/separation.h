@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include "core/base/progress.h"
 #include "core/nest/better_place.h"
 
@@ -23,7 +25,7 @@ public:
 
     void begin(const std::vector<Pose>& poses, double length, const Patience& patience);
     /// Every copy that collides looks once for a better place.
-    Outcome pass(Random& random, long& evaluations, const Progress& progress);
+    Outcome pass(Random& random, std::int64_t& evaluations, const Progress& progress);
 
     const Lay& lay() const { return lay_; }
     int passes() const { return passes_; }

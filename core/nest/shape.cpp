@@ -124,6 +124,10 @@ double hullAreaOf(const Polygon& points) {
         sorted.emplace_back(points.row(k));
     }
     std::ranges::sort(sorted, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
+    const Vector2d first = sorted.front();  // so that little is lost far from the origin
+    for (Vector2d& p : sorted) {
+        p -= first;
+    }
     double twice = 0;
     for (int side = 0; side < 2; ++side) {
         std::vector<Vector2d> chain;
@@ -139,7 +143,7 @@ double hullAreaOf(const Polygon& points) {
         }
         std::ranges::reverse(sorted);
     }
-    return twice / 2;
+    return std::max(0.0, twice / 2);
 }
 
 Shape makeShape(const Rings& rings) {
@@ -156,15 +160,19 @@ Shape makeShape(const Rings& rings) {
     }
     shape.box = boxOf(shape);
     shape.hullRoot = std::sqrt(hullAreaOf(rings[0]));
-    shape.diameter = std::hypot(shape.box.right - shape.box.left, shape.box.top - shape.box.bottom);
+    const double width = shape.box.right - shape.box.left;
+    const double height = shape.box.top - shape.box.bottom;
+    shape.diameter = std::sqrt(width * width + height * height);
     for (const Circle& circle : inscribedCircles(rings, shape.area)) {
         shape.circles.x.push_back(static_cast<float>(circle.centre.x()));
         shape.circles.y.push_back(static_cast<float>(circle.centre.y()));
         shape.circles.radius.push_back(static_cast<float>(circle.radius));
     }
     while (shape.circles.x.empty() || shape.circles.x.size() % kLanes != 0) {
-        shape.circles.x.push_back(shape.circles.x.empty() ? 0 : shape.circles.x[0]);
-        shape.circles.y.push_back(shape.circles.y.empty() ? 0 : shape.circles.y[0]);
+        shape.circles.x.push_back(shape.circles.x.empty() ? static_cast<float>(shape.x[0])
+                                                          : shape.circles.x[0]);
+        shape.circles.y.push_back(shape.circles.y.empty() ? static_cast<float>(shape.y[0])
+                                                          : shape.circles.y[0]);
         shape.circles.radius.push_back(0);
     }
     return shape;

@@ -11,9 +11,10 @@
 namespace toile::nest {
 namespace {
 
-constexpr int kTurnsTried = 8;         // of shapes that turn freely, to each side
-constexpr double kApart = 1e-6;        // mm: more than rounding moves
-constexpr std::size_t kMostRows = 60;  // that a copy is tried at
+constexpr int kTurnsTried = 8;            // of shapes that turn freely, to each side
+constexpr double kApart = 1e-6;           // mm: more than rounding moves
+constexpr std::size_t kMostRows = 60;     // that a copy is tried at
+constexpr double kLeastStepShare = 1e-3;  // of the strip's width
 
 struct Laid {
     const Shape* shape;
@@ -26,8 +27,9 @@ class FirstNest {
 public:
     /// @param byBoxes  no box reaches into another: for shapes that meet in a way that only exact
     /// arithmetic sees
-    FirstNest(const Problem& problem, bool byBoxes)
+    FirstNest(const Problem& problem, bool byBoxes, const Progress& progress)
         : problem_(problem),
+          progress_(progress),
           byBoxes_(byBoxes),
           poses_(problem.copies.size()),
           owned_(poses_.size()) {}
@@ -40,6 +42,9 @@ public:
         std::ranges::stable_sort(
             order, [this](std::size_t a, std::size_t b) { return rankOf(a) > rankOf(b); });
         for (const std::size_t copy : order) {
+            if (progress_.isCancelled()) {
+                break;
+            }
             poses_[copy] =
                 problem_.itemOf(copy).isFixed ? problem_.copies[copy].start : bestPose(copy);
             add(copy);
@@ -57,18 +62,8 @@ private:
         return item.isFixed ? HUGE_VAL : item.variants[0].shape.hullRoot;
     }
 
-    const Shape& shapeOf(std::size_t copy, const Pose& pose, Shape& own) const {
-        const Shape& shape =
-            problem_.itemOf(copy).variants[static_cast<std::size_t>(pose.variant)].shape;
-        if (pose.turn == 0) {
-            return shape;
-        }
-        turn(shape, pose.turn, own);
-        return own;
-    }
-
     void add(std::size_t copy) {
-        const Shape& shape = shapeOf(copy, poses_[copy], owned_[copy]);
+        const Shape& shape = shapeOf(problem_.itemOf(copy), poses_[copy], owned_[copy]);
         laid_.push_back({&shape, poses_[copy].x, poses_[copy].y});
     }
 
@@ -82,11 +77,14 @@ private:
             for (int k = -turns; k <= turns; ++k) {
                 Pose pose{static_cast<int>(v), turns > 0 ? item.tolerance * k / turns : 0};
                 Shape own;
-                const Shape& shape = shapeOf(copy, pose, own);
+                const Shape& shape = shapeOf(item, pose, own);
                 if (!(shape.box.top - shape.box.bottom <= problem_.width())) {
                     continue;
                 }
                 for (const double bottom : rowsFor(shape)) {
+                    if (progress_.isCancelled()) {
+                        return best;
+                    }
                     pose.y = bottom - shape.box.bottom;
                     moveBetween(shape.box.bottom, shape.box.top, problem_.low, problem_.high,
                                 pose.y);
@@ -114,7 +112,7 @@ private:
             for (int k = -180; k <= 180; ++k) {
                 Shape own;
                 Pose pose{static_cast<int>(v), item.tolerance * k / 180};
-                const Shape& shape = shapeOf(copy, pose, own);
+                const Shape& shape = shapeOf(item, pose, own);
                 if (const double height = shape.box.top - shape.box.bottom; height < least) {
                     least = height;
                     pose.x = right - shape.box.left + kApart;
@@ -165,7 +163,8 @@ private:
             if (next == HUGE_VAL) {
                 return x;
             }
-            const double tenth = x + (shape.box.right - shape.box.left) / 10;
+            const double tenth = x + std::max((shape.box.right - shape.box.left) / 10,
+                                              kLeastStepShare * problem_.width());
             x = std::min(next, tenth) > x ? std::min(next, tenth) : std::nextafter(x, HUGE_VAL);
         }
         return HUGE_VAL;
@@ -178,6 +177,7 @@ private:
     }
 
     const Problem& problem_;
+    const Progress& progress_;
     bool byBoxes_;
     std::vector<Pose> poses_;
     std::vector<Shape> owned_;
@@ -186,9 +186,11 @@ private:
 
 }  // namespace
 
-Found firstNest(const Problem& problem) {
-    const Found found = FirstNest(problem, false).lay();
-    return isValid(problem, found.poses, found.length) ? found : FirstNest(problem, true).lay();
+Found firstNest(const Problem& problem, const Progress& progress) {
+    const Found found = FirstNest(problem, false, progress).lay();
+    return progress.isCancelled() || isValid(problem, found.poses, found.length)
+               ? found
+               : FirstNest(problem, true, progress).lay();
 }
 
 }  // namespace toile::nest

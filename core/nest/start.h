@@ -6,7 +6,8 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// A first nest: the largest copies first, each as far to the left as it goes. Valid.
-Found firstNest(const Problem& problem);
+/// A first nest: the largest copies first, each as far to the left as it goes. Valid, unless it was
+/// cancelled.
+Found firstNest(const Problem& problem, const Progress& progress);
 
 }  // namespace toile::nest

@@ -43,6 +43,23 @@ TEST(ExactOverlap, CornersThatMeetCornersTellByTheirWedges) {
     EXPECT_TRUE(doOverlap({nestRectangle(2, 2)}, {square}));
 }
 
+TEST(ExactOverlap, RingsThatTouchDoNotCross) {
+    using nest::doRingsCross;
+    const Polygon square = nestRectangle(10, 10);
+    EXPECT_FALSE(doRingsCross({square}));
+    EXPECT_FALSE(doRingsCross({square, moved(nestRectangle(4, 4), 0, 3)}));
+    EXPECT_FALSE(doRingsCross({square, nestPolygon({{0, 0}, {5, 2}, {2, 5}})}));
+    EXPECT_FALSE(doRingsCross(  // pinched at (5, 5), and a slit
+        {nestPolygon({{0, 0}, {10, 0}, {5, 5}, {10, 10}, {0, 10}, {5, 5}})}));
+    EXPECT_FALSE(doRingsCross(
+        {nestPolygon({{0, 0}, {10, 0}, {10, 10}, {5, 10}, {5, 5}, {5, 10}, {0, 10}})}));
+    EXPECT_TRUE(doRingsCross({nestPolygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}));
+    EXPECT_TRUE(doRingsCross(  // through the point (5, 5), once of both ways
+        {nestPolygon({{0, 0}, {5, 5}, {10, 10}, {10, 0}, {5, 5}, {0, 10}})}));
+    EXPECT_TRUE(doRingsCross({nestPolygon({{0, 0}, {5, 5}, {10, 10}, {10, 0}, {0, 10}})}));
+    EXPECT_TRUE(doRingsCross({square, moved(square, 5, 3)}));
+}
+
 TEST(ExactOverlap, WhatLiesInAHoleDoesNotOverlap) {
     const Polygon hole = moved(nestRectangle(6, 6), 2, 2);
     const nest::Rings frame = nest::wound({nestRectangle(10, 10), hole});
@@ -60,8 +77,9 @@ TEST(ExactOverlap, AgreesWithClipperOnWholeNumbers) {
     const auto star = [&random] {
         Polygon polygon = test::nestStar(random, 3 + static_cast<int>(random.below(6)), 2.2, 6);
         polygon = polygon.array().round();
-        return moved(polygon, static_cast<double>(random.below(9)),
-                     static_cast<double>(random.below(9)));
+        const auto x = static_cast<double>(random.below(9));
+        const auto y = static_cast<double>(random.below(9));
+        return moved(polygon, x, y);
     };
     const auto pathOf = [](const Polygon& polygon) {
         ClipperLib::Path path;

@@ -146,13 +146,70 @@ TEST(Nest, WhatIsNoShapeIsNamed) {
     gap.rings[0](1, 0) = std::nan("");
     NestItem still = nestItem("still", nestRectangle(10, 10));
     still.angles.clear();
-    for (const NestItem& item : {line, gap, still, nestItem("none", geometry::Polygon())}) {
+    NestItem knot = nestItem("knot", nestPolygon({{0, 0}, {10, 20}, {10, 0}, {0, 10}}));
+    NestItem holed = nestItem("holed", nestRectangle(10, 10));
+    holed.rings.push_back(nestPolygon({{5, 5}, {15, 5}, {5, 8}}));
+    NestItem sliver = nestItem("sliver", nestRectangle(10, 1e-4));
+    NestItem far = nestItem("far", nestRectangle(10, 10));
+    far.fixed = NestPlacement{0, 0, false, 1e12, 0};
+    NestItem lost = far;
+    lost.name = "lost";
+    lost.fixed->x = std::nan("");
+    for (const NestItem& item : {line, gap, still, knot, holed, sliver, far, lost,
+                                 nestItem("none", geometry::Polygon())}) {
         const auto nester =
             Nester::make({"bad", 30, {nestItem("good", nestRectangle(5, 5)), item}}, {});
         ASSERT_FALSE(nester.ok()) << item.name;
         EXPECT_EQ(nester.error().code, ErrorCode::MalformedFile);
         EXPECT_EQ(nester.error().subject.name, item.name);
     }
+}
+
+TEST(Nest, WhatHasNoCopiesIsAskedNothing) {
+    NestItem none = nestItem("none", geometry::Polygon(), 0);
+    const NestInstance instance{"some", 30, {none, nestItem("good", nestRectangle(5, 5)), none}};
+    const NestResult result = nested(instance, 1, quick());
+    ASSERT_EQ(result.placements.size(), 1U);
+    EXPECT_EQ(result.placements[0].item, 1);
+    EXPECT_TRUE(nested({"none", 30, {none}}, 0).optimal);
+}
+
+TEST(Nest, PointsThatRepeatChangeNothing) {
+    NestInstance instance = mixedInstance();
+    const NestResult result = nested(instance, 2, quick());
+    instance.items[0].rings[0] =
+        nestPolygon({{0, 0}, {0, 0}, {40, 0}, {10, 30}, {10, 30}, {10, 30}, {0, 0}});
+    EXPECT_EQ(nested(instance, 2, quick()).placements, result.placements);
+}
+
+TEST(Nest, MoreCopiesThanAreLaidAtOnceAreRefused) {
+    const auto nester = Nester::make(
+        {"crowd",
+         30,
+         {nestItem("a", nestRectangle(5, 5), 2000), nestItem("b", nestRectangle(5, 5), 2001)}},
+        {});
+    ASSERT_FALSE(nester.ok());
+    EXPECT_EQ(nester.error().code, ErrorCode::MalformedFile);
+    EXPECT_EQ(nester.error().subject.name, "crowd");
+}
+
+TEST(Nest, TheFirstNestHearsCancel) {
+    Progress progress;
+    progress.cancel();
+    EXPECT_EQ(Nester::make(mixedInstance(), {}, progress).error().code, ErrorCode::Cancelled);
+}
+
+/// Alone it collides with nothing, and still looks for a turn that is short along the strip.
+TEST(Nest, ALoneCopyTurnsToItsBestAngle) {
+    NestInstance instance{"lone", 80, {nestItem("long", nestRectangle(100, 10))}};
+    instance.items[0].tolerance = kPi;
+    const NestResult result = nested(instance, 10, quick());
+    // Its diagonal across the strip: 100 cos t + 10 sin t, where 100 sin t + 10 cos t = 80.
+    const double turn = std::asin(80 / std::hypot(100.0, 10.0)) - std::atan2(10.0, 100.0);
+    const double least = 100 * std::cos(turn) + 10 * std::sin(turn);
+    EXPECT_GE(result.length, least - 1e-9);
+    EXPECT_LE(result.length, least * 1.02);
+    test::expectKeepsRules(instance, {}, result);
 }
 
 TEST(Nest, AFixedCopyStays) {

@@ -13,10 +13,10 @@ NestItem randomItem(nest::Random& random, int index) {
     const double size = random.between(10, 45);
     const int corners = 3 + static_cast<int>(random.below(12));
     const bool isConvex = random.below(3) == 0;
-    NestItem item =
-        test::nestItem("item " + std::to_string(index),
-                       test::nestStar(random, corners, isConvex ? size : size / 4, size),
-                       1 + static_cast<int>(random.below(3)));
+    const geometry::Polygon outline =
+        test::nestStar(random, corners, isConvex ? size : size / 4, size);
+    const int demand = 1 + static_cast<int>(random.below(3));
+    NestItem item = test::nestItem("item " + std::to_string(index), outline, demand);
     if (random.below(4) == 0) {  // as seen from its middle, the hole is inside
         geometry::Polygon hole = item.rings[0] * 0.6;
         item.rings.push_back(hole);
