@@ -6,18 +6,14 @@
 #include <cstdint>
 #include <optional>
 
-#include <polyclipping/clipper.hpp>
-
 #include "core/base/units.h"
 #include "core/nest/exact_overlap.h"
+#include "core/nest/item_rings.h"
 
 namespace toile {
 namespace {
 
 constexpr const char* kNoStrip = translatable("width, gap and border leave no strip");
-constexpr const char* kNoOutline = translatable("its outline is no polygon");
-constexpr const char* kNoArea = translatable("its outline has no area");
-constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
 constexpr const char* kTooWide =
     translatable("it does not fit across a strip of %1 mm at any angle that it may have");
 constexpr const char* kTooManyCopies =
@@ -34,88 +30,7 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kMostSize = 1e7;    // mm: of coordinates, so that Clipper's grid holds them
-constexpr double kNestGrid = 1e-5;   // mm: of the whole numbers that Clipper works with
-constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap are wider than it
-constexpr double kLeastSide = 1e-3;  // mm: of an outline's box
 constexpr int kMostCopies = 4000;
-
-Error wrong(const NestItem& item, const Wording& what) {
-    return {ErrorCode::MalformedFile, Subject::piece(item.name), what};
-}
-
-bool isUsable(const NestPlacement& placement) {
-    return std::isfinite(placement.angle) && std::abs(placement.x) <= kMostSize &&
-           std::abs(placement.y) <= kMostSize;
-}
-
-/// The rings without points that repeat the one before.
-Rings withoutRepeats(const Rings& rings) {
-    Rings result;
-    for (const Polygon& ring : rings) {
-        Polygon kept(ring.rows(), 2);
-        Eigen::Index count = 0;
-        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
-            if (ring.row(k) != ring.row((k + 1) % ring.rows())) {
-                kept.row(count++) = ring.row(k);
-            }
-        }
-        result.emplace_back(kept.topRows(count));
-    }
-    return result;
-}
-
-/// @param rings  its own without repeats
-std::optional<Error> wrongIn(const NestItem& item, const Rings& rings) {
-    if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
-            return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
-        })) {
-        return wrong(item, kNoOutline);
-    }
-    const auto sides = rings[0].colwise().maxCoeff() - rings[0].colwise().minCoeff();
-    if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
-        return wrong(item, kNoArea);
-    }
-    if (doRingsCross(rings)) {
-        return wrong(item, kNoOutline);
-    }
-    if (item.angles.empty() ||
-        !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
-        !(item.tolerance >= 0) || (item.fixed && (item.demand != 1 || !isUsable(*item.fixed)))) {
-        return wrong(item, kNoCopies);
-    }
-    return std::nullopt;
-}
-
-/// The rings farther out by `distance`, holes smaller: at least so far, as arcs are drawn outside.
-Rings grown(const Rings& rings, double distance) {
-    if (!(distance > 0)) {
-        return rings;
-    }
-    ClipperLib::ClipperOffset offset(2.0, kArcShare / kNestGrid / 2);
-    for (const Polygon& ring : rings) {
-        ClipperLib::Path path;
-        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
-            path.emplace_back(std::llround(ring(k, 0) / kNestGrid),
-                              std::llround(ring(k, 1) / kNestGrid));
-        }
-        offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
-    }
-    ClipperLib::Paths paths;
-    offset.Execute(paths, (distance + kArcShare) / kNestGrid);
-    std::ranges::sort(paths, std::ranges::greater{},
-                      [](const auto& path) { return ClipperLib::Area(path); });
-    Rings result;
-    for (const ClipperLib::Path& path : paths) {
-        Polygon ring(static_cast<Eigen::Index>(path.size()), 2);
-        for (std::size_t k = 0; k < path.size(); ++k) {
-            ring.row(static_cast<Eigen::Index>(k)) << static_cast<double>(path[k].X) * kNestGrid,
-                static_cast<double>(path[k].Y) * kNestGrid;
-        }
-        result.push_back(ring);
-    }
-    return result;
-}
 
 Rings mirrored(const Rings& rings) {
     Rings turned = rings;
@@ -188,12 +103,12 @@ std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& in
     const std::size_t last = problem.copies.size() - 1;
     const Rings own = ringsAt(problem, last, problem.copies[last].start);
     if (own[0].minCoeff() < problem.low || own[0].col(1).maxCoeff() > problem.high) {
-        return wrong(askedOf(last), kKeptOutside);
+        return wrongItem(askedOf(last), kKeptOutside);
     }
     for (std::size_t copy = 0; copy < last; ++copy) {
         if (problem.itemOf(copy).isFixed &&
             doOverlap(own, ringsAt(problem, copy, problem.copies[copy].start))) {
-            return wrong(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
+            return wrongItem(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
         }
     }
     return std::nullopt;
@@ -258,10 +173,7 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     }
     std::int64_t copies = 0;
     for (const NestItem& asked : instance.items) {
-        if (asked.demand < 0) {
-            return wrong(asked, kNoCopies);
-        }
-        copies += asked.demand;
+        copies += std::max(asked.demand, 0);
     }
     if (copies > kMostCopies) {
         return Error{ErrorCode::MalformedFile, Subject::file(instance.name),
@@ -277,23 +189,22 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
             problem.items.emplace_back();
             continue;
         }
-        Rings rings = withoutRepeats(asked.rings);
-        if (auto fault = wrongIn(asked, rings)) {
-            return *std::move(fault);
+        const auto rings = usableRings(asked);
+        if (!rings) {
+            return rings.error();
         }
-        rings = wound(std::move(rings));
-        const Rings larger = grown(rings, options.gap / 2);
-        if (larger.empty()) {
-            return wrong(asked, kNoOutline);
+        const auto larger = grownRings(asked, *rings, options.gap / 2);
+        if (!larger) {
+            return larger.error();
         }
-        Item item = makeItem(asked, larger, problem.width());
+        Item item = makeItem(asked, *larger, problem.width());
         if (item.variants.empty()) {
             return Error{ErrorCode::PageTooSmall, Subject::piece(asked.name),
                          worded(kTooWide, {figure(instance.width, 1)})};
         }
         const Shape& shape = item.variants[0].shape;
         double area = 0;
-        for (const Polygon& ring : rings) {
+        for (const Polygon& ring : *rings) {
             area += geometry::signedAreaOf(ring);
         }
         problem.area += area * asked.demand;

@@ -150,12 +150,13 @@ TEST(Nest, WhatIsNoShapeIsNamed) {
     NestItem holed = nestItem("holed", nestRectangle(10, 10));
     holed.rings.push_back(nestPolygon({{5, 5}, {15, 5}, {5, 8}}));
     NestItem sliver = nestItem("sliver", nestRectangle(10, 1e-4));
+    const NestItem owed = nestItem("owed", nestRectangle(10, 10), -1);
     NestItem far = nestItem("far", nestRectangle(10, 10));
     far.fixed = NestPlacement{0, 0, false, 1e12, 0};
     NestItem lost = far;
     lost.name = "lost";
     lost.fixed->x = std::nan("");
-    for (const NestItem& item : {line, gap, still, knot, holed, sliver, far, lost,
+    for (const NestItem& item : {line, gap, still, knot, holed, sliver, owed, far, lost,
                                  nestItem("none", geometry::Polygon())}) {
         const auto nester =
             Nester::make({"bad", 30, {nestItem("good", nestRectangle(5, 5)), item}}, {});

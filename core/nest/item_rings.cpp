@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nest/item_rings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <polyclipping/clipper.hpp>
+
+namespace toile {
+namespace {
+
+constexpr const char* kNoOutline = translatable("its outline is no polygon");
+constexpr const char* kNoArea = translatable("its outline has no area");
+constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
+
+}  // namespace
+}  // namespace toile
+
+namespace toile::nest {
+namespace {
+
+using geometry::Polygon;
+
+constexpr double kNestGrid = 1e-5;   // mm: of the whole numbers that Clipper works with
+constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap are wider than it
+constexpr double kLeastSide = 1e-3;  // mm: of an outline's box
+
+bool isUsable(const NestPlacement& placement) {
+    return std::isfinite(placement.angle) && std::abs(placement.x) <= kMostSize &&
+           std::abs(placement.y) <= kMostSize;
+}
+
+/// The rings without points that repeat the one before.
+Rings withoutRepeats(const Rings& rings) {
+    Rings result;
+    for (const Polygon& ring : rings) {
+        Polygon kept(ring.rows(), 2);
+        Eigen::Index count = 0;
+        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+            if (ring.row(k) != ring.row((k + 1) % ring.rows())) {
+                kept.row(count++) = ring.row(k);
+            }
+        }
+        result.emplace_back(kept.topRows(count));
+    }
+    return result;
+}
+
+/// @param rings  its own without repeats
+std::optional<Error> wrongIn(const NestItem& item, const Rings& rings) {
+    if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
+            return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
+        })) {
+        return wrongItem(item, kNoOutline);
+    }
+    const Eigen::RowVector2d sides = rings[0].colwise().maxCoeff() - rings[0].colwise().minCoeff();
+    if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
+        return wrongItem(item, kNoArea);
+    }
+    if (doRingsCross(rings)) {
+        return wrongItem(item, kNoOutline);
+    }
+    if (item.angles.empty() ||
+        !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
+        !(item.tolerance >= 0) || item.demand < 0 ||
+        (item.fixed && (item.demand != 1 || !isUsable(*item.fixed)))) {
+        return wrongItem(item, kNoCopies);
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Error wrongItem(const NestItem& item, const Wording& what) {
+    return {ErrorCode::MalformedFile, Subject::piece(item.name), what};
+}
+
+Result<Rings> usableRings(const NestItem& item) {
+    Rings rings = withoutRepeats(item.rings);
+    if (auto fault = wrongIn(item, rings)) {
+        return *std::move(fault);
+    }
+    return wound(std::move(rings));
+}
+
+Result<Rings> grownRings(const NestItem& item, const Rings& rings, double distance) {
+    if (!(distance > 0)) {
+        return rings;
+    }
+    ClipperLib::ClipperOffset offset(2.0, kArcShare / kNestGrid / 2);
+    for (const Polygon& ring : rings) {
+        ClipperLib::Path path;
+        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+            path.emplace_back(std::llround(ring(k, 0) / kNestGrid),
+                              std::llround(ring(k, 1) / kNestGrid));
+        }
+        offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+    }
+    ClipperLib::Paths paths;
+    offset.Execute(paths, (distance + kArcShare) / kNestGrid);
+    std::ranges::sort(paths, std::ranges::greater{},
+                      [](const auto& path) { return ClipperLib::Area(path); });
+    Rings result;
+    for (const ClipperLib::Path& path : paths) {
+        Polygon ring(static_cast<Eigen::Index>(path.size()), 2);
+        for (std::size_t k = 0; k < path.size(); ++k) {
+            ring.row(static_cast<Eigen::Index>(k)) << static_cast<double>(path[k].X) * kNestGrid,
+                static_cast<double>(path[k].Y) * kNestGrid;
+        }
+        result.push_back(ring);
+    }
+    if (result.empty()) {
+        return wrongItem(item, kNoOutline);
+    }
+    return result;
+}
+
+}  // namespace toile::nest
