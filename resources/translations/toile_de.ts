@@ -2734,6 +2734,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>the cloth at its tip is %1 % too long</source>
         <translation>der Stoff an seiner Spitze ist um %1 % zu lang</translation>
     </message>
+    <message>
+        <source>more than %1 copies are not laid at once: lay several markers, or fewer copies</source>
+        <translation>mehr als %1 Stücke werden nicht auf einmal ausgelegt: legen Sie mehrere Schnittbilder aus oder weniger Stücke</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
