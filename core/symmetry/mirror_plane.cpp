@@ -20,8 +20,6 @@ constexpr int kFew = 500, kMany = 1500, kMost = 20000;
 constexpr double kMediansKept = 3;
 /// A plane that moves by less than this part of the garment's size has come to rest.
 constexpr double kAtRest = 1e-8;
-/// Near enough to tell which axis leads to the best.
-constexpr double kNearRest = 1e-4;
 /// Axes nearer to each other than this (cosine) lead to the same plane.
 constexpr double kSameAxis = 0.97;
 
@@ -69,7 +67,7 @@ public:
           progress_(progress) {}
 
     /// The plane where the rounds come to rest, or the last.
-    MirrorPlane improved(MirrorPlane plane, int most, double atRest) const {
+    MirrorPlane improved(MirrorPlane plane, int most) const {
         const std::vector<int> vertices = surface_.sampled(most);
         for (int round = 0; round < kRounds && !progress_.isCancelled(); ++round) {
             ReflectedPairs pairs = pairsOf(vertices, plane);
@@ -80,7 +78,7 @@ public:
             const MirrorPlane next = bestPlane(pairs);
             const double moved = movement(plane, next);
             plane = next;
-            if (moved <= atRest) {
+            if (moved <= kAtRest) {
                 break;
             }
         }
@@ -162,7 +160,7 @@ std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<con
     std::optional<MirrorPlane> best;
     for (const Eigen::Vector3d& axis : axesOf(surface)) {
         const MirrorPlane start = planeThrough(surface.centre, axis);
-        const MirrorPlane plane = search.measured(search.improved(start, kFew, kNearRest), kMany);
+        const MirrorPlane plane = search.measured(search.improved(start, kFew), kMany);
         if (widthAcross(plane, surface) >= kMinMirrorWidth * surface.radius() &&
             (!best || plane.deviation < best->deviation)) {
             best = plane;
@@ -171,7 +169,7 @@ std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<con
     if (!best || progress.isCancelled()) {
         return std::nullopt;
     }
-    best = search.measured(search.improved(*best, kMany, kAtRest), kMost);
+    best = search.measured(search.improved(*best, kMany), kMost);
     return !progress.isCancelled() && best->deviation <= kMaxMirrorDeviation * surface.radius()
                ? best
                : std::nullopt;
