@@ -197,31 +197,35 @@ TEST(CutAdvice, ForetoldStrainRanksAsSolvedStrainDoes) {
 }
 
 TEST(CutAdvice, BordersOfTheFileAreEvidence) {
-    const auto skirt = formPiece(test::wornSkirt());
-    // A map of two panels whose borders lie a hand's breadth off the sides.
+    const auto shirt = formPiece(test::wornShirt());
+    // A front and a back that were one material each.
     PolygonSoup soup;
-    for (Eigen::Index v = 0; v < skirt->mesh.V.rows(); ++v) {
-        soup.positions.emplace_back(skirt->mesh.V.row(v));
+    for (Eigen::Index v = 0; v < shirt->mesh.V.rows(); ++v) {
+        soup.positions.emplace_back(shirt->mesh.V.row(v));
     }
     soup.materials = {"front", "back"};
-    for (Eigen::Index f = 0; f < skirt->mesh.F.rows(); ++f) {
+    for (Eigen::Index f = 0; f < shirt->mesh.F.rows(); ++f) {
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
         for (int k = 0; k < 3; ++k) {
-            soup.corners.push_back(skirt->mesh.F(f, k));
-            middle += skirt->mesh.V.row(skirt->mesh.F(f, k)) / 3;
+            soup.corners.push_back(shirt->mesh.F(f, k));
+            middle += shirt->mesh.V.row(shirt->mesh.F(f, k)) / 3;
         }
         soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
-        soup.faceMaterial.push_back(middle.z() > 0.2 * std::abs(middle.x()) ? 0 : 1);
+        soup.faceMaterial.push_back(middle.z() > 0 ? 0 : 1);
     }
-    const std::vector<char> borders = fileBorders(*skirt, soup);
+    const std::vector<char> borders = fileBorders(*shirt, soup);
     ASSERT_FALSE(borders.empty());
-    const CutAdvice plain = adviseCuts(skirt, {}, {});
-    const CutAdvice told = adviseCuts(skirt, {}, {.borders = borders});
-    const auto isAlong = [&](const AdvisedCut& cut) { return cut.what.isFileBorder; };
-    EXPECT_EQ(std::ranges::count_if(plain.cuts, isAlong), 0);
-    EXPECT_EQ(std::ranges::count_if(told.cuts, isAlong), 2);
+    const CutAdvice plain = adviseCuts(shirt, {}, {});
+    const CutAdvice told = adviseCuts(shirt, {}, {.borders = borders});
+    const auto sidesAlong = [](const CutAdvice& advice) {
+        return std::ranges::count_if(advice.cuts, [](const AdvisedCut& cut) {
+            return cut.what.line == TailorLine::Side && cut.what.isFileBorder;
+        });
+    };
+    EXPECT_EQ(sidesAlong(plain), 0);
+    EXPECT_EQ(sidesAlong(told), 2);
     soup.faceMaterial.assign(soup.faceMaterial.size(), 0);
-    EXPECT_TRUE(fileBorders(*skirt, soup).empty());
+    EXPECT_TRUE(fileBorders(*shirt, soup).empty());
 }
 
 TEST(CutAdvice, TheFlatNeedsNone) {
