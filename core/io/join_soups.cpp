@@ -60,7 +60,10 @@ void nameObjects(PolygonSoup& soup, const std::string& file, UniqueNames& names)
         soup.faceObject.assign(static_cast<std::size_t>(soup.faceCount()), 0);
     }
     for (std::string& name : soup.objects) {
-        name = names.free(names.isFree(name) ? name : file + " " + name);
+        if (!names.isFree(name)) {
+            name.insert(0, " ").insert(0, file);
+        }
+        name = names.free(name);
     }
 }
 

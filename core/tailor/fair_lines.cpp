@@ -253,6 +253,7 @@ private:
 
     std::vector<char> fixedVertices(const std::vector<int>& way) const {
         std::vector<char> isFixed;
+        isFixed.reserve(way.size());
         for (const int v : way) {
             isFixed.push_back(held_.contains(v) ? 1 : 0);
         }
