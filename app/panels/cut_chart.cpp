@@ -122,7 +122,8 @@ void CutChart::paintEvent(QPaintEvent*) {
     faint.setAlpha(150);
     grid.setAlpha(35);
     const double top = highest(), step = stepFor(top);
-    for (double strain = 0; strain <= top; strain += step) {
+    for (int k = 0; k * step <= top; ++k) {
+        const double strain = k * step;
         const double y = at(0, strain).y();
         painter.setPen(QPen(grid, 1));
         painter.drawLine(QPointF(within.left(), y), QPointF(within.right(), y));
