@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/base/wording.h"
+#include "core/garment/fabric.h"
+#include "core/layout/marker.h"
+#include "core/marker/marker_settings.h"
+#include "core/pattern/pattern.h"
+
+namespace toile {
+
+/// A copy of a pattern piece on the cloth.
+struct LaidCopy {
+    CopyKey key{};
+    int piece = 0;         ///< index into Pattern::pieces
+    bool isImage = false;  ///< the mirrored one of a pair
+    bool isKept = false;   ///< by a person
+    int sheet = 0;         ///< or hide
+    Placement placement{};
+};
+
+/// The pieces of one material laid on their cloth: none overlaps another or the cloth's edge.
+struct ClothMarker {
+    std::string material;  ///< empty: the garment's own fabric
+    double width = 0;      ///< mm, as it lies: folded cloth is half as wide
+    double length = 0;     ///< mm, along the warp; of sheets and hides up to the last copy
+    int sheets = 1;        ///< how many sheets, or hides, are used
+    double use = 0;        ///< area of the pieces / area of the cloth
+    int rounds = 0;        ///< of search
+    bool isOptimal = false;  ///< no shorter one can be: no use to go on
+    std::vector<LaidCopy> copies;
+    std::vector<Wording> notes{};  ///< what is not as it was asked for: pieces too large, seams
+                                   ///< whose stripes do not meet
+};
+
+/// Materials of which something is cut, the garment's own first, then by name.
+std::vector<std::string> markerMaterials(const Pattern& pattern);
+
+/// The line that a copy takes up on the cloth, as it lies: its cutting line, closed.
+Points2 laidOutline(const Pattern& pattern, const LaidCopy& copy);
+
+/// Lays what of a pattern is cut from one material, better round by round (`Nester`). After round k
+/// the marker depends on pattern, settings and kept copies alone.
+class MarkerNester {
+public:
+    /// @param pattern  as it is cut (`asCut`)
+    /// Errors: of `Nester::make`, naming a piece or the cloth; Cancelled.
+    static Result<MarkerNester> make(std::shared_ptr<const Pattern> pattern,
+                                     const std::string& material, const Fabric& fabric,
+                                     const MarkerSettings& settings,
+                                     const std::vector<KeptCopy>& kept, const Progress& progress);
+    ~MarkerNester();
+    MarkerNester(MarkerNester&&) noexcept;
+    MarkerNester& operator=(MarkerNester&&) noexcept;
+
+    /// The best so far; valid from the start.
+    const ClothMarker& best() const;
+    void step(const Progress& progress);
+
+private:
+    struct State;
+    explicit MarkerNester(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// Which laid copies lie on another, or beyond the cloth: by exact arithmetic, as indices.
+std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
+                                 const MarkerSettings& settings);
+
+/// For the exports: the copies of a marker as one page, the warp along x.
+Marker pageOf(const ClothMarker& marker);
+
+/// What a cutter asks of a marker.
+struct MarkerFigures {
+    double seamMetres = 0;  ///< that are sewn, both sides once
+    int notches = 0;        ///< that are cut
+    double cutMetres = 0;   ///< along all lines that are cut
+    int copies = 0;
+};
+MarkerFigures markerFigures(const Pattern& pattern, const ClothMarker& marker);
+
+}  // namespace toile
