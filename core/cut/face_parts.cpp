@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <unordered_map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -98,13 +101,14 @@ int FaceParts::sharedSide(int face, int a, int b) const {
     return -1;
 }
 
-void FaceParts::replaceEdge(int face, int a, int b, int middle) {
+void FaceParts::replaceEdge(int face, int a, int b, int middle, int uses) {
     std::vector<Part>& list = parts(face);
     const std::size_t count = list.size();
-    for (std::size_t p = 0; p < count; ++p) {
+    for (std::size_t p = 0; p < count && uses > 0; ++p) {
         if (!holdsBoth(list[p], a, b)) {
             continue;
         }
+        --uses;
         for (int k = 0; k < 3; ++k) {
             const Part part = list[p];
             const int x = part[k];
@@ -127,14 +131,14 @@ int FaceParts::splitEdge(int face, int a, int b, double t) {
     middle_[std::minmax(a, b)] = vertex;
     if (side < 0) {
         places_.push_back({-1, face, weights / weights.sum()});
-        replaceEdge(face, a, b, vertex);
+        replaceEdge(face, a, b, vertex, 2);
         return vertex;
     }
     const int edge = links().table().faceEdges(face, side);
     const double along = weights[links().cornerIn(face, links().table().edges(edge, 1))];
     places_.push_back({edge, -1, {1 - along, along, 0}});
     for (const int f : links().facesOf({Carrier::Kind::Edge, edge})) {
-        replaceEdge(f, a, b, vertex);
+        replaceEdge(f, a, b, vertex, 1);
     }
     return vertex;
 }
@@ -152,11 +156,6 @@ int FaceParts::splitPart(int face, std::size_t part, const Eigen::Vector3d& loca
     list.push_back({old[1], old[2], vertex});
     list.push_back({old[2], old[0], vertex});
     return vertex;
-}
-
-bool FaceParts::hasEdge(int face, int a, int b) const {
-    return std::ranges::any_of(partsOf(face),
-                               [a, b](const Part& part) { return holdsBoth(part, a, b); });
 }
 
 std::vector<int> FaceParts::refined(const std::vector<int>& path) const {
@@ -229,27 +228,34 @@ bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
 void FaceParts::relaxFace(int face, std::vector<Part>& list,
                           const std::set<VertexPair>& kept) const {
     const FlatFace flat(*this, face);
-    std::map<VertexPair, std::size_t> partLeftOf;  // of directed sides
-    std::set<VertexPair> open;                     // those whose two parts are not known to be good
+    std::unordered_map<std::uint64_t, std::size_t> partLeftOf;  // of directed sides
+    partLeftOf.reserve(4 * list.size());
+    std::vector<VertexPair> open;  // those whose two parts are not known to be good
+    const auto keyOf = [](int from, int to) {
+        return std::uint64_t{static_cast<std::uint32_t>(from)} << 32 | static_cast<unsigned>(to);
+    };
     const auto addSidesOf = [&](std::size_t part) {
         for (int k = 0; k < 3; ++k) {
             const int a = list[part][k];
             const int b = list[part][(k + 1) % 3];
-            partLeftOf[{a, b}] = part;
-            open.insert(std::minmax(a, b));
+            partLeftOf[keyOf(a, b)] = part;
+            open.emplace_back(std::minmax(a, b));
         }
     };
     for (std::size_t p = 0; p < list.size(); ++p) {
         addSidesOf(p);
     }
+    std::vector<std::size_t> changedIn(list.size(), 0);  // the round, after which it may change
     const std::size_t limit = kMaxTurns * list.size();
-    for (std::size_t turns = 0; !open.empty() && turns < limit;) {
-        std::set<std::size_t> changed;  // in this round, and done with until the next
+    std::size_t turns = 0;
+    for (std::size_t round = 1; !open.empty() && turns < limit; ++round) {
+        std::ranges::sort(open);
+        open.erase(std::ranges::unique(open).begin(), open.end());
         for (const auto& [a, b] : std::exchange(open, {})) {
-            const auto left = partLeftOf.find({a, b});
-            const auto right = partLeftOf.find({b, a});
+            const auto left = partLeftOf.find(keyOf(a, b));
+            const auto right = partLeftOf.find(keyOf(b, a));
             if (left == partLeftOf.end() || right == partLeftOf.end() || kept.contains({a, b}) ||
-                changed.contains(left->second) || changed.contains(right->second)) {
+                changedIn[left->second] == round || changedIn[right->second] == round) {
                 continue;
             }
             const std::size_t p = left->second;
@@ -263,7 +269,7 @@ void FaceParts::relaxFace(int face, std::vector<Part>& list,
                 partLeftOf.erase(right);
                 addSidesOf(p);
                 addSidesOf(q);
-                changed.insert({p, q});
+                changedIn[p] = changedIn[q] = round;
                 ++turns;
             }
         }

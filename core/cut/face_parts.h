@@ -37,7 +37,6 @@ public:
     bool isCrowded(int face) const;
     /// Weights in a source triangle that the vertex touches; zeros are exact.
     Eigen::Vector3d weightsIn(int face, int vertex) const;
-    bool hasEdge(int face, int a, int b) const;
 
     /// Splits an edge of the parts of `face`, on both sides. @return the new vertex
     int splitEdge(int face, int a, int b, double t);
@@ -67,7 +66,8 @@ private:
 
     std::vector<Part>& parts(int face);
     int sharedSide(int face, int a, int b) const;
-    void replaceEdge(int face, int a, int b, int middle);
+    /// @param uses  how many parts of the face have it as a side
+    void replaceEdge(int face, int a, int b, int middle, int uses);
     void relaxFace(int face, std::vector<Part>& list, const std::set<VertexPair>& kept) const;
 
     const SurfaceLinks* links_;

@@ -79,8 +79,9 @@ int FaceSplitter::insertNew(const SurfacePoint& point) {
     return parts_.splitPart(face, best, local);
 }
 
-/// The next vertex on the way from one vertex to another: a neighbour near the straight line, or a
-/// new one where the line crosses the opposite edge. -1 where no part holds the vertex.
+/// The next vertex on the way from one vertex to another: the other one where an edge joins them, a
+/// neighbour near the straight line, or a new one where the line crosses the opposite edge. -1
+/// where no part holds the vertex.
 int FaceSplitter::step(int face, int from, int to) {
     const Eigen::Vector2d at = flatIn(parts_, face, from);
     const Eigen::Vector2d goal = flatIn(parts_, face, to);
@@ -90,12 +91,16 @@ int FaceSplitter::step(int face, int from, int to) {
     double t = 0;
     double best = -std::numeric_limits<double>::infinity();
     for (const FaceParts::Part& part : parts_.partsOf(face)) {
-        const auto corner = std::ranges::find(part, from) - part.begin();
-        if (corner == 3) {
+        const int isSecond = int{part[1] == from}, isThird = int{part[2] == from};
+        if ((int{part[0] == from} | isSecond | isThird) == 0) {  // most: without branches
             continue;
         }
+        const int corner = isSecond + 2 * isThird;
         const int a = part[(corner + 1) % 3];
         const int b = part[(corner + 2) % 3];
+        if (a == to || b == to) {
+            return to;
+        }
         const Eigen::Vector2d toA = flatIn(parts_, face, a) - at;
         const Eigen::Vector2d toB = flatIn(parts_, face, b) - at;
         // direction = alpha toA + beta toB, up to a positive factor
@@ -127,7 +132,7 @@ int FaceSplitter::step(int face, int from, int to) {
 bool FaceSplitter::connect(int face, int from, int to, std::vector<int>& path) {
     const std::size_t limit = 4 * parts_.partsOf(face).size() + 16;
     for (std::size_t i = 0; from != to; ++i) {
-        from = parts_.hasEdge(face, from, to) ? to : i < limit ? step(face, from, to) : -1;
+        from = i < limit ? step(face, from, to) : -1;
         if (from < 0) {
             return false;
         }
