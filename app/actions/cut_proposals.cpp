@@ -58,7 +58,7 @@ std::vector<UserCut> linesOf(const CutAdvice& advice) {
 }  // namespace
 
 CutProposals::CutProposals(Workspace& workspace)
-    : workspace_(workspace), document_(workspace.document()) {
+    : workspace_(workspace), document_(workspace.document()), names_(document_) {
     soon_.setSingleShot(true);
     soon_.setInterval(kAfterMove);
     connect(&soon_, &QTimer::timeout, this, &CutProposals::solve);
@@ -170,6 +170,7 @@ void CutProposals::put(const CutAdvice& advice) {
     advice_ = advice;
     for (AdvisedCut& cut : advice_.cuts) {
         cut.what.cut.name = proposedName(cut.what.cut.name);
+        cut.what.cut.evidence = wordingText(cut.evidence).toStdString();
     }
     markNeeded(advice_, enough());  // which may have been stated since it was asked
     advised_ = advice_.cuts;
@@ -208,6 +209,8 @@ void CutProposals::onChanged(DocumentChanges what) {
         close();
     } else if (what.testFlag(DocumentChange::Garment)) {
         follow();
+    } else if (awaited_ > 0 && document_.isCurrent()) {  // it was not made after all
+        ask(question_);
     } else if (what.testFlag(DocumentChange::Fabric) && !stated_) {
         stateEnough(std::nullopt);
     }
@@ -296,8 +299,10 @@ void CutProposals::makeTaken() {
             cuts.push_back(lines_[k]);
         }
     }
+    const int gesture = document_.newGesture();
+    names_.await(piece()->id, advice_.nameOf, gesture);
     close();
-    workspace_.makeCuts(tr("Proposed cuts"), std::move(cuts));
+    workspace_.makeCuts(tr("Proposed cuts"), std::move(cuts), gesture);
 }
 
 void CutProposals::make(std::size_t cut) {
@@ -308,7 +313,9 @@ void CutProposals::make(std::size_t cut) {
     cancelMove();
     remove(cut);
     ++awaited_;
-    workspace_.makeCuts(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made});
+    const int gesture = document_.newGesture();
+    names_.await(piece()->id, advice_.nameOf, gesture);
+    workspace_.makeCuts(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made}, gesture);
 }
 
 void CutProposals::remove(std::size_t cut) {

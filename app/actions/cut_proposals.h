@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/actions/part_naming.h"
 #include "app/document/document_change.h"
 #include "app/jobs/cut_adviser.h"
 #include "core/tailor/handles.h"
@@ -134,6 +135,7 @@ private:
     std::optional<Moving> moving_;
     std::vector<std::vector<UserCut>> moves_;  ///< the lines before each
     std::size_t awaited_ = 0;  ///< cuts that were made here and are not in the garment yet
+    PartNaming names_;
     QTimer soon_;
     CutAdviser adviser_;
 };

@@ -106,7 +106,7 @@ public:
     void setCloseSlits(bool on);
     /// Changes cuts and joins; pieces that no change touches stay as they are, flat or not.
     /// @param text  what was done, for the undo menu
-    void changeSeams(const QString& text, std::function<void(SeamsFile&)> change);
+    void changeSeams(const QString& text, std::function<void(SeamsFile&)> change, int gesture = -1);
     /// Reads the pattern that the pieces are to be compared with, and shows it over them. Nothing
     /// changes where it cannot be read, where nothing is open, or while something is being opened.
     /// @param path  absolute
@@ -137,7 +137,8 @@ public:
     /// Makes cuts as one step of the history: the person's from then on. They keep their names, but
     /// for a number where another cut has it. Those that cannot be made are `refused`.
     /// @param cuts  their points in mm, as the pieces are
-    void makeCuts(const QString& text, std::vector<UserCut> cuts);
+    /// @param gesture  as for Document::edit
+    void makeCuts(const QString& text, std::vector<UserCut> cuts, int gesture = -1);
     /// Cuts once around the tube at a place of a piece (`loopAround`), made as by `addCut`. Where
     /// there is none it is `refused`. On large pieces it is found on another thread.
     void cutAround(int piece, const SurfacePoint& place);

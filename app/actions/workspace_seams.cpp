@@ -118,12 +118,15 @@ void Workspace::sayRefused(const Error& why) {
     emit refused(sentence);
 }
 
-void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change) {
-    changeLoading({text, [change = std::move(change)](LoadOptions& options) {
+void Workspace::changeSeams(const QString& text, std::function<void(SeamsFile&)> change,
+                            int gesture) {
+    changeLoading({text,
+                   [change = std::move(change)](LoadOptions& options) {
                        change(options.seams);
                        giveIds(options.seams.cuts);
                        divideByWhatIsThere(options);
-                   }});
+                   },
+                   gesture});
 }
 
 Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
@@ -237,7 +240,7 @@ void Workspace::takeCuts(const QString& text, std::vector<UserCut> cuts) {
     makeCuts(text, std::move(cuts));
 }
 
-void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts) {
+void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts, int gesture) {
     if (!document_.garment() || opening_.isActive() || cuts.empty()) {
         return;
     }
@@ -250,9 +253,12 @@ void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts) {
         }
         named.push_back(cut);
     }
-    changeSeams(text, [cuts = std::move(cuts)](SeamsFile& seams) {
-        seams.cuts.insert(seams.cuts.end(), cuts.begin(), cuts.end());
-    });
+    changeSeams(
+        text,
+        [cuts = std::move(cuts)](SeamsFile& seams) {
+            seams.cuts.insert(seams.cuts.end(), cuts.begin(), cuts.end());
+        },
+        gesture);
 }
 
 void Workspace::sayOvertaken() {

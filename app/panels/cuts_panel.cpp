@@ -120,13 +120,15 @@ void CutsPanel::rebuild() {
             row->setText(CutName, QString::fromStdString(cut.name));
             const bool own = cut.author == CutAuthor::User;
             const QString evidence = wordingText(cut.evidence);
-            row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(row->text(CutName))
-                                     : evidence.isEmpty()
-                                         ? row->text(CutName)
-                                         : tr("%1: %2").arg(row->text(CutName), evidence));
+            const QString named = evidence.isEmpty()
+                                      ? row->text(CutName)
+                                      : tr("%1: %2").arg(row->text(CutName), evidence);
+            row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(named) : named);
             row->setData(CutName, kIsOwn, own);
             row->setData(CutName, kCutId, static_cast<qulonglong>(cut.id.value));
-            row->setText(Author, own ? tr("you") : tr("Toile"));
+            row->setText(Author, !own                 ? tr("Toile")
+                                 : evidence.isEmpty() ? tr("you")
+                                                      : tr("you, as proposed"));
             row->setText(PieceName, QString::fromStdString(cut.piece));
             row->setText(Length, lengthWithUnit(cut.length));
             row->setTextAlignment(Length, Qt::AlignRight | Qt::AlignVCenter);

@@ -2,6 +2,8 @@
 #include "app/text/proposed_name.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <iterator>
 
 namespace toile::app {
 
@@ -27,6 +29,29 @@ constexpr const char* kProposedNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left
                                           QT_TRANSLATE_NOOP("ProposedCut", "dart"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "opening")};
 
+/// What parts are called, but for which of them it is.
+constexpr const char* kPartNames[] = {QT_TRANSLATE_NOOP("ProposedPart", "body"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "front"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "back"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "sleeve"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "leg"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "skirt"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "bodice"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "neck band"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "waistband"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "hem band"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "cuff"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "armhole band")};
+/// Before the name, and after it.
+constexpr const char* kPartSides[] = {QT_TRANSLATE_NOOP("ProposedPart", "left %1"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "right %1")};
+constexpr const char* kPartFaces[] = {QT_TRANSLATE_NOOP("ProposedPart", "%1 front"),
+                                      QT_TRANSLATE_NOOP("ProposedPart", "%1 back")};
+
+QString wordOfPart(const char* word) {
+    return QCoreApplication::translate("ProposedPart", word);
+}
+
 }  // namespace
 
 std::string proposedName(const std::string& name) {
@@ -38,6 +63,28 @@ std::string proposedName(const std::string& name) {
         }
     }
     return name;
+}
+
+std::string proposedPartName(const std::string& name) {
+    QString part = QString::fromStdString(name), side = QStringLiteral("%1"), face = side;
+    for (const char* pattern : kPartSides) {
+        const QString before = QString(pattern).section('%', 0, 0);
+        if (part.startsWith(before)) {
+            part.remove(0, before.size());
+            side = wordOfPart(pattern);
+        }
+    }
+    for (const char* pattern : kPartFaces) {
+        const QString after = QString(pattern).mid(2);
+        if (part.endsWith(after)) {
+            part.chop(after.size());
+            face = wordOfPart(pattern);
+        }
+    }
+    const auto known = std::ranges::find_if(
+        kPartNames, [&part](const char* word) { return part == QLatin1String(word); });
+    return known == std::end(kPartNames) ? name
+                                         : side.arg(face.arg(wordOfPart(*known))).toStdString();
 }
 
 }  // namespace toile::app

@@ -9,4 +9,7 @@ namespace toile::app {
 /// number: the name that it keeps where it is made. What is not known stays as it is.
 std::string proposedName(const std::string& name);
 
+/// Likewise what a part of a garment is called (`partName`): "left sleeve".
+std::string proposedPartName(const std::string& name);
+
 }  // namespace toile::app

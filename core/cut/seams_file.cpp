@@ -54,6 +54,7 @@ void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withI
         if (withIds && at.find("mirrors")) {
             at.readWord("mirrors", cut.mirrors.value, "16 hexadecimal digits", parseId);
         }
+        at.read("evidence", cut.evidence);
         readNameAndPoints(at, cut.name, cut.points);
     });
     giveIds(seams.cuts);
@@ -117,6 +118,9 @@ OrderedJson cutsJson(const SeamsFile& seams, bool withIds) {
         }
         entry["kind"] = std::string(name(cut.kind));
         entry["along"] = std::string(wordOf(kAlongEdges, cut.alongEdges));
+        if (!cut.evidence.empty()) {
+            entry["evidence"] = cut.evidence;
+        }
         entry["points"] = pointsJson(cut.points);
     }
     return list;

@@ -29,6 +29,7 @@ struct UserCut {
     bool alongEdges = false;              ///< between the nearest vertices, along edges
     CutId id{};                           ///< kept where points or name change; see `giveIds`
     CutId mirrors{};                      ///< the cut that this one was made the mirror image of
+    std::string evidence{};  ///< what spoke for it where Toile proposed it; empty: drawn by hand
 
     bool operator==(const UserCut&) const = default;
 };

@@ -298,7 +298,7 @@ private:
                                       piece.name,
                                       opened[c].length,
                                       ids[c],
-                                      {},
+                                      cut.evidence,
                                       positionsOf(piece.mesh, paths[c])});
             } else {
                 done_.problems.push_back(cutError(

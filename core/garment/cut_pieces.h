@@ -24,7 +24,7 @@ struct AppliedCut {
     std::string piece;  ///< what it opened, by the name before the cut
     double length = 0;  ///< mm, of the line that came open
     CutId id{};
-    Wording evidence{};                     ///< of an automatic one: what speaks for it
+    Wording evidence{};                     ///< of one that Toile proposed: what speaks for it
     std::vector<Eigen::Vector3d> points{};  ///< its line in the piece that it opened, mm
 };
 

@@ -524,6 +524,73 @@ veraltet</translation>
     </message>
 </context>
 <context>
+    <name>ProposedPart</name>
+    <message>
+        <source>body</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>Vorderteil</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Rückenteil</translation>
+    </message>
+    <message>
+        <source>sleeve</source>
+        <translation>Ärmel</translation>
+    </message>
+    <message>
+        <source>leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>Rock</translation>
+    </message>
+    <message>
+        <source>bodice</source>
+        <translation>Oberteil</translation>
+    </message>
+    <message>
+        <source>neck band</source>
+        <translation>Halsbündchen</translation>
+    </message>
+    <message>
+        <source>waistband</source>
+        <translation>Bund</translation>
+    </message>
+    <message>
+        <source>hem band</source>
+        <translation>Saumbündchen</translation>
+    </message>
+    <message>
+        <source>cuff</source>
+        <translation>Bündchen</translation>
+    </message>
+    <message>
+        <source>armhole band</source>
+        <translation>Armlochblende</translation>
+    </message>
+    <message>
+        <source>left %1</source>
+        <translation>%1 links</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>%1 rechts</translation>
+    </message>
+    <message>
+        <source>%1 front</source>
+        <translation>%1 vorn</translation>
+    </message>
+    <message>
+        <source>%1 back</source>
+        <translation>%1 hinten</translation>
+    </message>
+</context>
+<context>
     <name>RecomputeJob</name>
     <message>
         <source>Making the pieces</source>
@@ -5785,6 +5852,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>you, as proposed</source>
+        <translation>Sie, wie vorgeschlagen</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "app/actions/cut_proposals.h"
+#include "app/document/names.h"
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
 #include "app/settings/language.h"
@@ -132,6 +133,15 @@ private:
         QTest::keyClick(&field, Qt::Key_Return);
     }
 
+    QStringList namesOfPieces() {
+        QStringList names;
+        for (int piece = 0; piece < document().pieceCount(); ++piece) {
+            names.append(pieceName(document(), piece));
+        }
+        names.sort();
+        return names;
+    }
+
     std::size_t ownCuts() { return document().loading().seams.cuts.size(); }
 
 private slots:
@@ -182,8 +192,12 @@ private slots:
         }
         const auto& cuts = document().garment()->cuts;
         QVERIFY(std::ranges::any_of(cuts, [](const AppliedCut& cut) {
-            return cut.name == "left side" && cut.author == CutAuthor::User;
+            return cut.name == "left side" && cut.author == CutAuthor::User &&
+                   !cut.evidence.empty();
         }));
+        QTRY_COMPARE(namesOfPieces(),
+                     (QStringList{"back", "front", "left sleeve", "right sleeve"}));
+        QCOMPARE(document().history().undoText(), QString("Proposed cuts"));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().pieceCount(), 1);
@@ -391,6 +405,17 @@ private slots:
         QCOMPARE(proposals().state(), CutProposals::State::Asking);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(isKnown());
+    }
+
+    void whatIsCancelledIsProposedAgain() {
+        open("shirt.obj");
+        propose();
+        const std::size_t count = proposals().lines().size();
+        proposals().make(0);
+        fixture_.action(ActionId::Cancel).trigger();
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(isKnown());
+        QCOMPARE(ownCuts() + proposals().lines().size(), count);
     }
 
     void whatIsEnoughIsNoReasonToDropWhatWasMoved() {

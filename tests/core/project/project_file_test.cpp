@@ -54,6 +54,7 @@ public:
             cut.kind = static_cast<UserCut::Kind>(upTo(2));
             cut.alongEdges = flag();
             cut.mirrors = flag() ? CutId{random_() | 1U} : CutId{};
+            cut.evidence = flag() ? text() : std::string();
             for (int i = upTo(5); i > 0; --i) {
                 cut.points.emplace_back(number(), number(), number());
             }

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/part_naming.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/text/proposed_name.h"
+#include "core/garment/garment.h"
+#include "core/project/piece_names.h"
+
+namespace toile::app {
+
+PartNaming::PartNaming(Document& document) : document_(document) {
+    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {
+            nameOf_ = nullptr;
+        } else if (nameOf_ && document_.isCurrent()) {
+            // Once whoever hears of this change has heard of it.
+            QMetaObject::invokeMethod(this, &PartNaming::nameParts, Qt::QueuedConnection);
+        }
+    });
+}
+
+void PartNaming::await(PieceId whole, std::function<std::string(const Piece&)> nameOf,
+                       int gesture) {
+    whole_ = whole;
+    nameOf_ = std::move(nameOf);
+    gesture_ = gesture;
+}
+
+void PartNaming::nameParts() {
+    const auto nameOf = std::exchange(nameOf_, nullptr);
+    const auto garment = document_.garment();
+    const QUndoStack& history = document_.history();
+    const auto* step = history.command(history.index() - 1);
+    if (!nameOf || !garment || !document_.isCurrent() || !step || step->id() != gesture_) {
+        return;  // taken back, or something else was done since
+    }
+    const auto record = std::ranges::find(garment->cutRecords, whole_,
+                                          [](const CutRecord& one) { return one.whole->id; });
+    if (record == garment->cutRecords.end() || record->pieces.size() < 2) {
+        return;
+    }
+    const std::string prefix = garment->uncut.size() > 1 ? record->whole->name + ", " : "";
+    DocumentState next = document_.state();
+    for (std::size_t k = 0; k < garment->pieces.size(); ++k) {
+        const auto& piece = garment->pieces[k];
+        if (std::ranges::find(record->pieces, piece) == record->pieces.end()) {
+            continue;
+        }
+        if (const std::string name = nameOf(*piece); !name.empty()) {
+            next.labels = withName(std::move(next.labels), *garment, static_cast<int>(k),
+                                   prefix + proposedPartName(name));
+        }
+    }
+    document_.edit(step->text(), std::move(next), gesture_);
+}
+
+}  // namespace toile::app
