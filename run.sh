@@ -66,7 +66,8 @@ show_progress() {
     while IFS= read -r line; do
         [[ $line =~ ^@([0-9]+)[.0-9]*\ +([0-9]+)%\ (.*) ]] || continue
         elapsed=${BASH_REMATCH[1]} percent=${BASH_REMATCH[2]}
-        left=$((percent > 0 ? elapsed * (100 - percent) / percent : 0))
+        [ "$percent" -gt 0 ] || continue # before, nobody knows
+        left=$((elapsed * (100 - percent) / percent))
         if [ -t 1 ]; then
             printf '\r\033[K[ %3d %% ] about %d:%02d left' "$percent" $((left / 60)) $((left % 60))
         elif [ "$percent" -ge "$next" ]; then
