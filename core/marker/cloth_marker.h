@@ -21,36 +21,53 @@ struct LaidCopy {
     int piece = 0;         ///< index into Pattern::pieces
     bool isImage = false;  ///< the mirrored one of a pair
     bool isKept = false;   ///< by a person
-    int sheet = 0;         ///< or hide
+    int sheet = 0;         ///< or hide: index into ClothMarker::parts
     Placement placement{};
+    int yield = 1;  ///< pieces of the garment that come of it: of folded cloth two as a rule
+};
+
+/// A stretch of roll, a sheet or a hide, as it lies: those of a marker one after the other along x.
+struct ClothPart {
+    geometry::Polygon outline;
+    std::vector<HideZone> zones{};
 };
 
 /// The pieces of one material laid on their cloth: none overlaps another or the cloth's edge.
 struct ClothMarker {
-    std::string material;  ///< empty: the garment's own fabric
-    double width = 0;      ///< mm, as it lies: folded cloth is half as wide
-    double length = 0;     ///< mm, along the warp; of sheets and hides up to the last copy
-    int sheets = 1;        ///< how many sheets, or hides, are used
-    double use = 0;        ///< area of the pieces / area of the cloth
-    int rounds = 0;        ///< of search
+    std::string material;    ///< empty: the garment's own fabric
+    double width = 0;        ///< mm, as it lies: folded cloth is half as wide
+    double length = 0;       ///< mm, along the warp; of sheets and hides up to the last copy
+    int sheets = 1;          ///< how many sheets, or hides, are used
+    double use = 0;          ///< area of the pieces / area of the cloth
+    int rounds = 0;          ///< of search
     bool isOptimal = false;  ///< no shorter one can be: no use to go on
     std::vector<LaidCopy> copies;
-    std::vector<Wording> notes{};  ///< what is not as it was asked for: pieces too large, seams
-                                   ///< whose stripes do not meet
+    std::vector<ClothPart> parts{};  ///< of the cloth that are used, up to `length`
+    std::vector<Wording> notes{};    ///< what is not as it was asked for: pieces too large, seams
+                                     ///< whose stripes do not meet
 };
+
+/// The pattern as it lies on cloth: on flat cloth all is laid whole, on folded cloth what is its
+/// own image lies with its middle on the fold, and of two that mirror each other one is laid.
+/// @param whole  `LaidOutPattern::wholePattern`, with its materials  Cost: that of `asCut`. Pure.
+Pattern patternOnCloth(Pattern whole, const MarkerSettings& settings);
 
 /// Materials of which something is cut, the garment's own first, then by name.
 std::vector<std::string> markerMaterials(const Pattern& pattern);
 
-/// The line that a copy takes up on the cloth, as it lies: its cutting line, closed.
+/// The line that a copy takes up on the cloth, as it lies: its cutting line, closed, in the piece's
+/// winding or, where it is mirrored, the other.
 Points2 laidOutline(const Pattern& pattern, const LaidCopy& copy);
 
 /// Lays what of a pattern is cut from one material, better round by round (`Nester`). After round k
 /// the marker depends on pattern, settings and kept copies alone.
 class MarkerNester {
 public:
-    /// @param pattern  as it is cut (`asCut`)
-    /// Errors: of `Nester::make`, naming a piece or the cloth; Cancelled.
+    /// @param pattern  as it lies (`patternOnCloth`)  @param fabric  of this material
+    /// @param kept  those of other pieces, or of more copies than are cut, are not looked at
+    /// Errors: PageTooSmall naming the cloth where border and gap leave none; MalformedFile naming
+    /// a piece that is kept outside or on another kept one, or the pattern where more copies are
+    /// asked for than are laid at once; Cancelled.
     static Result<MarkerNester> make(std::shared_ptr<const Pattern> pattern,
                                      const std::string& material, const Fabric& fabric,
                                      const MarkerSettings& settings,
@@ -61,6 +78,7 @@ public:
 
     /// The best so far; valid from the start.
     const ClothMarker& best() const;
+    /// A round of search. A cancelled one adds nothing.
     void step(const Progress& progress);
 
 private:
@@ -69,7 +87,8 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Which laid copies lie on another, or beyond the cloth: by exact arithmetic, as indices.
+/// Which laid copies lie on another, or beyond the cloth: by exact arithmetic, as indices. The end
+/// of a roll is nowhere.  Cost: that of the edges in the common parts of boxes. Pure.
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings);
 
@@ -79,9 +98,9 @@ Marker pageOf(const ClothMarker& marker);
 /// What a cutter asks of a marker.
 struct MarkerFigures {
     double seamMetres = 0;  ///< that are sewn, both sides once
-    int notches = 0;        ///< that are cut
-    double cutMetres = 0;   ///< along all lines that are cut
-    int copies = 0;
+    int notches = 0;        ///< that are cut, through two layers once
+    double cutMetres = 0;   ///< along all lines that are cut, through two layers once
+    int copies = 0;         ///< pieces of the garment that come of it
 };
 MarkerFigures markerFigures(const Pattern& pattern, const ClothMarker& marker);
 

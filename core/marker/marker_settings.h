@@ -49,10 +49,10 @@ struct Hide {
 /// How the pieces of one material are laid. What stands here is all that a marker follows from,
 /// beside the pattern.
 struct MarkerSettings {
-    double width = 0;                                  ///< 0: as the fabric says (`Fabric::width`)
-    std::optional<Eigen::Vector2d> sheet{};            ///< sheets instead: along the warp, across it
+    double width = 0;                        ///< 0: as the fabric says (`Fabric::width`)
+    std::optional<Eigen::Vector2d> sheet{};  ///< sheets instead: along the warp, across it
     std::vector<std::shared_ptr<const Hide>> hides{};  ///< or hides, in this order
-    double gap = 0;     ///< between two copies at least
+    double gap = 0;                                    ///< between two copies at least
     double border = 0;  ///< between a copy and all edges of the cloth
     TurnRule turns = TurnRule::HalfTurns;
     double tolerance = 0;   ///< and so much more to both sides
@@ -69,7 +69,10 @@ struct CopyKey {
     PieceId piece{};
     int number = 0;
 
-    auto operator<=>(const CopyKey&) const = default;
+    bool operator==(const CopyKey&) const = default;
+    bool operator<(const CopyKey& other) const {
+        return piece == other.piece ? number < other.number : piece < other.piece;
+    }
 };
 
 /// A copy that a person has laid: it stays there.

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/marker/laid_pieces.h"
+
+#include <algorithm>
+
+#include "core/base/units.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kFromBothLayers =
+    translatable("%1 is cut through both layers of the folded cloth: %2 more than are needed");
+
+}  // namespace
+}  // namespace toile
+
+namespace toile::cloth {
+namespace {
+
+/// So that ids made here are no others.
+constexpr std::uint64_t kFacingOnCloth = 0x6661636573, kNamelessOnCloth = 0x6e6f6e616d65;
+
+void addNumbers(LaidPiece& laid, int first, int step, int count) {
+    for (int k = 0; k < count; ++k) {
+        laid.numbers.push_back(first + step * k);
+    }
+}
+
+}  // namespace
+
+PieceId idOnCloth(const Pattern& pattern, int piece) {
+    const PieceId id = pattern.pieces[static_cast<std::size_t>(piece)].id;
+    const auto index = static_cast<std::uint64_t>(piece);
+    if (id) {
+        return id;
+    }
+    const std::size_t pieces =
+        pattern.pieces.size() - std::min(pattern.pieces.size(), pattern.facings.size());
+    if (index < pieces) {
+        return {hashOf({kNamelessOnCloth, index})};
+    }
+    const FacingPiece& facing = pattern.facings[index - pieces];
+    const auto of = static_cast<std::size_t>(facing.piece);
+    std::uint64_t before = 0;  // of the same facing on the same piece
+    for (std::size_t k = 0; k < index - pieces; ++k) {
+        before +=
+            pattern.facings[k].piece == facing.piece && pattern.facings[k].facing == facing.facing
+                ? 1
+                : 0;
+    }
+    return {hashOf({kFacingOnCloth, pattern.pieces[of].id.value,
+                    static_cast<std::uint64_t>(facing.facing), before})};
+}
+
+std::string materialOnCloth(const Pattern& pattern, const PatternPiece& piece) {
+    return findMaterial(piece.material, pattern.materials) ? piece.material : std::string();
+}
+
+std::vector<LaidPiece> laidPieces(const Pattern& pattern, const std::string& material,
+                                  const MarkerSettings& settings, std::vector<Wording>& notes) {
+    std::vector<LaidPiece> all;
+    for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
+        const PatternPiece& piece = pattern.pieces[p];
+        const int count = std::max(piece.quantity, 0) * std::max(settings.garments, 0);
+        if (piece.outline.rows() < 3 || count == 0 || materialOnCloth(pattern, piece) != material) {
+            continue;
+        }
+        const bool isPair =
+            piece.cutAs == CutAs::Pair || (piece.mirroredPair && piece.cutAs == CutAs::Whole);
+        LaidPiece laid;
+        laid.piece = static_cast<int>(p);
+        if (piece.cutAs == CutAs::OnFold) {
+            addNumbers(laid, 0, 1, piece.mirroredPair ? 2 * count : count);
+        } else if (!settings.isFolded) {
+            addNumbers(laid, 0, isPair ? 2 : 1, count);
+        } else if (isPair || piece.mirror.isSymmetric) {
+            laid.yield = 2;
+            addNumbers(laid, 0, 2, isPair ? count : (count + 1) / 2);
+        } else {
+            addNumbers(laid, 0, 1, count);
+        }
+        const int spare = !settings.isFolded || isPair || piece.cutAs == CutAs::OnFold ? 0
+                          : piece.mirror.isSymmetric                                   ? count % 2
+                                                                                       : count;
+        if (spare > 0) {
+            notes.push_back(worded(kFromBothLayers, {piece.name, figure(spare)}));
+        }
+        all.push_back(laid);
+        if (isPair && !settings.isFolded) {
+            LaidPiece image;
+            image.piece = laid.piece;
+            image.isImage = true;
+            addNumbers(image, 1, 2, count);
+            all.push_back(std::move(image));
+        }
+    }
+    return all;
+}
+
+geometry::Polygon lineOnCloth(const PatternPiece& piece, bool isImage) {
+    geometry::Polygon line = edgeOf(piece);
+    if (isImage) {
+        line.col(0) *= -1;
+    }
+    return line;
+}
+
+NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& settings) {
+    NestItem item;
+    item.name = piece.name;
+    item.rings = {lineOnCloth(piece, isImage)};
+    const double grain = grainOf(piece);
+    const double up = isImage ? grain - kPi : -grain;
+    item.angles = {up};
+    if (settings.turns == TurnRule::HalfTurns) {
+        item.angles.push_back(up + kPi);
+    }
+    item.tolerance = settings.turns == TurnRule::Free ? kPi : settings.tolerance;
+    return item;
+}
+
+NestPlacement nestPlacementOf(const Placement& placement) {
+    return {0, placement.turn, false, placement.offset.x(), placement.offset.y()};
+}
+
+Placement placementOf(const NestPlacement& placement, bool isImage) {
+    return {{placement.x, placement.y}, wrappedAngle(placement.angle), isImage};
+}
+
+}  // namespace toile::cloth
