@@ -143,7 +143,7 @@ private:
 
     Tried evaluate(const Shape& shape, Pose pose, double enough) {
         ++evaluations_;
-        if (!lay_.moveInside(shape, pose)) {
+        if (!lay_.moveInside(copy_, shape, pose)) {
             return {pose, HUGE_VAL};
         }
         return {pose, lay_.lossAt(copy_, shape, pose.x, pose.y, enough)};
@@ -164,7 +164,7 @@ void findBetterPlace(Lay& lay, std::size_t copy, const PlaceSearch& search, Rand
                      std::int64_t& evaluations) {
     PlaceFinder finder(lay, copy, random, evaluations);
     BestPlaces best(finder.side() * 0.01);
-    const Pose present = lay.poses()[copy];
+    const Pose present = lay.pose(copy);
     const double before = lay.weightedLossOf(copy);
     best.add({present, before});
     for (int k = 0; k < search.around && best.best().loss > 0; ++k) {

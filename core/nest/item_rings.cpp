@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <polyclipping/clipper.hpp>
@@ -48,27 +47,23 @@ Rings withoutRepeats(const Rings& rings) {
     return result;
 }
 
-/// @param rings  its own without repeats
-std::optional<Error> wrongIn(const NestItem& item, const Rings& rings) {
+/// @param rings  without repeats
+const char* wrongInRings(const Rings& rings) {
     if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
             return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
         })) {
-        return wrongItem(item, kNoOutline);
+        return kNoOutline;
     }
     const Eigen::RowVector2d sides = rings[0].colwise().maxCoeff() - rings[0].colwise().minCoeff();
     if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
-        return wrongItem(item, kNoArea);
+        return kNoArea;
     }
-    if (doRingsCross(rings)) {
-        return wrongItem(item, kNoOutline);
-    }
-    if (item.angles.empty() ||
-        !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
-        !(item.tolerance >= 0) || item.demand < 0 ||
-        (item.fixed && (item.demand != 1 || !isUsable(*item.fixed)))) {
-        return wrongItem(item, kNoCopies);
-    }
-    return std::nullopt;
+    return doRingsCross(rings) ? kNoOutline : nullptr;
+}
+
+bool isUsable(const NestLattice& lattice) {
+    return lattice.anchor.allFinite() && lattice.phase.allFinite() &&
+           (lattice.step.array() >= 0).all();
 }
 
 }  // namespace
@@ -77,15 +72,27 @@ Error wrongItem(const NestItem& item, const Wording& what) {
     return {ErrorCode::MalformedFile, Subject::piece(item.name), what};
 }
 
-Result<Rings> usableRings(const NestItem& item) {
-    Rings rings = withoutRepeats(item.rings);
-    if (auto fault = wrongIn(item, rings)) {
-        return *std::move(fault);
+Result<Rings> usableRings(const Subject& subject, const Rings& rings) {
+    Rings kept = withoutRepeats(rings);
+    if (const char* fault = wrongInRings(kept)) {
+        return Error{ErrorCode::MalformedFile, subject, fault};
     }
-    return wound(std::move(rings));
+    return wound(std::move(kept));
 }
 
-Result<Rings> grownRings(const NestItem& item, const Rings& rings, double distance) {
+Result<Rings> usableRings(const NestItem& item) {
+    auto rings = usableRings(Subject::piece(item.name), item.rings);
+    if (rings && (item.angles.empty() ||
+                  !std::ranges::all_of(item.angles, [](double a) { return std::isfinite(a); }) ||
+                  !(item.tolerance >= 0) || item.demand < 0 ||
+                  (item.fixed && (item.demand != 1 || !isUsable(*item.fixed))) ||
+                  (item.lattice && !isUsable(*item.lattice)))) {
+        return wrongItem(item, kNoCopies);
+    }
+    return rings;
+}
+
+Result<Rings> grownRings(const Subject& subject, const Rings& rings, double distance) {
     if (!(distance > 0)) {
         return rings;
     }
@@ -112,7 +119,7 @@ Result<Rings> grownRings(const NestItem& item, const Rings& rings, double distan
         result.push_back(ring);
     }
     if (result.empty()) {
-        return wrongItem(item, kNoOutline);
+        return Error{ErrorCode::MalformedFile, subject, kNoOutline};
     }
     return result;
 }

@@ -13,11 +13,13 @@ constexpr double kMostSize = 1e7;  ///< mm: of coordinates, so that Clipper's gr
 Error wrongItem(const NestItem& item, const Wording& what);
 
 /// Wound, without points that repeat the one before. The square of the points.
-/// Errors: MalformedFile naming an item whose rings, copies, angles or fixed place are not usable.
+/// Errors: MalformedFile naming the subject whose rings are not usable.
+Result<Rings> usableRings(const Subject& subject, const Rings& rings);
+/// Those of an item. Errors: also where copies, angles, lattice or fixed place are not usable.
 Result<Rings> usableRings(const NestItem& item);
 
 /// Such rings farther out by `distance`, holes smaller: at least so far, as arcs are drawn outside.
-/// Errors: MalformedFile naming the item where nothing is left.
-Result<Rings> grownRings(const NestItem& item, const Rings& rings, double distance);
+/// Errors: MalformedFile naming the subject where nothing is left.
+Result<Rings> grownRings(const Subject& subject, const Rings& rings, double distance);
 
 }  // namespace toile::nest

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/nest/collision.h"
+#include "core/nest/rules.h"
 
 namespace toile::nest {
 namespace {
@@ -18,25 +19,29 @@ constexpr double kMostWeight = 1e100;
 Lay::Lay(const Problem& problem, const std::vector<Pose>& poses, double length)
     : problem_(&problem),
       length_(length),
-      poses_(poses),
+      poses_(poses.size() + problem.obstacles.size()),
       owned_(poses.size()),
-      shapes_(poses.size()),
-      left_(poses.size()),
-      bottom_(poses.size()),
-      right_(poses.size()),
-      top_(poses.size()),
-      excess_(poses.size()),
-      losses_(poses.size() * poses.size()),
-      weights_(poses.size() * poses.size(), 1) {
+      shapes_(all()),
+      left_(all()),
+      bottom_(all()),
+      right_(all()),
+      top_(all()),
+      excess_(all()),
+      losses_(all() * all()),
+      weights_(all() * all(), 1) {
+    for (std::size_t k = count(); k < all(); ++k) {
+        shapes_[k] = &problem.obstacles[k - count()].shape;
+        setBox(k);
+    }
     placeAll(poses, length);
 }
 
 double Lay::loss() const {
     double sum = 0;
-    for (std::size_t a = 0; a < count(); ++a) {
+    for (std::size_t a = 0; a < all(); ++a) {
         sum += excess_[a];
         for (std::size_t b = 0; b < a; ++b) {
-            sum += losses_[a * count() + b];
+            sum += losses_[a * all() + b];
         }
     }
     return sum;
@@ -44,23 +49,24 @@ double Lay::loss() const {
 
 double Lay::weightedLossOf(std::size_t copy) const {
     double sum = excess_[copy];
-    for (std::size_t k = copy * count(); k < (copy + 1) * count(); ++k) {
+    for (std::size_t k = copy * all(); k < (copy + 1) * all(); ++k) {
         sum += losses_[k] * weights_[k];
     }
     return sum;
 }
 
 double Lay::usedLength() const {
-    return right_.empty() ? 0 : *std::ranges::max_element(right_);
+    const auto end = right_.begin() + static_cast<std::ptrdiff_t>(count());
+    return count() == 0 ? 0 : *std::max_element(right_.begin(), end);
 }
 
 double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, double enough) const {
     const double left = x + shape.box.left, right = x + shape.box.right;
     const double bottom = y + shape.box.bottom, top = y + shape.box.top;
     thread_local std::vector<std::uint32_t> near;
-    near.resize(count() + 1);
+    near.resize(all() + 1);
     std::size_t found = 0;
-    for (std::size_t other = 0; other < count(); ++other) {  // without a branch
+    for (std::size_t other = 0; other < all(); ++other) {  // without a branch
         near[found] = static_cast<std::uint32_t>(other);
         const unsigned meetsAlong = unsigned{left_[other] < right} & unsigned{right_[other] > left};
         const unsigned meetsAcross =
@@ -68,12 +74,11 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
         found += meetsAlong & meetsAcross & unsigned{other != copy};
     }
     double sum = 0;
-    const double* const weights = &weights_[copy * count()];
+    const double* const weights = &weights_[copy * all()];
     for (std::size_t k = 0; k < found; ++k) {
         const std::size_t other = near[k];
-        const double dx = poses_[other].x - x, dy = poses_[other].y - y;
-        if (doCollide(shape, *shapes_[other], dx, dy)) {
-            sum += weights[other] * collisionLoss(shape, *shapes_[other], dx, dy);
+        if (const double loss = lossWith(copy, shape, x, y, other); loss > 0) {
+            sum += weights[other] * loss;
             if (sum >= enough) {
                 break;
             }
@@ -82,9 +87,24 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
     return sum;
 }
 
-bool Lay::moveInside(const Shape& shape, Pose& pose) const {
-    return moveBetween(shape.box.left, shape.box.right, problem_->low, length_, pose.x) &&
-           moveBetween(shape.box.bottom, shape.box.top, problem_->low, problem_->high, pose.y);
+double Lay::lossWith(std::size_t copy, const Shape& shape, double x, double y,
+                     std::size_t other) const {
+    const double dx = poses_[other].x - x, dy = poses_[other].y - y;
+    if (other < count()) {
+        return doCollide(shape, *shapes_[other], dx, dy)
+                   ? collisionLoss(shape, *shapes_[other], dx, dy)
+                   : 0;
+    }
+    const Obstacle& obstacle = problem_->obstacles[other - count()];
+    const Shape& bare = bareOf(shape);
+    return obstacle.isFor[static_cast<std::size_t>(problem_->copies[copy].item)] &&
+                   doCollide(bare, obstacle.shape, dx, dy)
+               ? collisionLoss(bare, obstacle.shape, dx, dy)
+               : 0;
+}
+
+bool Lay::moveInside(std::size_t copy, const Shape& shape, Pose& pose) const {
+    return nest::moveInside(*problem_, problem_->itemOf(copy), shape, length_, pose);
 }
 
 void Lay::setPose(std::size_t copy, const Pose& pose) {
@@ -92,29 +112,29 @@ void Lay::setPose(std::size_t copy, const Pose& pose) {
     const Shape& shape = shapeOf(copy, pose, owned_[copy]);
     shapes_[copy] = &shape;
     // A loss like that of a pair one upon the other, so that it looks for another turn.
-    const bool fits = problem_->itemOf(copy).isFixed || moveInside(shape, poses_[copy]);
+    const bool fits = problem_->itemOf(copy).isFixed || moveInside(copy, shape, poses_[copy]);
     excess_[copy] = fits ? 0 : shape.diameter * shape.diameter;
-    const Pose& at = poses_[copy];
-    left_[copy] = at.x + shape.box.left;
-    right_[copy] = at.x + shape.box.right;
-    bottom_[copy] = at.y + shape.box.bottom;
-    top_[copy] = at.y + shape.box.top;
+    setBox(copy);
+}
+
+void Lay::setBox(std::size_t k) {
+    const Pose& at = poses_[k];
+    const Box& box = shapes_[k]->box;
+    left_[k] = at.x + box.left;
+    right_[k] = at.x + box.right;
+    bottom_[k] = at.y + box.bottom;
+    top_[k] = at.y + box.top;
 }
 
 void Lay::updateLosses(std::size_t copy) {
-    for (std::size_t other = 0; other < count(); ++other) {
-        double loss = 0;
-        const bool areFixed = problem_->itemOf(copy).isFixed && problem_->itemOf(other).isFixed;
-        if (other != copy && !areFixed && left_[other] < right_[copy] &&
-            right_[other] > left_[copy] && bottom_[other] < top_[copy] &&
-            top_[other] > bottom_[copy]) {
-            const double dx = poses_[other].x - poses_[copy].x,
-                         dy = poses_[other].y - poses_[copy].y;
-            if (doCollide(*shapes_[copy], *shapes_[other], dx, dy)) {
-                loss = collisionLoss(*shapes_[copy], *shapes_[other], dx, dy);
-            }
-        }
-        lossOf(copy, other) = lossOf(other, copy) = loss;
+    const bool isFixed = problem_->itemOf(copy).isFixed;
+    for (std::size_t other = 0; other < all(); ++other) {
+        const bool areFixed = isFixed && (other >= count() || problem_->itemOf(other).isFixed);
+        const bool meet = other != copy && !areFixed && left_[other] < right_[copy] &&
+                          right_[other] > left_[copy] && bottom_[other] < top_[copy] &&
+                          top_[other] > bottom_[copy];
+        lossOf(copy, other) = lossOf(other, copy) =
+            meet ? lossWith(copy, *shapes_[copy], poses_[copy].x, poses_[copy].y, other) : 0;
     }
 }
 

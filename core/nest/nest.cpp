@@ -86,16 +86,16 @@ Result<Nester> Nester::make(NestInstance instance, const NestOptions& options,
     state->instance = std::move(instance);
     state->options = options;
     state->problem = std::move(*problem);
-    const nest::Found start = nest::firstNest(state->problem, progress);
-    if (progress.isCancelled()) {
-        return Error{ErrorCode::Cancelled};
+    const auto start = nest::firstNest(state->problem, state->instance, progress);
+    if (!start) {
+        return start.error();
     }
     const int count = std::clamp(options.searches, 1, kMostSearches);
     for (int k = 0; k < count; ++k) {
         state->searches.push_back(std::make_unique<nest::Search>(
-            state->problem, start, nest::Random(options.seed, static_cast<std::uint64_t>(k), 0)));
+            state->problem, *start, nest::Random(options.seed, static_cast<std::uint64_t>(k), 0)));
     }
-    state->take(start);
+    state->take(*start);
     return Nester(std::move(state));
 }
 

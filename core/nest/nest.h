@@ -27,6 +27,13 @@ struct NestPlacement {
     bool operator==(const NestPlacement&) const = default;
 };
 
+/// Where a point of a shape may lie, as on cloth with stripes: per axis at `phase` and whole
+/// multiples of `step` from there (to a millionth of a mm). A step of 0: anywhere along that axis;
+/// an infinite one: only there.
+struct NestLattice {
+    Eigen::Vector2d anchor, phase, step;  ///< the anchor in the shape's own coordinates
+};
+
 /// A shape and how its copies may lie.
 struct NestItem {
     std::string name;
@@ -37,14 +44,35 @@ struct NestItem {
     std::vector<double> angles{0};  ///< by which it may be turned; at least one
     double tolerance = 0;           ///< and so much more, to both sides; from pi on: freely
     bool mayMirror = false;
-    /// Where its one copy lies, whatever else holds. `item` is not looked at.
+    /// Where its one copy lies, whatever angles and lattice say. `item` is not looked at.
     std::optional<NestPlacement> fixed{};
+    std::optional<NestLattice> lattice{};
+    /// Its lowest point lies on the strip's edge at y = 0, a fold, where no border is kept; across
+    /// the strip the lattice says nothing, and it turns by no tolerance. A fixed one may lie above.
+    bool touchesEdge = false;
+};
+
+/// Where copies may not lie: a hole of the cloth, or a rectangle with a hide as its hole. The
+/// border is kept from it, but no gap. Obstacles may lie on each other and beyond the strip, and
+/// count as cloth in what is used.
+struct NestObstacle {
+    std::string name;
+    std::vector<geometry::Polygon> rings;  ///< as those of an item
+    std::vector<int> items;                ///< that may not lie there; empty: none may
+};
+
+/// A stretch of the strip where nothing lies, between sheets laid one after the other: from <= to,
+/// and `to` may be infinite, where the cloth ends. The border is kept from its ends.
+struct NestBand {
+    double from = 0, to = 0;
 };
 
 struct NestInstance {
     std::string name;
     double width = 0;  ///< of the strip
     std::vector<NestItem> items;
+    std::vector<NestObstacle> obstacles{};
+    std::vector<NestBand> bands{};  ///< in any order
 };
 
 struct NestOptions {
@@ -77,12 +105,13 @@ std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlace
 class Nester {
 public:
     /// With a first nest, laid one by one. The instance is kept.
-    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles, or
-    /// the instance where width, gap and border leave no strip; MalformedFile naming an item
-    /// without an area, with an unusable ring, number or angle, or a fixed one that lies outside or
-    /// on another fixed one; MalformedFile naming the instance with more copies than are laid at
-    /// once; Cancelled. What has no copies is not looked at. Cost: about n^2 m in n copies, m
-    /// points each, and m^2.
+    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles or
+    /// finds no room, or the instance where width, gap and border leave no strip; MalformedFile
+    /// naming an item without an area, with an unusable ring, number, lattice or angle, or a fixed
+    /// one that lies outside, in a band, on an obstacle or on another fixed one; MalformedFile
+    /// naming an obstacle with unusable rings, the instance with an unusable band or with more
+    /// copies than are laid at once; Cancelled. What has no copies is not looked at. Cost: about
+    /// n^2 m in n copies, m points each, and m^2.
     static Result<Nester> make(NestInstance instance, const NestOptions& options,
                                const Progress& progress = {});
     ~Nester();

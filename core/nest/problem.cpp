@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/nest/exact_overlap.h"
 #include "core/nest/item_rings.h"
+#include "core/nest/rules.h"
 
 namespace toile {
 namespace {
@@ -19,8 +20,11 @@ constexpr const char* kTooWide =
 constexpr const char* kTooManyCopies =
     translatable("more than %1 copies are not laid at once: lay several markers, or fewer copies");
 constexpr const char* kKeptOutside =
-    translatable("it is kept where it lies, which is outside the strip");
+    translatable("it is kept where it lies, which is outside the cloth");
 constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+constexpr const char* kTooLong =
+    translatable("it is longer than the cloth anywhere, at any angle that it may have");
+constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
 
 }  // namespace
 }  // namespace toile
@@ -61,24 +65,56 @@ LeastSides leastSides(const Shape& shape, double tolerance) {
     return least;
 }
 
-/// The variants that fit across the strip; none where none does.
-Item makeItem(const NestItem& asked, const Rings& rings, double width) {
+/// Whether a variant that turns no further has a place in an empty strip.
+bool hasPlace(const Problem& problem, const Item& item, const Variant& variant) {
+    Item alone;
+    alone.lattice = item.lattice;
+    alone.touchesEdge = item.touchesEdge;
+    alone.variants = {variant};
+    Pose pose;
+    return moveInside(problem, alone, variant.shape, HUGE_VAL, pose);
+}
+
+Shape shapeOfItem(const Item& item, bool isMirrored, bool isBareToo) {
+    Shape shape = makeShape(isMirrored ? mirrored(item.grown) : item.grown);
+    if (isBareToo) {
+        shape.bare.push_back(makeShape(isMirrored ? mirrored(item.bare) : item.bare));
+    }
+    return shape;
+}
+
+/// The variants that fit the strip; none where none does.
+/// @param isBareToo  they are looked at without the gap, too
+Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare, Rings grown,
+                      bool isBareToo) {
     Item item;
-    item.grown = rings;
-    item.tolerance = asked.fixed ? 0 : std::min(asked.tolerance, kPi);
+    item.bare = std::move(bare);
+    item.grown = std::move(grown);
     item.isFixed = asked.fixed.has_value();
+    item.touchesEdge = asked.touchesEdge;
+    item.tolerance = asked.fixed || asked.touchesEdge ? 0 : std::min(asked.tolerance, kPi);
+    item.lattice = asked.fixed ? std::nullopt : asked.lattice;
     item.leastExtent = HUGE_VAL;
+    bool fitsAcross = false;
     for (const bool isMirrored : {false, true}) {
         if (asked.fixed ? asked.fixed->mirrored != isMirrored : isMirrored && !asked.mayMirror) {
             continue;
         }
         Shape& shape = item.unturned[isMirrored ? 1 : 0];
-        shape = makeShape(isMirrored ? mirrored(rings) : rings);
+        shape = shapeOfItem(item, isMirrored, isBareToo);
         for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
             Variant variant{angle, isMirrored, {}};
             turn(shape, angle, variant.shape);
+            variant.rest = -bareOf(variant.shape).box.bottom;
             const LeastSides sides = leastSides(variant.shape, item.tolerance);
-            if (sides.across <= width) {
+            const double width = item.touchesEdge
+                                     ? problem.high - (variant.rest + variant.shape.box.bottom)
+                                     : problem.width();
+            if (!(sides.across <= width)) {
+                continue;
+            }
+            fitsAcross = true;
+            if (item.isFixed || item.tolerance > 0 || hasPlace(problem, item, variant)) {
                 const double between =
                     item.tolerance > 0 ? kBetweenSteps * variant.shape.diameter : 0;
                 item.leastExtent = std::min(item.leastExtent, sides.along - between);
@@ -86,12 +122,17 @@ Item makeItem(const NestItem& asked, const Rings& rings, double width) {
             }
         }
     }
+    if (item.variants.empty()) {
+        return Error{
+            ErrorCode::PageTooSmall, Subject::piece(asked.name),
+            fitsAcross ? Wording(worded(kTooLong)) : worded(kTooWide, {figure(problem.cloth, 1)})};
+    }
     return item;
 }
 
-Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose) {
+Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose, bool isBare = false) {
     NestItem item;
-    item.rings = problem.itemOf(copy).grown;
+    item.rings = isBare ? problem.itemOf(copy).bare : problem.itemOf(copy).grown;
     return wound(placedRings(item, placementOf(problem, copy, pose)));
 }
 
@@ -101,9 +142,13 @@ std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& in
         return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
     };
     const std::size_t last = problem.copies.size() - 1;
-    const Rings own = ringsAt(problem, last, problem.copies[last].start);
-    if (own[0].minCoeff() < problem.low || own[0].col(1).maxCoeff() > problem.high) {
+    const Pose& pose = problem.copies[last].start;
+    const Rings own = ringsAt(problem, last, pose);
+    if (!keepsRules(problem, problem.itemOf(last), pose, own[0], HUGE_VAL)) {
         return wrongItem(askedOf(last), kKeptOutside);
+    }
+    if (const Obstacle* under = obstacleUnder(problem, last, pose)) {
+        return wrongItem(askedOf(last), worded(kKeptOnOther, {under->name}));
     }
     for (std::size_t copy = 0; copy < last; ++copy) {
         if (problem.itemOf(copy).isFixed &&
@@ -114,21 +159,79 @@ std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& in
     return std::nullopt;
 }
 
-}  // namespace
-
-bool moveBetween(double least, double most, double from, double to, double& at) {
-    if (!(most - least <= to - from)) {
-        return false;
+double areaOf(const Rings& rings) {
+    double area = 0;
+    for (const Polygon& ring : rings) {
+        area += geometry::signedAreaOf(ring);
     }
-    at = std::clamp(at, from - least, std::max(from - least, to - most));
-    while (at + least < from) {
-        at = std::nextafter(at, HUGE_VAL);
-    }
-    while (at + most > to) {
-        at = std::nextafter(at, -HUGE_VAL);
-    }
-    return true;
+    return area;
 }
+
+/// Where shapes end that fill the stretches from the first on, as long as this together.
+double endOfArea(const Problem& problem, double length) {
+    for (const Stretch& stretch : problem.stretches) {
+        if (length <= stretch.to - stretch.from) {
+            return stretch.from + length;
+        }
+        length -= stretch.to - stretch.from;
+    }
+    return problem.stretches.back().to;
+}
+
+/// What the bands leave.
+std::optional<Error> addStretches(Problem& problem, const NestInstance& instance) {
+    auto bands = instance.bands;
+    if (!std::ranges::all_of(bands, [](const NestBand& band) {
+            return std::abs(band.from) <= kMostSize && band.to >= band.from;
+        })) {
+        return Error{ErrorCode::MalformedFile, Subject::file(instance.name), kNoBand};
+    }
+    std::ranges::sort(bands, {}, &NestBand::from);
+    double from = 0;
+    const auto add = [&](double end) {
+        if (const Stretch stretch{from + problem.low, end - problem.low};
+            stretch.from < stretch.to) {
+            problem.stretches.push_back(stretch);
+        }
+    };
+    for (const NestBand& band : bands) {
+        if (band.from > from) {
+            add(band.from);
+        }
+        from = std::max(from, band.to);
+    }
+    add(HUGE_VAL);
+    if (problem.stretches.empty()) {
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance, double border) {
+    for (const NestObstacle& asked : instance.obstacles) {
+        const Subject subject = Subject::piece(asked.name);
+        const auto rings = usableRings(subject, asked.rings);
+        if (!rings) {
+            return rings.error();
+        }
+        auto grown = grownRings(subject, *rings, border);
+        if (!grown) {
+            return grown.error();
+        }
+        Obstacle obstacle{asked.name, std::move(*grown), {}, {}};
+        obstacle.shape = makeShape(obstacle.rings);
+        obstacle.isFor.assign(instance.items.size(), asked.items.empty());
+        for (const int item : asked.items) {
+            if (item >= 0 && item < static_cast<int>(obstacle.isFor.size())) {
+                obstacle.isFor[static_cast<std::size_t>(item)] = true;
+            }
+        }
+        problem.obstacles.push_back(std::move(obstacle));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
 
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose) {
     const Variant& variant = problem.itemOf(copy).variants[static_cast<std::size_t>(pose.variant)];
@@ -144,13 +247,24 @@ const Shape& shapeOf(const Item& item, const Pose& pose, Shape& own) {
     return own;
 }
 
+const Obstacle* obstacleUnder(const Problem& problem, std::size_t copy, const Pose& pose) {
+    if (problem.obstacles.empty()) {
+        return nullptr;
+    }
+    const Rings own = ringsAt(problem, copy, pose, true);
+    const auto item = static_cast<std::size_t>(problem.copies[copy].item);
+    const auto under = std::ranges::find_if(problem.obstacles, [&](const Obstacle& obstacle) {
+        return obstacle.isFor[item] && doOverlap(own, obstacle.rings);
+    });
+    return under == problem.obstacles.end() ? nullptr : &*under;
+}
+
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length) {
     std::vector<Rings> placed;
     for (std::size_t c = 0; c < poses.size(); ++c) {
         placed.push_back(ringsAt(problem, c, poses[c]));
-        const Polygon& outline = placed.back()[0];
-        if (outline.minCoeff() < problem.low || outline.col(0).maxCoeff() > length ||
-            outline.col(1).maxCoeff() > problem.high) {
+        if (!keepsRules(problem, problem.itemOf(c), poses[c], placed.back()[0], length) ||
+            obstacleUnder(problem, c, poses[c])) {
             return false;
         }
         for (std::size_t d = 0; d < c; ++d) {
@@ -165,6 +279,7 @@ bool isValid(const Problem& problem, const std::vector<Pose>& poses, double leng
 Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options,
                             const Progress& progress) {
     Problem problem;
+    problem.cloth = instance.width;
     problem.low = options.border - options.gap / 2;
     problem.high = instance.width - problem.low;
     if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
@@ -179,7 +294,14 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         return Error{ErrorCode::MalformedFile, Subject::file(instance.name),
                      worded(kTooManyCopies, {figure(kMostCopies, 0)})};
     }
-    double grownArea = 0;
+    if (auto fault = addStretches(problem, instance)) {
+        return *std::move(fault);
+    }
+    if (auto fault = addObstacles(problem, instance, options.border)) {
+        return *std::move(fault);
+    }
+    const bool isBareToo = options.gap > 0 && !problem.obstacles.empty();
+    double grownArea = 0, lowest = problem.low;
     for (std::size_t i = 0; i < instance.items.size(); ++i) {
         const NestItem& asked = instance.items[i];
         if (progress.isCancelled()) {
@@ -193,35 +315,34 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         if (!rings) {
             return rings.error();
         }
-        const auto larger = grownRings(asked, *rings, options.gap / 2);
-        if (!larger) {
-            return larger.error();
+        auto grown = grownRings(Subject::piece(asked.name), *rings, options.gap / 2);
+        if (!grown) {
+            return grown.error();
         }
-        Item item = makeItem(asked, *larger, problem.width());
-        if (item.variants.empty()) {
-            return Error{ErrorCode::PageTooSmall, Subject::piece(asked.name),
-                         worded(kTooWide, {figure(instance.width, 1)})};
+        auto item = makeItem(problem, asked, *rings, std::move(*grown), isBareToo);
+        if (!item) {
+            return item.error();
         }
-        const Shape& shape = item.variants[0].shape;
-        double area = 0;
-        for (const Polygon& ring : *rings) {
-            area += geometry::signedAreaOf(ring);
-        }
-        problem.area += area * asked.demand;
-        grownArea += shape.area * asked.demand;
+        problem.area += areaOf(item->bare) * asked.demand;
+        grownArea += areaOf(item->grown) * asked.demand;
         Copy copy{static_cast<int>(i)};
+        for (const Variant& variant : item->variants) {
+            const double least = variant.rest + variant.shape.box.bottom;
+            lowest = item->touchesEdge ? std::min(lowest, least) : lowest;
+        }
         if (asked.fixed) {
             copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
-            item.leastExtent = copy.start.x + shape.box.right - problem.low;
+            item->leastExtent = copy.start.x + item->variants[0].shape.box.right - problem.low;
         }
-        problem.leastLength = std::max(problem.leastLength, item.leastExtent);
-        problem.items.push_back(std::move(item));
+        problem.leastLength = std::max(problem.leastLength, item->leastExtent);
+        problem.items.push_back(std::move(*item));
         problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
         if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
             return *std::move(fault);
         }
     }
-    problem.leastLength = problem.low + std::max(problem.leastLength, grownArea / problem.width());
+    problem.leastLength = std::max(problem.low + problem.leastLength,
+                                   endOfArea(problem, grownArea / (problem.high - lowest)));
     return problem;
 }
 

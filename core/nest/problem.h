@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "core/nest/nest.h"
@@ -22,15 +24,18 @@ struct Variant {
     double angle = 0;
     bool mirrored = false;
     Shape shape;
+    double rest = 0;  ///< where it lies across the strip so that it touches the edge
 };
 
 struct Item {
     std::vector<Variant> variants;  ///< that fit the strip; at least one
     double tolerance = 0;           ///< of further turns
-    bool isFixed = false;
+    bool isFixed = false, touchesEdge = false;
+    std::optional<NestLattice> lattice;
     double leastExtent = 0;         ///< along the strip
     std::array<Shape, 2> unturned;  ///< as given and, where it is asked for, mirrored
     Rings grown;                    ///< by half the gap, as the search sees them
+    Rings bare;                     ///< without the gap, as obstacles see them
 };
 
 struct Copy {
@@ -38,11 +43,27 @@ struct Copy {
     Pose start{};  ///< of a fixed one
 };
 
+/// What copies may not lie on.
+struct Obstacle {
+    std::string name;
+    Rings rings;  ///< grown by the border
+    Shape shape;
+    std::vector<bool> isFor;  ///< of items
+};
+
+/// Of the strip, from one band to the next: between which grown copies lie along it.
+struct Stretch {
+    double from = 0, to = 0;
+};
+
 /// What is searched: shapes grown by half the gap, in the strip without its border but for that
 /// half, so that whatever does not overlap keeps gap and border.
 struct Problem {
     std::vector<Item> items;
     std::vector<Copy> copies;
+    std::vector<Obstacle> obstacles;
+    std::vector<Stretch> stretches;  ///< one after the other; at least one
+    double cloth = 0;                ///< its width
     double low = 0, high = 0;  ///< between which they lie across the strip, and from which along it
     double leastLength = 0;    ///< no nest ends before
     double area = 0;           ///< of the shapes as given
@@ -53,10 +74,6 @@ struct Problem {
     }
 };
 
-/// A shape from `least` to `most` moved by `at` so that it lies between two walls, whatever
-/// rounding does; false where it is too large.
-bool moveBetween(double least, double most, double from, double to, double& at);
-
 /// The item's shape as it is turned there: kept in `own` where the pose has a turn of its own.
 /// Turned once, as `placedRings` does, so that both have the same points.
 const Shape& shapeOf(const Item& item, const Pose& pose, Shape& own);
@@ -66,6 +83,9 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
                             const Progress& progress);
 
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose);
+
+/// The obstacle that a copy lies on there, by exact arithmetic; null: none.
+const Obstacle* obstacleUnder(const Problem& problem, std::size_t copy, const Pose& pose);
 
 /// Nothing overlaps and all is inside a strip that ends there, by exact arithmetic.
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length);

@@ -191,6 +191,9 @@ void turn(const Shape& shape, double angle, Shape& turned) {
         turned.circles.y[k] = s * shape.circles.x[k] + c * shape.circles.y[k];
     }
     turned.box = boxOf(turned);
+    for (std::size_t k = 0; k < shape.bare.size(); ++k) {
+        turn(shape.bare[k], angle, turned.bare[k]);
+    }
 }
 
 }  // namespace toile::nest

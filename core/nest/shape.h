@@ -27,9 +27,15 @@ struct Shape {
     Circles circles;
     Box box;
     double area = 0;
-    double hullRoot = 0;  ///< the square root of the area of its convex hull
-    double diameter = 0;  ///< of the box
+    double hullRoot = 0;      ///< the square root of the area of its convex hull
+    double diameter = 0;      ///< of the box
+    std::vector<Shape> bare;  ///< without the gap, where obstacles ask for it; else none
 };
+
+/// As obstacles see it.
+inline const Shape& bareOf(const Shape& shape) {
+    return shape.bare.empty() ? shape : shape.bare.front();
+}
 
 /// Takes time: the circles are searched. Precondition: the outline has an area.
 Shape makeShape(const Rings& rings);

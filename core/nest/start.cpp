@@ -3,10 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <set>
 
 #include "core/base/units.h"
 #include "core/nest/collision.h"
+#include "core/nest/rules.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kNoRoom = translatable("there is no room left for it on the cloth");
+
+}  // namespace
+}  // namespace toile
 
 namespace toile::nest {
 namespace {
@@ -14,6 +25,8 @@ namespace {
 constexpr int kTurnsTried = 8;            // of shapes that turn freely, to each side
 constexpr double kApart = 1e-6;           // mm: more than rounding moves
 constexpr std::size_t kMostRows = 60;     // that a copy is tried at
+constexpr int kEvenRows = 20;             // and beside obstacles
+constexpr int kOrdersTried = 20;          // where the cloth ends
 constexpr double kLeastStepShare = 1e-3;  // of the strip's width
 
 struct Laid {
@@ -34,43 +47,39 @@ public:
           poses_(problem.copies.size()),
           owned_(poses_.size()) {}
 
-    Found lay() {
-        std::vector<std::size_t> order(poses_.size());
-        for (std::size_t copy = 0; copy < order.size(); ++copy) {
-            order[copy] = copy;
-        }
-        std::ranges::stable_sort(
-            order, [this](std::size_t a, std::size_t b) { return rankOf(a) > rankOf(b); });
+    /// The copy that found no room, or none.
+    std::optional<std::size_t> lay(const std::vector<std::size_t>& order) {
         for (const std::size_t copy : order) {
+            const Item& item = problem_.itemOf(copy);
+            const auto pose = item.isFixed ? problem_.copies[copy].start : bestPose(copy);
             if (progress_.isCancelled()) {
-                break;
+                return std::nullopt;
             }
-            poses_[copy] =
-                problem_.itemOf(copy).isFixed ? problem_.copies[copy].start : bestPose(copy);
-            add(copy);
+            if (!pose) {
+                return copy;
+            }
+            poses_[copy] = *pose;
+            const Shape& shape = shapeOf(item, *pose, owned_[copy]);
+            laid_.push_back({&shape, pose->x, pose->y});
         }
+        return std::nullopt;
+    }
+
+    Found found() const { return {poses_, end()}; }
+
+private:
+    double end() const {
         double length = 0;
         for (const Laid& laid : laid_) {
             length = std::max(length, laid.right());
         }
-        return {poses_, length};
-    }
-
-private:
-    double rankOf(std::size_t copy) const {
-        const Item& item = problem_.itemOf(copy);
-        return item.isFixed ? HUGE_VAL : item.variants[0].shape.hullRoot;
-    }
-
-    void add(std::size_t copy) {
-        const Shape& shape = shapeOf(problem_.itemOf(copy), poses_[copy], owned_[copy]);
-        laid_.push_back({&shape, poses_[copy].x, poses_[copy].y});
+        return length;
     }
 
     /// Of all angles and rows the place that ends first, then lowest.
-    Pose bestPose(std::size_t copy) {
+    std::optional<Pose> bestPose(std::size_t copy) {
         const Item& item = problem_.itemOf(copy);
-        Pose best;
+        std::optional<Pose> best;
         double end = HUGE_VAL;
         const int turns = item.tolerance > 0 ? kTurnsTried : 0;
         for (std::size_t v = 0; v < item.variants.size(); ++v) {
@@ -78,17 +87,12 @@ private:
                 Pose pose{static_cast<int>(v), turns > 0 ? item.tolerance * k / turns : 0};
                 Shape own;
                 const Shape& shape = shapeOf(item, pose, own);
-                if (!(shape.box.top - shape.box.bottom <= problem_.width())) {
-                    continue;
-                }
-                for (const double bottom : rowsFor(shape)) {
+                for (const double y : rowsFor(item, shape, pose)) {
                     if (progress_.isCancelled()) {
                         return best;
                     }
-                    pose.y = bottom - shape.box.bottom;
-                    moveBetween(shape.box.bottom, shape.box.top, problem_.low, problem_.high,
-                                pose.y);
-                    pose.x = leftmost(shape, pose.y, end);
+                    pose.y = y;
+                    pose.x = leftmost(copy, shape, pose, problem_.low - shape.box.left, end);
                     if (pose.x + shape.box.right < end) {
                         end = pose.x + shape.box.right;
                         best = pose;
@@ -96,48 +100,71 @@ private:
                 }
             }
         }
-        return end < HUGE_VAL ? best : upright(copy);
+        return best || item.tolerance == 0 ? best : upright(copy);
     }
 
     /// One whose only fitting turns are between those tried: at the finest steps, past all others.
-    Pose upright(std::size_t copy) const {
+    std::optional<Pose> upright(std::size_t copy) const {
         const Item& item = problem_.itemOf(copy);
-        double right = problem_.low;
-        for (const Laid& laid : laid_) {
-            right = std::max(right, laid.right());
-        }
-        Pose best;
+        const double right = std::max(problem_.low, end()) + kApart;
+        std::optional<Pose> best;
         double least = HUGE_VAL;
         for (std::size_t v = 0; v < item.variants.size(); ++v) {
             for (int k = -180; k <= 180; ++k) {
                 Shape own;
                 Pose pose{static_cast<int>(v), item.tolerance * k / 180};
                 const Shape& shape = shapeOf(item, pose, own);
-                if (const double height = shape.box.top - shape.box.bottom; height < least) {
-                    least = height;
-                    pose.x = right - shape.box.left + kApart;
-                    pose.y = problem_.low - shape.box.bottom;
-                    moveBetween(shape.box.bottom, shape.box.top, problem_.low, problem_.high,
-                                pose.y);
-                    best = pose;
+                const double height = shape.box.top - shape.box.bottom;
+                pose.y = problem_.low - shape.box.bottom;
+                if (height < least && moveInside(problem_, item, shape, HUGE_VAL, pose)) {
+                    pose.x = leftmost(copy, shape, pose, right - shape.box.left, HUGE_VAL);
+                    if (pose.x < HUGE_VAL) {
+                        least = height;
+                        best = pose;
+                    }
                 }
             }
         }
         return best;
     }
 
-    /// Where it would lie on the edges or on, or under, the boxes of others.
-    std::vector<double> rowsFor(const Shape& shape) const {
-        const double height = shape.box.top - shape.box.bottom, most = problem_.high - height;
-        std::set<double> rows{problem_.low, most};
-        for (const Laid& laid : laid_) {
-            rows.insert(laid.y + laid.shape->box.top);
-            rows.insert(laid.y + laid.shape->box.bottom - height);
-            rows.insert(laid.y + laid.shape->box.bottom);
+    /// Where it would lie on the edges or on, or under, the boxes of others, as its rules allow.
+    std::vector<double> rowsFor(const Item& item, const Shape& shape, const Pose& pose) const {
+        const double bottom = shape.box.bottom, top = shape.box.top;
+        const Track track = tracksOf(item, pose).y;
+        if (std::isinf(track.step)) {
+            return {track.offset};
         }
-        std::vector<double> list;
-        std::ranges::copy_if(rows, std::back_inserter(list),
-                             [&](double y) { return y >= problem_.low && y <= most; });
+        const double low = problem_.low, most = problem_.high - (top - bottom);
+        std::set<double> rows{low, most};
+        const auto add = [&](double y, const Box& box) {
+            rows.insert(y + box.top);
+            rows.insert(y + box.bottom - (top - bottom));
+            rows.insert(y + box.bottom);
+        };
+        for (const Laid& laid : laid_) {
+            add(laid.y, laid.shape->box);
+        }
+        for (const Obstacle& obstacle : problem_.obstacles) {
+            add(0, obstacle.shape.box);
+        }
+        for (int k = 1; k < kEvenRows && !problem_.obstacles.empty(); ++k) {
+            rows.insert(low + (most - low) * k / kEvenRows);
+        }
+        if (track.step > 0 && (most - low) / track.step < static_cast<double>(kMostRows)) {
+            for (double y = low; y <= most; y += track.step) {
+                rows.insert(y);
+            }
+        }
+        std::set<double> places;
+        for (const double row : rows) {
+            double y = row - bottom;
+            if (row >= low && row <= most &&
+                moveBetween(track, bottom, top, low, problem_.high, y)) {
+                places.insert(y);
+            }
+        }
+        std::vector<double> list(places.begin(), places.end());
         if (list.size() > kMostRows) {  // evenly chosen, with the edges
             for (std::size_t k = 0; k < kMostRows; ++k) {
                 list[k] = list[k * (list.size() - 1) / (kMostRows - 1)];
@@ -147,25 +174,36 @@ private:
         return list;
     }
 
-    /// As far left as it goes along a row, by way of the ends of the boxes that it hits.
-    double leftmost(const Shape& shape, double y, double enough) const {
-        double x = problem_.low - shape.box.left;
-        moveBetween(shape.box.left, shape.box.right, problem_.low, HUGE_VAL, x);
+    /// As far left as it goes along a row from there on, by way of the ends of the boxes that it
+    /// hits; infinite where there is no place that ends before `enough`.
+    double leftmost(std::size_t copy, const Shape& shape, const Pose& row, double from,
+                    double enough) const {
+        const Item& item = problem_.itemOf(copy);
+        const Track track = tracksOf(item, row).x;
+        double x = nextAlong(problem_, track, shape, from);
         while (x + shape.box.right < enough) {
             double next = HUGE_VAL;
             for (const Laid& laid : laid_) {
                 if (laid.right() > x + shape.box.left &&
                     laid.x + laid.shape->box.left < x + shape.box.right &&
-                    doMeet(shape, *laid.shape, laid.x - x, laid.y - y)) {
+                    doMeet(shape, *laid.shape, laid.x - x, laid.y - row.y)) {
                     next = std::min(next, laid.right() - shape.box.left + (byBoxes_ ? kApart : 0));
                 }
             }
-            if (next == HUGE_VAL) {
+            Pose pose = row;
+            pose.x = x;
+            const Obstacle* obstacle =
+                next == HUGE_VAL ? obstacleUnder(copy, shape, pose) : nullptr;
+            if (next == HUGE_VAL && !obstacle) {
                 return x;
             }
             const double tenth = x + std::max((shape.box.right - shape.box.left) / 10,
                                               kLeastStepShare * problem_.width());
-            x = std::min(next, tenth) > x ? std::min(next, tenth) : std::nextafter(x, HUGE_VAL);
+            const double after = std::min(next, tenth);
+            if (obstacle && x + shape.box.left > obstacle->shape.box.right + problem_.width()) {
+                return HUGE_VAL;
+            }
+            x = nextAlong(problem_, track, shape, after > x ? after : std::nextafter(x, HUGE_VAL));
         }
         return HUGE_VAL;
     }
@@ -176,6 +214,18 @@ private:
                         : doCollide(a, b, dx, dy);
     }
 
+    const Obstacle* obstacleUnder(std::size_t copy, const Shape& shape, const Pose& pose) const {
+        const auto item = static_cast<std::size_t>(problem_.copies[copy].item);
+        const auto under = std::ranges::find_if(problem_.obstacles, [&](const Obstacle& obstacle) {
+            return obstacle.isFor[item] &&
+                   doCollide(bareOf(shape), obstacle.shape, -pose.x, -pose.y);
+        });
+        if (under != problem_.obstacles.end()) {
+            return &*under;
+        }
+        return byBoxes_ ? nest::obstacleUnder(problem_, copy, pose) : nullptr;
+    }
+
     const Problem& problem_;
     const Progress& progress_;
     bool byBoxes_;
@@ -184,13 +234,53 @@ private:
     std::vector<Laid> laid_;
 };
 
+/// The fixed ones, then the largest.
+std::vector<std::size_t> orderOf(const Problem& problem) {
+    std::vector<std::size_t> order(problem.copies.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto rankOf = [&problem](std::size_t copy) {
+        const Item& item = problem.itemOf(copy);
+        return item.isFixed ? HUGE_VAL : item.variants[0].shape.hullRoot;
+    };
+    std::ranges::stable_sort(order,
+                             [&](std::size_t a, std::size_t b) { return rankOf(a) > rankOf(b); });
+    return order;
+}
+
 }  // namespace
 
-Found firstNest(const Problem& problem, const Progress& progress) {
-    const Found found = FirstNest(problem, false, progress).lay();
-    return progress.isCancelled() || isValid(problem, found.poses, found.length)
-               ? found
-               : FirstNest(problem, true, progress).lay();
+Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
+                        const Progress& progress) {
+    auto order = orderOf(problem);
+    const auto isMovable = [&](std::size_t copy) { return !problem.itemOf(copy).isFixed; };
+    std::optional<std::size_t> failed;
+    for (int k = 0; k < kOrdersTried; ++k) {
+        for (const bool byBoxes : {false, true}) {
+            FirstNest nest(problem, byBoxes, progress);
+            failed = nest.lay(order);
+            if (progress.isCancelled()) {
+                return Error{ErrorCode::Cancelled};
+            }
+            const Found found = nest.found();
+            if (!failed && isValid(problem, found.poses, found.length)) {
+                return found;
+            }
+            if (failed) {
+                break;
+            }
+        }
+        if (failed) {  // what found no room goes first
+            const auto first = std::ranges::find_if(order, isMovable);
+            const auto at = std::ranges::find(order, *failed);
+            if (first == at) {
+                break;
+            }
+            std::rotate(first, at, at + 1);
+        }
+    }
+    const std::size_t copy = failed.value_or(order.front());
+    const auto item = static_cast<std::size_t>(problem.copies[copy].item);
+    return Error{ErrorCode::PageTooSmall, Subject::piece(instance.items[item].name), kNoRoom};
 }
 
 }  // namespace toile::nest

@@ -6,8 +6,9 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// A first nest: the largest copies first, each as far to the left as it goes. Valid, unless it was
-/// cancelled.
-Found firstNest(const Problem& problem, const Progress& progress);
+/// A first nest, valid: the largest copies first, each as far to the left as it goes.
+/// Errors: PageTooSmall naming the item of a copy that finds no room; Cancelled.
+Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
+                        const Progress& progress);
 
 }  // namespace toile::nest
