@@ -105,7 +105,9 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
         for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
             Variant variant{angle, isMirrored, {}};
             turn(shape, angle, variant.shape);
-            variant.rest = -bareOf(variant.shape).box.bottom;
+            const NestItem lain{{}, item.bare};
+            variant.rest =
+                -placedRings(lain, {0, angle, isMirrored, 0, 0})[0].col(1).minCoeff();
             const LeastSides sides = leastSides(variant.shape, item.tolerance);
             const double width = item.touchesEdge
                                      ? problem.high - (variant.rest + variant.shape.box.bottom)

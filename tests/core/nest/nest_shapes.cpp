@@ -79,6 +79,42 @@ geometry::Polygon nestStar(nest::Random& random, int count, double least, double
     return star;
 }
 
+namespace {
+
+/// Where its point lies, by the lattice's steps.
+void expectOnLattice(const NestItem& item, const NestPlacement& placement) {
+    NestItem point;
+    point.rings = {item.lattice->anchor.transpose()};
+    const Eigen::Vector2d at = placedRings(point, placement)[0].row(0);
+    for (const int axis : {0, 1}) {
+        if (axis == 1 && item.touchesEdge) {
+            continue;
+        }
+        const double off = at[axis] - item.lattice->phase[axis], step = item.lattice->step[axis];
+        const double nearest = step == 0          ? off
+                               : std::isinf(step) ? 0
+                                                  : std::round(off / step) * step;
+        EXPECT_NEAR(off, nearest, 2e-6) << item.name << ", axis " << axis;
+    }
+}
+
+void expectKeepsOff(const NestInstance& instance, const NestOptions& options,
+                    const NestPlacement& placement, const nest::Rings& placed) {
+    for (const NestObstacle& obstacle : instance.obstacles) {
+        if (obstacle.items.empty() || std::ranges::count(obstacle.items, placement.item) > 0) {
+            EXPECT_FALSE(nest::doOverlap(nest::wound(obstacle.rings), placed)) << obstacle.name;
+            EXPECT_GE(distanceOfRings(obstacle.rings, placed), options.border) << obstacle.name;
+        }
+    }
+    for (const NestBand& band : instance.bands) {
+        EXPECT_TRUE(placed[0].col(0).maxCoeff() <= band.from - options.border + 1e-9 ||
+                    placed[0].col(0).minCoeff() >= band.to + options.border - 1e-9)
+            << band.from;
+    }
+}
+
+}  // namespace
+
 void expectKeepsRules(const NestInstance& instance, const NestOptions& options,
                       const NestResult& result) {
     EXPECT_TRUE(result.valid);
@@ -88,11 +124,24 @@ void expectKeepsRules(const NestInstance& instance, const NestOptions& options,
     for (const NestPlacement& placement : result.placements) {
         const NestItem& item = instance.items[static_cast<std::size_t>(placement.item)];
         ++copies[static_cast<std::size_t>(placement.item)];
-        EXPECT_TRUE(isAllowedAngle(item, placement.angle)) << placement.angle;
-        EXPECT_TRUE(item.mayMirror || !placement.mirrored);
+        if (item.fixed) {
+            EXPECT_EQ(placement, *item.fixed);
+        } else {
+            EXPECT_TRUE(isAllowedAngle(item, placement.angle)) << placement.angle;
+            EXPECT_TRUE(item.mayMirror || !placement.mirrored);
+            if (item.lattice) {
+                expectOnLattice(item, placement);
+            }
+        }
         placed.push_back(nest::wound(placedRings(item, placement)));
         const auto& outline = placed.back()[0];
-        EXPECT_GE(outline.minCoeff(), options.border);
+        EXPECT_GE(outline.col(0).minCoeff(), options.border);
+        if (!item.touchesEdge) {
+            EXPECT_GE(outline.col(1).minCoeff(), options.border);
+        } else if (!item.fixed) {
+            EXPECT_EQ(outline.col(1).minCoeff(), 0);
+        }
+        expectKeepsOff(instance, options, placement, placed.back());
         EXPECT_LE(outline.col(1).maxCoeff(), instance.width - options.border);
         EXPECT_LE(outline.col(0).maxCoeff(), result.length - options.border);
         end = std::max(end, outline.col(0).maxCoeff());
@@ -106,6 +155,9 @@ void expectKeepsRules(const NestInstance& instance, const NestOptions& options,
     }
     for (std::size_t i = 0; i < copies.size(); ++i) {
         EXPECT_EQ(copies[i], instance.items[i].demand) << instance.items[i].name;
+    }
+    for (const NestBand& band : instance.bands) {
+        EXPECT_TRUE(result.length <= band.from + 1e-9 || result.length >= band.to);
     }
     EXPECT_NEAR(result.length, end + options.border, 0.01);
     EXPECT_NEAR(result.use, area / (instance.width * result.length), 1e-9);
