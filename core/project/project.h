@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/garment/fabric.h"
+#include "core/marker/marker_plan.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
 
@@ -54,6 +55,7 @@ struct Project {
     MaterialList materials{};  ///< of the pieces that are cut from another fabric
     std::vector<ProjectPiece> pieces{};
     PieceLabels labels{};
+    MarkerPlans markers{};  ///< how the pieces are laid on cloth
     /// The pattern file that the pieces are compared with.
     std::optional<FileReference> reference{};
     ProjectView view{};

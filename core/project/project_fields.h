@@ -10,6 +10,7 @@
 #include "core/cut/seams_fields.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/pattern/trueing.h"
+#include "core/project/marker_fields.h"
 #include "core/project/project.h"
 
 namespace toile::project_fields {
@@ -339,7 +340,8 @@ inline constexpr auto kSeams = [](auto& at, auto& loading) {
 
 /// All but the files, which depend on where the project lies.
 template <class Fields, class SomeProject>
-void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& labels) {
+void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& labels,
+              std::vector<MarkerOfMaterial>& markers) {
     at.object("reading", project.loading, kReading);
     at.list("division", project.loading.known, kKnownPiece);
     at.object("seams", project.loading, kSeams);
@@ -351,6 +353,9 @@ void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& label
     }
     at.list("pieces", project.pieces, kPiece);
     at.list("labels", labels, kLabel);
+    if (at.kReads || !markers.empty()) {
+        at.list("markers", markers, kMarker);
+    }
     at.object("view", project.view, kView);
 }
 

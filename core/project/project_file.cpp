@@ -77,9 +77,13 @@ Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults
     readFiles(fields, folder, project);
     FieldReader at(fields);
     std::vector<project_fields::LabelOfPiece> labels;
-    project_fields::describe(at, project, labels);
+    std::vector<project_fields::MarkerOfMaterial> markers;
+    project_fields::describe(at, project, labels, markers);
     for (auto& [piece, label] : labels) {
         project.labels[piece] = std::move(label);
+    }
+    for (auto& [material, plan] : markers) {
+        project.markers[std::move(material)] = std::move(plan);
     }
     if (fields.find("recoveryOf")) {
         project.recoveryOf = readPath(fields, "recoveryOf");
@@ -168,7 +172,9 @@ std::string projectText(const Project& project, const fs::path& folder) {
         json["reference"] = referenceJson(*project.reference, folder);
     }
     std::vector<project_fields::LabelOfPiece> labels(project.labels.begin(), project.labels.end());
-    project_fields::describe(at, project, labels);
+    std::vector<project_fields::MarkerOfMaterial> markers(project.markers.begin(),
+                                                          project.markers.end());
+    project_fields::describe(at, project, labels, markers);
     if (project.recoveryOf) {
         json["recoveryOf"] = pathText(*project.recoveryOf);
     }

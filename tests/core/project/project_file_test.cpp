@@ -87,6 +87,9 @@ public:
             project.pieces.push_back(
                 {flag() ? PieceId{random_() | 1U} : PieceId{}, text(), piece()});
         }
+        for (int k = upTo(2); k > 0; --k) {
+            project.markers[flag() ? text() : ""] = marker();
+        }
         for (int k = upTo(5); k > 0; --k) {
             project.labels[{random_() | 1U}] = {flag() ? text() : "", flag() ? upTo(100) : -1};
         }
@@ -101,6 +104,30 @@ public:
 private:
     int upTo(int most) { return static_cast<int>(random_() % (static_cast<unsigned>(most) + 1)); }
     bool flag() { return upTo(1) == 1; }
+
+    double length() { return std::uniform_real_distribution<>(0, 1000)(random_); }
+
+    MarkerPlan marker() {
+        MarkerPlan plan;
+        MarkerSettings& settings = plan.settings;
+        settings.width = length();
+        if (flag()) {
+            settings.sheet = {1 + length(), 1 + length()};
+        }
+        settings.gap = length();
+        settings.border = length();
+        settings.turns = static_cast<TurnRule>(upTo(2));
+        settings.tolerance = length() / 1000;
+        settings.isFolded = flag();
+        settings.repeat = {flag() ? length() : 0, flag() ? length() : 0, {-length(), length()}};
+        settings.garments = 1 + upTo(5);
+        for (int k = upTo(3); k > 0; --k) {
+            plan.kept.push_back({{{random_() | 1U}, upTo(9)},
+                                 upTo(3),
+                                 {{-length(), length()}, length() / 1000, flag()}});
+        }
+        return plan;
+    }
 
     /// Any finite bit pattern.
     double number() {
