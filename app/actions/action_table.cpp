@@ -529,6 +529,10 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::CompareMethods, "compareMethods", TR("C&ompare methods…"), "Ctrl+M",
          TR("See one piece flattened by up to four methods side by side, with a table of figures"),
          whenOpen()},
+        {ActionId::LayOnCloth, "layOnCloth", TR("Lay on clot&h…"), "Ctrl+Shift+M",
+         TR("Lay the pieces on their cloth so that little of it is left over: the marker, with its "
+            "length"),
+         whenOpen()},
         {ActionId::ToolSelect, "toolSelect", TR("&Select"), "V",
          TR("Select pieces, seams and vertices; move pieces in the pattern"), whenOpen(Group::Tool),
          "tool-select", TR("Select")},

@@ -77,6 +77,7 @@ enum class ActionId {
     SolverNewton,
     SolverSlcp,
     CompareMethods,
+    LayOnCloth,
     ToolSelect,
     ToolCut,
     ToolLoop,

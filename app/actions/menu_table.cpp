@@ -111,7 +111,7 @@ std::vector<MenuSpec> makeTable() {
           MirrorEdits}},
         {"layoutMenu", TR("La&yout"),
          {TurnLeft, TurnRight, MirrorLeftRight, MirrorUpsideDown, GoToPosition, kLine,
-          Submenu{"lineUpMenu"}, LayOutAgain, kLine,
+          Submenu{"lineUpMenu"}, LayOutAgain, LayOnCloth, kLine,
           GrainUpwards, kLine,
           VerticalGrain, ReferenceGrain, BestGrain, ResetGrain, kLine,
           Snapping}},

@@ -160,7 +160,7 @@ void Document::open(DocumentState state, Derived derived) {
                  DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
                  DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
                  DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings |
-                 DocumentChange::Reference);
+                 DocumentChange::Reference | DocumentChange::Marker);
 }
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {
@@ -244,6 +244,7 @@ DocumentChanges Document::differences(const DocumentState& before) const {
                  state_.settings != before.settings || state_.labels != before.labels);
     what.setFlag(DocumentChange::Seams, !haveTheSameNames(state_.labels, before.labels));
     what.setFlag(DocumentChange::Reference, state_.reference != before.reference);
+    what.setFlag(DocumentChange::Marker, !(state_.markers == before.markers));
     return what;
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "app/document/cloth_plans.h"
 #include "app/document/reference.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
@@ -32,6 +33,7 @@ struct DocumentState {
     SettingsById settings{};
     PieceLabels labels{};
     ReferenceFile reference{};  ///< that the pieces are compared with
+    ClothPlans markers{};       ///< how the pieces are laid on cloth
 
     bool operator==(const DocumentState&) const = default;
 };

@@ -21,6 +21,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     }
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
+    project.markers = state.markers.all();
     if (const auto& path = state.reference.path; !path.empty()) {
         project.reference = FileReference{.path = path};
     }
@@ -57,6 +58,7 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     state.fabric = project.fabric;
     state.materials = project.materials;
     state.labels = project.labels;
+    state.markers = ClothPlans(project.markers);
     if (project.reference) {
         state.reference.path = project.reference->path;
     }

@@ -3,7 +3,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "app/base/text.h"
@@ -11,13 +10,10 @@
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
-#include "app/text/error_text.h"
+#include "app/jobs/pattern_now.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/export/export_file.h"
-#include "core/pipeline/garment_flattener.h"
-#include "core/project/left_out.h"
-#include "core/project/piece_names.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -41,8 +37,6 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
     return {*project.recoveryOf, bytes ? std::optional(contentHash(*bytes)) : std::nullopt};
 }
 
-/// Of the time of an export whose flat pieces are still warm, about.
-constexpr double kSettlingShare = 0.7;
 /// Of a file that is looked at before it is written, bytes.
 constexpr std::size_t kMostOfBeginning = 20000;
 
@@ -108,66 +102,6 @@ Result<ReadMeshes> readMeshes(const std::filesystem::path& path, const FoundMesh
     }
     return made;
 }
-
-/// What files are made of: a snapshot, whatever is edited meanwhile.
-class PatternNow {
-public:
-    PatternNow(const Document& document, std::set<int> only)
-        : only_(std::move(only)),
-          derived_(document.derived()),
-          labels_(document.state().labels),
-          materials_(document.state().materials),
-          fabric_(document.fabric()),
-          said_(document.state().settings),
-          words_(drawingWords()) {
-        for (std::size_t i = 0; i < document.settings().size(); ++i) {
-            // Of a piece that the state to come does not have any more, too.
-            said_.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
-        }
-    }
-
-    /// Flattens what is not flat yet, lays the pattern out and gives it to `use`, a function of
-    /// `(const ExportSource&, const Progress&)` to a Result.
-    template <class Use>
-    auto with(const ExportOptions& options, Progress& progress, const Use& use) const
-        -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
-        Derivation made{derived_};
-        progress.setShare(0, kSettlingShare);
-        GarmentFlattener flattener;
-        settle(made, flattener, progress);
-        if (progress.isCancelled()) {
-            return Error{ErrorCode::Cancelled};
-        }
-        progress.setShare(kSettlingShare, 1);
-        SettingsById settings = settingsAfter(made, said_, {});
-        std::vector<PieceSettings> ofPieces;
-        for (const auto& piece : derived_.garment->pieces) {
-            ofPieces.push_back(settings[piece->id]);
-        }
-        const Garment garment = named(*derived_.garment, labels_);
-        for (std::size_t i = 0; i < ofPieces.size(); ++i) {
-            // What has just been taken in again is not flat yet: it is not in what is shown.
-            const bool isShown = !isLeftOut(*made.derived.results[i]) &&
-                                 (only_.empty() || only_.contains(static_cast<int>(i)));
-            ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
-        }
-        const PieceResults results =
-            withoutLeftOut(resultsFor(garment, made.derived.results), garment, ofPieces);
-        const LineSettings lines = made.derived.lines.value_or(LineSettings{});
-        LaidOutPattern laid = layOut(garment, results, ofPieces, {}, lines, made.derived.symmetry);
-        laid.pattern.materials = materials_;
-        return use(ExportSource(garment, results, laid, options, words_, lines, fabric_), progress);
-    }
-
-private:
-    std::set<int> only_;
-    Derived derived_;
-    decltype(DocumentState::labels) labels_;
-    decltype(DocumentState::materials) materials_;
-    Fabric fabric_;
-    SettingsById said_;
-    DrawingWords words_;
-};
 
 }  // namespace
 

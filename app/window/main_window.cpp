@@ -68,7 +68,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
       docks_(std::make_unique<WindowDocks>(*this, workspace_, actions_, views(), preferences)),
       status_(std::make_unique<WindowStatus>(*statusBar(), workspace_, actions_,
                                              garmentActions_->project().session(), checker())),
-      dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences)),
+      dialogs_(std::make_unique<WindowDialogs>(*this, workspace_, actions_, views(), preferences,
+                                               garmentActions_->fileDialogs())),
       contextMenus_(std::make_unique<WindowContextMenus>(*this, workspace_.document(), actions_,
                                                          garmentActions_->materials(), views())) {
     setObjectName("mainWindow");

@@ -13,6 +13,7 @@
 #include "app/actions/own_folders.h"
 #include "app/actions/workspace.h"
 #include "app/compare/compare_window.h"
+#include "app/marker/marker_window.h"
 #include "app/panels/document_page.h"
 #include "app/panels/help_page.h"
 #include "app/panels/leave_out_dialog.h"
@@ -26,12 +27,13 @@
 namespace toile::app {
 
 WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
-                             ViewArea& views, Preferences& preferences)
+                             ViewArea& views, Preferences& preferences, FileDialogs& files)
     : window_(window),
       workspace_(workspace),
       actions_(actions),
       views_(views),
       preferences_(preferences),
+      files_(files),
       palette_(&window) {
     actions_.on(ActionId::CommandPalette, this, &WindowDialogs::showCommands);
     actions_.on(ActionId::EditPreferences, this, &WindowDialogs::editPreferences);
@@ -44,10 +46,12 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
     actions_.on(ActionId::ReadScan, this, &WindowDialogs::prepareScan);
     connect(&workspace_.proposals(), &CutProposals::opened, this, &WindowDialogs::showProposals);
     actions_.on(ActionId::CompareMethods, this, &WindowDialogs::compareMethods);
+    actions_.on(ActionId::LayOnCloth, this, &WindowDialogs::layOnCloth);
 }
 
 WindowDialogs::~WindowDialogs() {
-    delete compare_;  // these look at the document to their end
+    delete marker_;  // these look at the document to their end
+    delete compare_;
     delete window_.findChild<ScanForm*>();
     qDeleteAll(window_.findChildren<ProposalsForm*>());
 }
@@ -75,6 +79,17 @@ void WindowDialogs::compareMethods() {
     compare_->show();
     compare_->raise();
     compare_->activateWindow();
+}
+
+void WindowDialogs::layOnCloth() {
+    if (!marker_) {
+        marker_ = new MarkerWindow(workspace_, preferences_, files_, &window_);
+        // What is said and laid there is taken back as everything is.
+        marker_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
+    }
+    marker_->show();
+    marker_->raise();
+    marker_->activateWindow();
 }
 
 void WindowDialogs::editPreferences() {

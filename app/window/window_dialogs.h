@@ -7,6 +7,8 @@ namespace toile::app {
 
 class ActionRegistry;
 class CompareWindow;
+struct FileDialogs;
+class MarkerWindow;
 class Preferences;
 class ViewArea;
 class Workspace;
@@ -19,7 +21,7 @@ class WindowDialogs : public QObject {
 public:
     /// All must outlive this. Nothing is shown before it is asked for.
     WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
-                  ViewArea& views, Preferences& preferences);
+                  ViewArea& views, Preferences& preferences, FileDialogs& files);
     ~WindowDialogs() override;
 
 private:
@@ -27,6 +29,8 @@ private:
     void showCommands();
     /// One window, however often it is asked for.
     void compareMethods();
+    /// The same of laying the pieces on cloth.
+    void layOnCloth();
     void askWhatIsSmall();
     /// One form, however often it is asked for, beside the garment.
     void prepareScan();
@@ -46,8 +50,10 @@ private:
     const ActionRegistry& actions_;
     ViewArea& views_;
     Preferences& preferences_;
+    FileDialogs& files_;
     CommandPalette palette_;
     CompareWindow* compare_ = nullptr;
+    MarkerWindow* marker_ = nullptr;
 };
 
 }  // namespace toile::app

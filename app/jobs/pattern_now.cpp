@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/jobs/pattern_now.h"
+
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/jobs/derivation.h"
+#include "app/text/error_text.h"
+#include "core/pipeline/garment_flattener.h"
+#include "core/project/left_out.h"
+#include "core/project/piece_names.h"
+
+namespace toile::app {
+
+namespace {
+
+/// Of the time of an export whose flat pieces are still warm, about.
+constexpr double kSettlingShare = 0.7;
+
+}  // namespace
+
+PatternNow::PatternNow(const Document& document, std::set<int> only)
+    : only_(std::move(only)),
+      derived_(document.derived()),
+      labels_(document.state().labels),
+      materials_(document.state().materials),
+      fabric_(document.fabric()),
+      said_(document.state().settings),
+      words_(drawingWords()) {
+    for (std::size_t i = 0; i < document.settings().size(); ++i) {
+        // Of a piece that the state to come does not have any more, too.
+        said_.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+    }
+}
+
+PatternNow::Made PatternNow::laidOut(Progress& progress) const {
+    Derivation derivation{derived_};
+    progress.setShare(0, kSettlingShare);
+    GarmentFlattener flattener;
+    settle(derivation, flattener, progress);
+    if (progress.isCancelled()) {
+        return {};
+    }
+    progress.setShare(kSettlingShare, 1);
+    SettingsById settings = settingsAfter(derivation, said_, {});
+    std::vector<PieceSettings> ofPieces;
+    for (const auto& piece : derived_.garment->pieces) {
+        ofPieces.push_back(settings[piece->id]);
+    }
+    Made made;
+    made.garment = named(*derived_.garment, labels_);
+    for (std::size_t i = 0; i < ofPieces.size(); ++i) {
+        // What has just been taken in again is not flat yet: it is not in what is shown.
+        const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
+                             (only_.empty() || only_.contains(static_cast<int>(i)));
+        ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
+    }
+    made.results = withoutLeftOut(resultsFor(made.garment, derivation.derived.results),
+                                  made.garment, ofPieces);
+    made.lines = derivation.derived.lines.value_or(LineSettings{});
+    made.laid =
+        layOut(made.garment, made.results, ofPieces, {}, made.lines, derivation.derived.symmetry);
+    made.laid.pattern.materials = made.laid.wholePattern.materials = materials_;
+    return made;
+}
+
+}  // namespace toile::app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <set>
+#include <string>
+#include <type_traits>
+
+#include "app/document/document_state.h"
+#include "core/export/export_source.h"
+
+namespace toile::app {
+
+class Document;
+
+/// What files are made of: a snapshot, whatever is edited meanwhile.
+class PatternNow {
+public:
+    /// @param only  the pieces that are meant; none: all
+    PatternNow(const Document& document, std::set<int> only);
+
+    /// Flattens what is not flat yet, lays the pattern out and gives it to `use`, a function of
+    /// `(const ExportSource&, const Progress&)` to a Result.
+    template <class Use>
+    auto with(const ExportOptions& options, Progress& progress, const Use& use) const
+        -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
+        const Made made = laidOut(progress);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        return use(ExportSource(made.garment, made.results, made.laid, options, words_, made.lines,
+                                fabric_),
+                   progress);
+    }
+
+private:
+    struct Made {
+        Garment garment;
+        PieceResults results;
+        LaidOutPattern laid;
+        LineSettings lines;
+    };
+
+    Made laidOut(Progress& progress) const;
+
+    std::set<int> only_;
+    Derived derived_;
+    PieceLabels labels_;
+    MaterialList materials_;
+    Fabric fabric_;
+    SettingsById said_;
+    DrawingWords words_;
+};
+
+}  // namespace toile::app

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "app/marker/cloth_drag.h"
+#include "app/marker/cloth_paint.h"
+#include "app/render/camera.h"
+
+namespace toile::app {
+
+class MarkerDesk;
+
+/// The cloth with what lies on it, and the hands on it: a copy that is dragged or turned is kept
+/// where it was put. The warp runs to the right. The wheel zooms, the middle button or Space with
+/// the left one moves the picture, F shows all of it.
+class ClothView : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `desk` must outlive this.
+    explicit ClothView(MarkerDesk& desk, QWidget* parent = nullptr);
+
+    /// The whole cloth, and from now on.
+    void frameAll();
+    /// Where the middle of a copy's name is, logical pixels.
+    QPointF placeOf(int copy) const;
+    /// Of the selected copy, by which it is turned; none where the cloth does not allow that.
+    std::optional<QPointF> handle() const;
+    /// -1: none.
+    int selected() const;
+    bool isDragging() const { return drag_ || turning_; }
+
+signals:
+    /// What a person should know of what was asked for; empty: nothing.
+    void said(const QString& sentence);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    /// Turning by the handle.
+    struct Turning {
+        LaidCopy before{};
+        double from = 0;  ///< direction from the middle to the pointer at first
+        Eigen::Vector2d middle{0, 0};
+        Placement now{};
+    };
+
+    void refresh();
+    void follow();
+    SheetMap map() const { return SheetMap(camera_); }
+    Eigen::Vector2d onCloth(const QPointF& at) const;
+    int copyAt(const QPointF& at) const;
+    void select(int copy);
+    void turnSelected(bool clockwise);
+    void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers);
+    void endDrag();
+    void cancelDrag();
+    void updateCursor(const QPointF& at);
+    void paintHands(QPainter& painter, const RenderStyle& style) const;
+
+    MarkerDesk& desk_;
+    Camera2D camera_;
+    bool followsAll_ = true;
+    ClothLabels labels_;
+    std::vector<ClothShape> shapes_;   ///< as the desk's copies
+    std::optional<CopyKey> selected_;  ///< which is the one that is dragged, too
+    QPointF pressed_, last_;
+    bool isPanning_ = false, hasSpace_ = false, isHeld_ = false;
+    std::optional<ClothDrag> drag_;
+    std::optional<Turning> turning_;
+    std::optional<Placement> dragged_;
+};
+
+}  // namespace toile::app

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/marker/marker_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/actions/workspace.h"
+#include "app/jobs/pattern_now.h"
+#include "app/marker/cloth_drag.h"
+#include "app/text/error_text.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kPauseMilliseconds = 200;
+
+/// What of a piece its place on cloth follows from.
+bool liesAlike(const PatternPiece& one, const PatternPiece& other) {
+    const Points2 &line = edgeOf(one), &otherLine = edgeOf(other);
+    return one.id == other.id && one.name == other.name &&
+           static_cast<const Cutting&>(one) == static_cast<const Cutting&>(other) &&
+           one.mirror == other.mirror && line.rows() == otherLine.rows() && line == otherLine &&
+           one.outline.rows() == other.outline.rows() && one.outline == other.outline &&
+           one.notches.size() == other.notches.size();
+}
+
+bool liesAlike(const ClothGround& one, const ClothGround& other) {
+    const Pattern &pattern = one.laid.wholePattern, &otherPattern = other.laid.wholePattern;
+    return one.fabric == other.fabric && pattern.materials == otherPattern.materials &&
+           std::ranges::equal(
+               pattern.pieces, otherPattern.pieces,
+               [](const auto& a, const auto& b) -> bool { return liesAlike(a, b); }) &&
+           pattern.facings.size() == otherPattern.facings.size();
+}
+
+/// A marker in which copies lie where they are to: how long it is then, and how well used.
+void lay(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
+    if (settings.sheet || !settings.hides.empty() || !(marker.length > 0)) {
+        return;  // the cloth is as large as it is
+    }
+    double end = 0;
+    for (const LaidCopy& copy : marker.copies) {
+        end = std::max(end, laidOutline(pattern, copy).col(0).maxCoeff());
+    }
+    const double length = std::max(end + settings.border, 1.0);
+    marker.use *= marker.length / length;
+    marker.length = length;
+    for (ClothPart& part : marker.parts) {
+        part.outline.col(0) = (part.outline.col(0).array() > 0).select(length, part.outline.col(0));
+    }
+}
+
+/// On which sheet or hide a copy has come to lie; beyond all of them it stays of its own.
+int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
+           const Placement& placement) {
+    copy.placement = placement;
+    const double middle = boxAround(laidOutline(pattern, copy)).center().x();
+    for (std::size_t part = 0; part < marker.parts.size(); ++part) {
+        const Eigen::AlignedBox2d box = boxAround(marker.parts[part].outline);
+        if (box.min().x() <= middle && middle <= box.max().x()) {
+            return static_cast<int>(part);
+        }
+    }
+    return copy.sheet;
+}
+
+/// No file is to blame for what a person has said or laid here.
+QString searchProblem(const Error& problem) {
+    return problem.code == ErrorCode::MalformedFile && problem.subject.kind == Subject::Kind::Piece
+               ? MarkerDesk::tr("%1: %2. Lay it elsewhere, or release it.")
+                     .arg(QString::fromStdString(problem.subject.name), wordingText(problem.detail))
+               : errorText(problem);
+}
+
+}  // namespace
+
+MarkerDesk::MarkerDesk(Workspace& workspace, QObject* parent)
+    : QObject(parent), workspace_(workspace), document_(workspace.document()), search_(this) {
+    pause_.setSingleShot(true);
+    pause_.setInterval(kPauseMilliseconds);
+    connect(&pause_, &QTimer::timeout, this, &MarkerDesk::askForGround);
+    connect(&document_, &Document::changed, this, &MarkerDesk::onDocumentChanged);
+    connect(&search_, &MarkerSearch::changed, this, &MarkerDesk::compose);
+    connect(&search_, &MarkerSearch::failed, this, &MarkerDesk::failed);
+    connect(&workspace_.jobs(), &JobRunner::idle, this, [this] {
+        if (isActive_) {
+            pause_.start();
+        }
+    });
+}
+
+MarkerDesk::~MarkerDesk() {
+    search_.disconnect(this);
+}
+
+void MarkerDesk::begin() {
+    isActive_ = true;
+    askForGround();
+}
+
+void MarkerDesk::end() {
+    isActive_ = false;
+    pause_.stop();
+    worker_.cancel();
+    ground_.reset();
+    tried_.reset();
+    search_.clear();
+}
+
+MarkerDesk::Stage MarkerDesk::stage() const {
+    if (groundProblem_ || search_.problem()) {
+        return Stage::Failed;
+    }
+    if (ground_) {
+        return materials_.empty() ? Stage::Nothing : Stage::Laid;
+    }
+    return workspace_.canExport() || workspace_.jobs().isBusy() ? Stage::Waiting : Stage::Nothing;
+}
+
+QString MarkerDesk::problem() const {
+    switch (stage()) {
+        case Stage::Nothing:
+            return document_.garment()
+                       ? tr("Nothing is flat that could be laid: flatten the pieces first, with "
+                            "Flatten > Flatten again; what cannot lie flat needs a cut.")
+                       : tr("Open a garment first.");
+        case Stage::Waiting:
+            return tr("The pattern is on its way…");
+        case Stage::Failed:
+            return groundProblem_ ? errorText(*groundProblem_) : searchProblem(*search_.problem());
+        case Stage::Laid:
+            break;
+    }
+    return marker_ ? QString() : tr("The pieces are being laid…");
+}
+
+void MarkerDesk::setMaterial(const std::string& material) {
+    if (material != material_) {
+        material_ = material;
+        tried_.reset();
+        beginSearch(kFirstRounds);
+        emit clothChanged();
+    }
+}
+
+const Fabric& MarkerDesk::fabric() const {
+    return fabricOf(material_, document_.state().materials, document_.fabric());
+}
+
+const MarkerPlan& MarkerDesk::plan() const {
+    return document_.state().markers.of(material_);
+}
+
+void MarkerDesk::setSettings(const QString& text, const MarkerSettings& settings, int gesture) {
+    if (document_.garment()) {
+        DocumentState next = document_.state();
+        MarkerPlan said = plan();
+        said.settings = settings;
+        next.markers = next.markers.with(material_, std::move(said));
+        document_.edit(text, std::move(next), gesture);
+    }
+}
+
+void MarkerDesk::improve() {
+    isImproving_ = true;
+    if (search_.order().plan.kept != plan_.kept) {
+        beginSearch(std::nullopt);
+    } else {
+        search_.goOn();
+    }
+}
+
+void MarkerDesk::startAgain() {
+    beginSearch(rounds());
+}
+
+void MarkerDesk::tryPlacement(int copy, const Placement& placement) {
+    tried_.emplace(marker_->copies[static_cast<std::size_t>(copy)].key, placement);
+    compose();
+}
+
+void MarkerDesk::takeBack() {
+    tried_.reset();
+    compose();
+}
+
+void MarkerDesk::keep(int copy, const Placement& placement, const QString& text) {
+    const LaidCopy& laid = marker_->copies[static_cast<std::size_t>(copy)];
+    MarkerPlan said = plan();
+    std::erase_if(said.kept, [&](const KeptCopy& kept) { return kept.copy == laid.key; });
+    said.kept.push_back({laid.key, partOf(*marker_, *pattern(), laid, placement), placement});
+    std::ranges::sort(said.kept, {}, [](const KeptCopy& kept) {
+        return std::pair(kept.copy.piece.value, kept.copy.number);
+    });
+    DocumentState next = document_.state();
+    next.markers = next.markers.with(material_, std::move(said));
+    tried_.reset();
+    document_.edit(text.arg(nameOf(copy)), std::move(next));
+}
+
+void MarkerDesk::release(int copy) {
+    const CopyKey key = marker_->copies[static_cast<std::size_t>(copy)].key;
+    MarkerPlan said = plan();
+    std::erase_if(said.kept, [&](const KeptCopy& kept) { return kept.copy == key; });
+    DocumentState next = document_.state();
+    next.markers = next.markers.with(material_, std::move(said));
+    document_.edit(tr("Release %1 on the cloth").arg(nameOf(copy)), std::move(next));
+}
+
+void MarkerDesk::releaseAll() {
+    MarkerPlan said = plan();
+    said.kept.clear();
+    DocumentState next = document_.state();
+    next.markers = next.markers.with(material_, std::move(said));
+    document_.edit(tr("Release all on the cloth"), std::move(next));
+}
+
+QString MarkerDesk::nameOf(int copy) const {
+    const int piece = marker_->copies[static_cast<std::size_t>(copy)].piece;
+    return QString::fromStdString(pattern()->pieces[static_cast<std::size_t>(piece)].name);
+}
+
+void MarkerDesk::onDocumentChanged(DocumentChanges what) {
+    if (!isActive_) {
+        return;
+    }
+    if (what.testFlag(DocumentChange::Opened)) {
+        ground_.reset();
+        material_.clear();
+        plan_ = {};
+        search_.clear();
+    }
+    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
+                DocumentChange::Settings | DocumentChange::Fabric | DocumentChange::Options |
+                DocumentChange::Seams)) {
+        pause_.start();
+    }
+    if (what.testFlag(DocumentChange::Marker) && ground_) {
+        const bool otherSettings = !(plan().settings == plan_.settings);
+        const bool otherCloth = otherSettings && (plan().settings.width != plan_.settings.width ||
+                                                  plan().settings.sheet != plan_.settings.sheet ||
+                                                  plan().settings.hides != plan_.settings.hides);
+        plan_ = plan();
+        tried_.reset();
+        if (otherSettings || search_.isRunning() || search_.problem()) {
+            beginSearch(rounds());
+        } else {
+            compose();
+        }
+        if (otherCloth) {
+            emit clothChanged();
+        }
+    }
+    emit changed();
+}
+
+/// Of what is flat as the document asks: what comes in between is passed over.
+void MarkerDesk::askForGround() {
+    pause_.stop();
+    if (!isActive_) {
+        return;
+    }
+    if (!workspace_.canExport() || !document_.isFlattened() || workspace_.jobs().isBusy()) {
+        if (!workspace_.jobs().isBusy()) {
+            ground_.reset();
+            search_.clear();
+        }
+        emit changed();
+        return;
+    }
+    if (worker_.isBusy()) {
+        asksAgain_ = true;
+        worker_.cancel();
+        return;
+    }
+    worker_.start([now = PatternNow(document_, {})](
+                      Progress& progress) { return clothGround(now, progress); },
+                  [this](const Attempt<Result<std::shared_ptr<const ClothGround>>>& made,
+                         const Progress& progress) {
+                      if (std::exchange(asksAgain_, false)) {
+                          askForGround();
+                      } else if (isActive_ && !progress.isCancelled()) {
+                          groundProblem_.reset();
+                          if (made.answer && *made.answer) {
+                              takeGround(**made.answer);
+                          } else if (made.answer) {
+                              groundProblem_ = made.answer->error();
+                          } else {
+                              emit failed(faultText(made.fault));
+                          }
+                          emit changed();
+                      }
+                  });
+    emit changed();
+}
+
+void MarkerDesk::takeGround(std::shared_ptr<const ClothGround> ground) {
+    const bool isSame = ground_ && liesAlike(*ground_, *ground);
+    ground_ = std::move(ground);
+    if (isSame) {
+        return;
+    }
+    materials_ = markerMaterials(ground_->laid.wholePattern);
+    if (std::ranges::find(materials_, material_) == materials_.end()) {
+        material_ = materials_.empty() ? std::string() : materials_.front();
+    }
+    beginSearch(rounds());
+    emit clothChanged();
+}
+
+/// Where it is improved it goes on being improved.
+std::optional<int> MarkerDesk::rounds() const {
+    return isImproving_ && search_.isRunning() ? std::nullopt : std::optional(kFirstRounds);
+}
+
+MarkerOrder MarkerDesk::orderNow() const {
+    MarkerOrder order{nullptr, material_, fabric(), plan()};
+    const MarkerOrder& before = search_.order();
+    // The same pattern again where it lies as it did: what has been found stays in sight.
+    Pattern pattern = patternOnCloth(ground_->laid.wholePattern, order.plan.settings);
+    const bool isSame =
+        before.pattern &&
+        std::ranges::equal(before.pattern->pieces, pattern.pieces,
+                           [](const auto& a, const auto& b) -> bool { return liesAlike(a, b); });
+    order.pattern = isSame ? before.pattern : std::make_shared<const Pattern>(std::move(pattern));
+    return order;
+}
+
+void MarkerDesk::beginSearch(std::optional<int> rounds) {
+    plan_ = plan();
+    tried_.reset();
+    isImproving_ = !rounds;
+    if (!ground_ || materials_.empty()) {
+        search_.clear();
+    } else {
+        search_.begin(orderNow(), rounds);
+    }
+}
+
+/// What was laid by hand lies over what was found.
+void MarkerDesk::compose() {
+    marker_.reset();
+    misplaced_.clear();
+    figures_ = {};
+    if (search_.best() && pattern()) {
+        marker_ = *search_.best();
+        bool isByHand = false;
+        for (LaidCopy& copy : marker_->copies) {
+            const auto kept = std::ranges::find(plan_.kept, copy.key, &KeptCopy::copy);
+            copy.isKept = kept != plan_.kept.end();
+            const bool isTried = tried_ && tried_->first == copy.key;
+            const Placement place = isTried       ? tried_->second
+                                    : copy.isKept ? kept->placement
+                                                  : copy.placement;
+            isByHand = isByHand || !(place == copy.placement);
+            copy.placement = place;
+        }
+        if (isByHand) {  // else it is known to be well
+            lay(*marker_, *pattern(), plan_.settings);
+            misplaced_ = misplacedCopies(*pattern(), *marker_, plan_.settings);
+        }
+        figures_ = markerFigures(*pattern(), *marker_);
+    }
+    emit changed();
+}
+
+}  // namespace toile::app

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/marker/marker_window.h"
+
+#include <QDoubleSpinBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QPointer>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QShowEvent>
+#include <QStringList>
+#include <algorithm>
+
+#include "app/actions/file_dialogs.h"
+#include "app/actions/own_folders.h"
+#include "app/actions/workspace.h"
+#include "app/base/text.h"
+#include "app/marker/cloth_view.h"
+#include "app/marker/marker_form.h"
+#include "app/settings/length_display.h"
+#include "app/settings/preferences.h"
+#include "app/text/error_text.h"
+#include "app/text/figures.h"
+#include "app/widgets/scrolled.h"
+#include "core/export/export_file.h"
+#include "core/export/formats.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr double kUsualRate = 3;  // minutes a metre of seam
+constexpr FormatId kPageFormats[] = {FormatId::Pdf, FormatId::Svg, FormatId::Dxf, FormatId::Plt,
+                                     FormatId::Png};
+
+QString metres(double value) {
+    return saidLength(1000 * value);
+}
+
+/// For the dialog of files: "PDF (*.pdf);;SVG (*.svg)".
+QString pageFilter() {
+    QStringList filters;
+    for (const FormatId id : kPageFormats) {
+        const Format& format = formatOf(id);
+        if (format.write) {
+            filters << QString("%1 (*%2)")
+                           .arg(QString::fromUtf8(format.endings.front()).mid(1).toUpper(),
+                                QString::fromUtf8(format.endings.front()));
+        }
+    }
+    return filters.join(";;");
+}
+
+QString wholePercent(double share) {
+    return QLocale().toString(100 * share, 'f', 1);
+}
+
+}  // namespace
+
+MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileDialogs& files,
+                           QWidget* parent)
+    : QDialog(parent),
+      preferences_(preferences),
+      files_(files),
+      desk_(workspace),
+      form_(new MarkerForm(desk_, this)),
+      view_(new ClothView(desk_, this)),
+      figures_(new QLabel(this)),
+      details_(new QLabel(this)),
+      notes_(new QLabel(this)),
+      said_(new QLabel(this)),
+      rate_(new QDoubleSpinBox(this)),
+      improve_(new QPushButton(this)),
+      again_(new QPushButton(tr("Start a&gain"), this)),
+      save_(new QPushButton(tr("Sa&ve marker…"), this)) {
+    setObjectName("markerWindow");
+    setWindowTitle(tr("Lay on cloth"));
+    setSizeGripEnabled(true);
+    auto* scrolled = scrolledColumn(*form_, this);
+    scrolled->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
+    scrolled->setMinimumWidth(form_->sizeHint().width() + 18);
+    auto* layout = new QGridLayout(this);
+    layout->addWidget(scrolled, 0, 0);
+    layout->addWidget(view_, 0, 1);
+    layout->addLayout(makeFigures(), 1, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+    layout->setRowStretch(0, 1);
+    connect(&desk_, &MarkerDesk::changed, this, &MarkerWindow::refresh);
+    connect(&desk_, &MarkerDesk::failed, this, &MarkerWindow::say);
+    connect(view_, &ClothView::said, this, &MarkerWindow::say);
+    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &MarkerWindow::refresh);
+    connect(rate_, &QDoubleSpinBox::valueChanged, this, &MarkerWindow::refresh);
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize() * 0.95));
+    refresh();
+}
+
+MarkerWindow::~MarkerWindow() {
+    desk_.disconnect();
+}
+
+QLayout* MarkerWindow::makeFigures() {
+    figures_->setObjectName("markerFigures");
+    QFont strong = figures_->font();
+    strong.setWeight(QFont::DemiBold);
+    strong.setPointSizeF(1.15 * strong.pointSizeF());
+    figures_->setFont(strong);
+    details_->setObjectName("markerDetails");
+    notes_->setObjectName("markerNotes");
+    notes_->setWordWrap(true);
+    said_->setObjectName("markerSaid");
+    said_->setWordWrap(true);
+    said_->hide();
+    rate_->setObjectName("markerRate");
+    rate_->setRange(0, 999);
+    rate_->setDecimals(1);
+    rate_->setValue(kUsualRate);
+    rate_->setSuffix(tr(" min/m"));
+    rate_->setToolTip(tr("Minutes that a metre of seam takes you to sew"));
+    rate_->setAccessibleName(tr("Minutes a metre of seam"));
+    auto* details = new QHBoxLayout;
+    details->addWidget(details_);
+    details->addWidget(rate_);
+    details->addStretch(1);
+    auto* words = new QVBoxLayout;
+    words->addWidget(figures_);
+    words->addLayout(details);
+    words->addWidget(notes_);
+    words->addWidget(said_);
+    auto* row = new QHBoxLayout;
+    row->addLayout(words, 1);
+    row->addLayout(makeButtons());
+    return row;
+}
+
+QLayout* MarkerWindow::makeButtons() {
+    improve_->setObjectName("markerImprove");
+    again_->setObjectName("markerAgain");
+    again_->setToolTip(tr("Forget what was found and lay everything anew; what you laid stays"));
+    save_->setObjectName("markerSave");
+    save_->setToolTip(tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG"));
+    for (QPushButton* button : {improve_, again_, save_}) {
+        button->setAutoDefault(false);
+    }
+    connect(improve_, &QPushButton::clicked, this,
+            [this] { desk_.isRunning() ? desk_.stop() : desk_.improve(); });
+    connect(again_, &QPushButton::clicked, this, [this] { desk_.startAgain(); });
+    connect(save_, &QPushButton::clicked, this, &MarkerWindow::save);
+    auto* row = new QHBoxLayout;
+    row->addWidget(improve_);
+    row->addWidget(again_);
+    row->addWidget(save_);
+    row->setAlignment(Qt::AlignBottom);
+    return row;
+}
+
+void MarkerWindow::reject() {
+    if (!view_->isDragging()) {  // Escape takes that back alone
+        QDialog::reject();
+    }
+}
+
+void MarkerWindow::showEvent(QShowEvent* event) {
+    QDialog::showEvent(event);
+    if (!event->spontaneous()) {
+        view_->frameAll();
+        view_->setFocus();
+        desk_.begin();
+    }
+}
+
+void MarkerWindow::hideEvent(QHideEvent* event) {
+    QDialog::hideEvent(event);
+    if (!event->spontaneous()) {
+        desk_.end();
+    }
+}
+
+void MarkerWindow::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isEnter) {  // which has taken what was typed, and is to do no more
+        QDialog::keyPressEvent(event);
+    }
+}
+
+void MarkerWindow::refresh() {
+    const ClothMarker* marker = desk_.marker();
+    figures_->setText(marker ? figuresText() : QString());
+    details_->setText(marker ? detailsText() : QString());
+    rate_->setVisible(marker != nullptr);
+    const QString notes = notesText();
+    notes_->setText(notes);
+    notes_->setVisible(!notes.isEmpty());
+    improve_->setText(desk_.isRunning() ? tr("&Stop") : tr("&Improve"));
+    improve_->setToolTip(desk_.isRunning() ? tr("Keep the best that was found so far")
+                                           : tr("Look for a shorter marker until you stop it"));
+    improve_->setEnabled(desk_.isRunning() ||
+                         (marker && (!marker->isOptimal || !desk_.plan().kept.empty())));
+    again_->setEnabled(marker != nullptr || desk_.stage() == MarkerDesk::Stage::Failed);
+    save_->setEnabled(marker && desk_.misplaced().empty());
+    save_->setToolTip(marker && !desk_.misplaced().empty()
+                          ? tr("First lay what is red so that nothing lies on another piece or "
+                               "beyond the cloth")
+                          : tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG"));
+}
+
+void MarkerWindow::say(const QString& sentence) {
+    said_->setText(sentence);
+    said_->setVisible(!sentence.isEmpty());
+}
+
+QString MarkerWindow::figuresText() const {
+    const ClothMarker& marker = *desk_.marker();
+    const int misplaced = static_cast<int>(desk_.misplaced().size());
+    if (misplaced > 0) {
+        return misplaced == 1
+                   ? tr("1 piece lies on another or beyond the cloth")
+                   : tr("%n pieces lie on others or beyond the cloth", nullptr, misplaced);
+    }
+    const MarkerSettings& settings = desk_.settings();
+    if (settings.sheet) {
+        return (marker.sheets == 1 ? tr("1 sheet, %1 % used")
+                                   : tr("%n sheets, %1 % used", nullptr, marker.sheets))
+            .arg(wholePercent(marker.use));
+    }
+    if (!settings.hides.empty()) {
+        return (marker.sheets == 1 ? tr("1 hide, %1 % used")
+                                   : tr("%n hides, %1 % used", nullptr, marker.sheets))
+            .arg(wholePercent(marker.use));
+    }
+    return (settings.isFolded ? tr("%1 of cloth, folded to %2, %3 % used")
+                              : tr("%1 of cloth, %2 wide, %3 % used"))
+        .arg(saidLength(marker.length), saidLength(marker.width), wholePercent(marker.use));
+}
+
+QString MarkerWindow::detailsText() const {
+    const MarkerFigures& figures = desk_.figures();
+    const QLocale locale;
+    const double minutes = figures.seamMetres * rate_->value();
+    const int rounds = desk_.marker()->rounds;
+    QStringList parts{
+        figures.copies == 1 ? tr("1 piece") : tr("%n pieces", nullptr, figures.copies),
+        rounds == 1 ? tr("1 round of search") : tr("%n rounds of search", nullptr, rounds),
+        tr("%1 to cut").arg(metres(figures.cutMetres)),
+        figures.notches == 1 ? tr("1 notch") : tr("%n notches", nullptr, figures.notches),
+        tr("%1 of seams: %2 min at")
+            .arg(metres(figures.seamMetres), locale.toString(minutes, 'f', 0)),
+    };
+    return parts.join(QString::fromUtf8(" · "));
+}
+
+QString MarkerWindow::notesText() const {
+    QStringList lines;
+    if (const QString problem = desk_.problem();
+        !problem.isEmpty() && (desk_.marker() || desk_.stage() == MarkerDesk::Stage::Failed)) {
+        lines << problem;
+    }
+    if (desk_.marker()) {
+        for (const Wording& note : desk_.marker()->notes) {
+            lines << wordingText(note);
+        }
+    }
+    return lines.join('\n');
+}
+
+void MarkerWindow::save() {
+    const ClothMarker* marker = desk_.marker();
+    if (!marker || !desk_.ground()) {
+        return;
+    }
+    const auto& source = desk_.document().garment()->files.front()->path;
+    const QString remembered = preferences_.exportFolder();
+    const QString folder =
+        remembered.isEmpty() ? writingFolder(textOf(source), QString()) : remembered;
+    QString name = tr("%1-marker").arg(QFileInfo(textOf(source)).completeBaseName());
+    if (!desk_.material().empty()) {
+        name += '-' + QString::fromStdString(desk_.material());
+    }
+    const QString path = files_.save(this, folder + '/' + name + ".pdf", pageFilter());
+    if (path.isEmpty()) {
+        return;
+    }
+    const Format* format = formatOf(pathOf(path));
+    if (!format || std::ranges::find(kPageFormats, format->id) == std::end(kPageFormats)) {
+        say(tr("A marker is written as .pdf, .svg, .dxf, .plt or .png."));
+        return;
+    }
+    preferences_.setExportFolder(QFileInfo(path).absolutePath());
+    desk_.workspace().writing().start(markerFileJob(
+        desk_.ground(), desk_.pattern(), *marker, pathOf(path), preferences_.exportOptions(),
+        [this, alive = QPointer<MarkerWindow>(this)](const Exported& written) {
+            if (alive) {
+                say(tr("Written: %1").arg(QFileInfo(textOf(written.files.front())).fileName()));
+            }
+        }));
+}
+
+}  // namespace toile::app
