@@ -25,6 +25,7 @@ constexpr const char* kProposedNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left
                                           QT_TRANSLATE_NOOP("ProposedCut", "style line"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "left style line"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "right style line"),
+                                          QT_TRANSLATE_NOOP("ProposedCut", "band"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "ridge"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "dart"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "opening")};

@@ -17,8 +17,6 @@
 namespace toile {
 namespace {
 
-/// From here on a line of the mesh is named as the reason for a cut.
-constexpr double kSeamLikely = 0.6;
 /// Mean strain that is enough for what nobody wears, where nothing is stated.
 constexpr double kEnoughOfForms = 0.015;
 /// Beyond this mean strain the shortest cuts are no way to cover a form.
@@ -32,7 +30,7 @@ Wording evidenceOf(const TailorCut& cut) {
     if (cut.isFileBorder) {
         return worded("a border of the file, in its UV map or its parts");
     }
-    if (cut.likeliness > kSeamLikely) {
+    if (cut.likeliness > MeshLines::kLikely) {
         return worded("the mesh has a line there that looks like a seam (%1)",
                       {figure(cut.likeliness, 2)});
     }
@@ -120,7 +118,7 @@ void giveNames(std::vector<AdvisedCut>& cuts, const std::vector<UserCut>& own) {
 }
 
 /// Trousers have side seams where the mesh shows them: many have none. Maps are cut for more
-/// reasons than to sew: their borders beside the usual seams are offered, and no more.
+/// reasons than to sew: of their borders beside the usual seams bands are made, the others offered.
 bool isUsual(const AdvisedCut& cut, bool areTrousers) {
     switch (cut.what.line) {
         case TailorLine::Dart:
@@ -128,7 +126,7 @@ bool isUsual(const AdvisedCut& cut, bool areTrousers) {
         case TailorLine::Style:
             return !cut.what.isFileBorder;
         case TailorLine::Side:
-            return !areTrousers || cut.what.likeliness > kSeamLikely;
+            return !areTrousers || cut.what.likeliness > MeshLines::kLikely;
         default:
             return true;
     }

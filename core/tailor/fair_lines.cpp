@@ -16,9 +16,9 @@
 namespace toile::tailor {
 namespace {
 
-/// Edges from here on are a seam's, and stay, where they follow each other for so long, mm; none
-/// turns more than by this from the one before, as a cosine.
-constexpr double kStays = 0.6, kLongEnough = 50, kNoCorner = 0.8;
+/// Edges that look like a seam stay where they follow each other for so long, mm; none turns more
+/// than by this from the one before, as a cosine.
+constexpr double kLongEnough = 50, kNoCorner = 0.8;
 /// How far a line may leave its way, mm: an armhole, which is hollow, and others.
 constexpr double kNearHollow = 5, kNearStraight = 18;
 /// Between points of a line, mm; and how often the line is shortened around each.
@@ -203,7 +203,7 @@ public:
             held_.insert(cut.begin(), cut.end());
         }
         for (std::size_t s = 0; s < seams.size(); ++s) {
-            if (seams[s].line != TailorLine::Style) {
+            if (!isOfMesh(seams[s])) {
                 held_.insert(seams[s].way.front());
                 held_.insert(seams[s].way.back());
             }
@@ -218,7 +218,7 @@ public:
             made_.push_back(fair(seam));
         }
         for (std::size_t s = 0; s < seams_.size(); ++s) {
-            if (seams_[s].line == TailorLine::Style && !isRound(seams_[s])) {
+            if (isOfMesh(seams_[s]) && !isRound(seams_[s])) {
                 endOnOther(s, seams_[s].way.back());
                 std::ranges::reverse(made_[s].points);
                 endOnOther(s, seams_[s].way.front());
@@ -241,6 +241,11 @@ public:
     }
 
 private:
+    /// Led by the mesh alone: it ends on lines that the form has.
+    static bool isOfMesh(const TailorSeam& seam) {
+        return seam.line == TailorLine::Style || seam.line == TailorLine::Band;
+    }
+
     static bool isRound(const TailorSeam& seam) { return seam.way.front() == seam.way.back(); }
 
     /// The end of a style line, where it lies on another line's way.
@@ -278,7 +283,7 @@ private:
     }
 
     bool isSeam(int from, int to) const {
-        return lines_.at(findEdge(ways_.links().table().edges, from, to)) >= kStays;
+        return lines_.at(findEdge(ways_.links().table().edges, from, to)) >= MeshLines::kLikely;
     }
 
     bool isStraightOn(int a, int b, int c) const {

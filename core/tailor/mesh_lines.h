@@ -11,6 +11,9 @@ namespace toile {
 /// were sewn before they became one skin, their borders are still there: straight rows of edges of
 /// one length, along which the surface is bent, as panels are smooth within.
 struct MeshLines {
+    /// From here on a line is taken for a seam, and named as the reason for a cut.
+    static constexpr double kLikely = 0.6;
+
     std::vector<int> lineOf;             ///< per edge
     std::vector<std::vector<int>> ways;  ///< per line: its vertices; a round one repeats its first
     std::vector<double> likeliness;  ///< per line, 0 to below 1; a line of a regular grid has 0.5
@@ -29,8 +32,9 @@ struct MeshLines {
     /// Makes lines of edges that are borders in the file: each goes on until three meet, or it
     /// ends. Before `addSure`. @param isBorder  per edge
     void addBorders(const SurfaceLinks& links, const std::vector<char>& isBorder);
-    bool isBorder(int edge) const {
-        return firstBorder >= 0 && lineOf[edge] >= firstBorder && lineOf[edge] != sure;
+    bool isBorder(int edge) const { return isBorderLine(lineOf[edge]); }
+    bool isBorderLine(int line) const {
+        return firstBorder >= 0 && line >= firstBorder && line != sure;
     }
 };
 

@@ -16,8 +16,8 @@ constexpr double kOtherHalf = 1e4;
 /// A waist is where the garment is narrower than this part of its greatest width.
 constexpr double kNarrow = 0.9;
 constexpr int kHeights = 40;
-/// How far from there, mm, a line of the mesh may be the waist's, if it is one for sure.
-constexpr double kWaistReach = 50, kSureWaist = 0.6;
+/// How far from there, mm, a likely line of the mesh may be the waist's.
+constexpr double kWaistReach = 50;
 /// Nor is there one where a cut crosses both sides so near to it, mm.
 constexpr double kCutAround = 120;
 
@@ -100,7 +100,7 @@ std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
                                    ? pull.pulled(half, costs, nearHeight(ways, sides[0], at, left),
                                                  nearHeight(ways, sides[1], at, right))
                                    : pull.pulled(half, costs, left, right);
-        if (!isFront || pull.along(led) > kSureWaist) {
+        if (!isFront || pull.along(led) > MeshLines::kLikely) {
             half = std::move(led);
         }
         if (half.empty()) {

@@ -22,6 +22,16 @@ constexpr double kAlongSure = 0.02, kBesideSure = 10, kBeside = 30;
 
 }  // namespace
 
+double alongLines(const BodyWays& ways, const MeshLines& lines, const std::vector<int>& way) {
+    double sum = 0, whole = 0;
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const double length = (ways.at(way[k]) - ways.at(way[k - 1])).norm();
+        sum += length * lines.at(findEdge(ways.links().table().edges, way[k - 1], way[k]));
+        whole += length;
+    }
+    return whole > 0 ? sum / whole : 0;
+}
+
 SeamPull::SeamPull(const BodyWays& ways, const MeshLines& lines) : ways_(ways), lines_(lines) {
     const Edges& edges = ways.links().table().edges;
     std::vector<int> sure;
@@ -52,13 +62,13 @@ std::vector<double> SeamPull::eased(std::vector<double> costs) const {
 }
 
 double SeamPull::along(const std::vector<int>& way) const {
-    double sum = 0, whole = 0;
-    for (std::size_t k = 1; k < way.size(); ++k) {
-        const double length = (ways_.at(way[k]) - ways_.at(way[k - 1])).norm();
-        sum += length * lines_.at(findEdge(ways_.links().table().edges, way[k - 1], way[k]));
-        whole += length;
-    }
-    return whole > 0 ? sum / whole : 0;
+    return alongLines(ways_, lines_, way);
+}
+
+bool SeamPull::goesOn(int first, int middle, int last) const {
+    const Edges& edges = ways_.links().table().edges;
+    return lines_.lineOf[findEdge(edges, first, middle)] ==
+           lines_.lineOf[findEdge(edges, middle, last)];
 }
 
 double SeamPull::alongSure(const std::vector<int>& way) const {

@@ -8,6 +8,9 @@
 
 namespace toile::tailor {
 
+/// Mean likeliness along a way, by length.
+double alongLines(const BodyWays& ways, const MeshLines& lines, const std::vector<int>& way);
+
 /// Pulls lines that follow the form to lines of the mesh that look like seams.
 class SeamPull {
 public:
@@ -19,8 +22,9 @@ public:
     bool hasSure() const { return !besideSure_.empty(); }
     /// Whether a sure seam passes there.
     bool isAtSure(int vertex) const { return !besideSure_.empty() && besideSure_[vertex] == 0; }
-    /// Mean likeliness along a way, by length.
-    double along(const std::vector<int>& way) const;
+    double along(const std::vector<int>& way) const;  ///< as of `alongLines`
+    /// Whether two edges of a way, from vertex to vertex, are of one line of the mesh.
+    bool goesOn(int first, int middle, int last) const;
     /// The way from one set to the other that the mesh suggests near `way`, or `way` itself where
     /// nothing better is near.
     std::vector<int> pulled(const std::vector<int>& way, const std::vector<double>& costs,

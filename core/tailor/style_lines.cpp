@@ -17,7 +17,8 @@ constexpr double kLikely = 0.8, kShortest = 60;  // mm
 constexpr double kKnownPart = 0.4, kByKnown = 20;
 /// What leads on from its ends: likely, or short, mm.
 constexpr double kLikelyLead = 0.7, kShortLead = 40;
-/// Where more of all edges than this look like seams, as those of a lathe do, none are.
+/// Where more of all edges than this look like seams, as those of a lathe do, none are but borders
+/// of the file.
 constexpr double kMostSeams = 0.05;
 /// Of its mirror image, what must lie on other likely lines.
 constexpr double kMirroredPart = 0.7;
@@ -92,11 +93,11 @@ public:
         for (std::size_t line = 0; line < lines_.ways.size(); ++line) {
             if (isLikely(line)) {
                 order.push_back(line);
-                edges += lines_.ways[line].size() - 1;
+                edges += isBorder(line) ? 0 : lines_.ways[line].size() - 1;
             }
         }
         if (static_cast<double>(edges) > kMostSeams * static_cast<double>(lines_.lineOf.size())) {
-            return {};
+            std::erase_if(order, [this](std::size_t line) { return !isBorder(line); });
         }
         std::ranges::stable_sort(order, std::ranges::greater{}, [this](std::size_t line) {
             return ways_.length(lines_.ways[line]) * lines_.likeliness[line];
@@ -121,6 +122,8 @@ public:
     }
 
 private:
+    bool isBorder(std::size_t line) const { return lines_.isBorderLine(static_cast<int>(line)); }
+
     bool isLikely(std::size_t line) const {
         return lines_.likeliness[line] > kLikely && ways_.length(lines_.ways[line]) > kShortest;
     }

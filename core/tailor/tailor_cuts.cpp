@@ -148,6 +148,8 @@ const char* wordOf(TailorLine line) {
             return "waist";
         case TailorLine::Style:
             return "style line";
+        case TailorLine::Band:
+            return "band";
         case TailorLine::Ridge:
             return "ridge";
         case TailorLine::Opening:

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/tailor/bands.h"
 #include "core/tailor/leg_seams.h"
 #include "core/tailor/middle_seams.h"
 #include "core/tailor/scraps.h"
@@ -18,7 +19,11 @@ class TailorSeams {
 public:
     TailorSeams(const BodyWays& ways, const MeshLines& lines,
                 const std::vector<std::vector<int>>& cuts)
-        : ways_(ways), lines_(lines), pull_(ways, lines), cuts_(cuts) {}
+        : ways_(ways),
+          lines_(lines),
+          unbanded_(tailor::withoutBands(ways, lines)),
+          pull_(ways, unbanded_),
+          cuts_(cuts) {}
 
     void addTop() {
         std::array<std::vector<int>, 2> sides;
@@ -71,8 +76,11 @@ public:
         for (const TailorSeam& seam : seams_) {
             known.push_back(seam.way);
         }
-        for (std::vector<int>& way : tailor::styleLines(ways_, lines_, pull_, known)) {
-            add(TailorLine::Style, 0, std::move(way));
+        const tailor::SeamPull pull(ways_, lines_);
+        std::vector<std::vector<int>> found = tailor::styleLines(ways_, lines_, pull, known);
+        const std::vector<char> isBand = tailor::bandsAmong(ways_, found);
+        for (std::size_t k = 0; k < found.size(); ++k) {
+            add(isBand[k] != 0 ? TailorLine::Band : TailorLine::Style, 0, std::move(found[k]));
         }
     }
 
@@ -90,14 +98,15 @@ public:
 private:
     void add(TailorLine line, int side, std::vector<int> way) {
         if (way.size() > 1) {
-            const double likeliness = pull_.along(way);
+            const double likeliness = tailor::alongLines(ways_, lines_, way);
             seams_.push_back({line, side, std::move(way), likeliness});
         }
     }
 
     const BodyWays& ways_;
     const MeshLines& lines_;
-    const tailor::SeamPull pull_;
+    const MeshLines unbanded_;
+    const tailor::SeamPull pull_;  ///< not to bands
     const std::vector<std::vector<int>>& cuts_;
     std::vector<TailorSeam> seams_;
 };

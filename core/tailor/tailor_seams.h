@@ -20,6 +20,7 @@ enum class TailorLine {
     Inseam,
     Waist,
     Style,
+    Band,     ///< a style line all round a neck, a cuff, a waist, beside its rim
     Ridge,    ///< an edge of the form: of the lid of a box
     Opening,  ///< the shortest that lets a closed form lie flat
     Dart,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 #include "core/geometry/segment.h"
 
@@ -27,7 +28,7 @@ constexpr double kHalfFacing = -0.35, kNearMiddle = 20;
 constexpr double kForbidden = 1e4;
 /// How far armpit and shoulder point may go, mm, to meet a line of the mesh, and what that costs.
 constexpr double kArmpitReach = 50, kShoulderReach = 110, kShift = 0.15;
-constexpr int kArmpitTries = 5, kShoulderTries = 11;
+constexpr double kArmpitStep = 25;
 /// From here on a line of the mesh is taken for the armhole seam.
 constexpr double kArmholeSure = 0.45;
 
@@ -163,9 +164,14 @@ private:
             const double t = static_cast<double>(k) / kParts;
             target.push_back(from + t * way + kHollow * 4 * t * (1 - t) * inward);
         }
+        std::vector<char> isOnRidge(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
+        for (const int v : top_.ridge) {  // of both halves, wherever it looks
+            isOnRidge[v] = 1;
+        }
         std::vector<double> costs = ways_.costs([&](int v) {
             const double facing = isFront ? ways_.facing(v) : -ways_.facing(v);
-            if (facing < kHalfFacing || side_ * ways_.across(v) < kNearMiddle) {
+            if ((facing < kHalfFacing && isOnRidge[v] == 0) ||
+                side_ * ways_.across(v) < kNearMiddle) {
                 return kForbidden;
             }
             double off = isLed ? 0 : kOff * kMostOff;
@@ -175,14 +181,70 @@ private:
             const double far = off / kOff;
             return kLengthCost + far * far;
         });
-        // Never along the lines that it is to part.
+        return costs;
+    }
+
+    int edgeBetween(int from, int to) const {
+        return findEdge(ways_.links().table().edges, from, to);
+    }
+
+    /// Costs with which a line does not run along those that it is to part.
+    std::vector<double> parting(std::vector<double> costs) const {
         for (const auto* line : {&top_.under, &top_.ridge}) {
             for (std::size_t k = 1; k < line->size(); ++k) {
-                costs[findEdge(ways_.links().table().edges, (*line)[k - 1], (*line)[k])] *=
-                    kForbidden;
+                costs[edgeBetween((*line)[k - 1], (*line)[k])] *= kForbidden;
             }
         }
         return costs;
+    }
+
+    /// Half an armhole: from an armpit to each place of the ridge, straight or along a seam of the
+    /// mesh that the ridge follows from there on, having left the shoulder's.
+    struct Half {
+        geometry::ShortestForest ways;
+        std::vector<double> straight, along;  ///< costs, by place
+        std::vector<std::size_t> meets;       ///< by place: where `along` comes to the ridge
+    };
+
+    Half halfFrom(std::size_t armpit, const std::vector<std::size_t>& shoulders,
+                  const std::vector<double>& costs) const {
+        const int low = top_.under[armpit];
+        std::vector<double> parted = parting(costs);
+        Half half;
+        half.ways = ways_.waysFrom(
+            low, pull_.hasSure() ? keptOff(std::move(parted), low, shoulders) : parted);
+        half.meets.resize(top_.ridge.size());
+        for (const int v : top_.ridge) {
+            half.straight.push_back(half.ways.distance[v]);
+        }
+        half.along = half.straight;
+        std::iota(half.meets.begin(), half.meets.end(), std::size_t{0});
+        const std::vector<int>& ridge = top_.ridge;
+        for (std::size_t k = 1; k + 1 < ridge.size(); ++k) {
+            double cost = 0;
+            const auto isAlong = [&](std::size_t next) {
+                return pull_.goesOn(ridge[next - 2], ridge[next - 1], ridge[next]) ==
+                           (next > k + 1) &&
+                       pull_.along({ridge[next - 1], ridge[next]}) > kArmholeSure;
+            };
+            for (std::size_t meets = k + 1; meets < ridge.size() && isAlong(meets); ++meets) {
+                cost += costs[edgeBetween(ridge[meets - 1], ridge[meets])];
+                if (cost + half.straight[meets] < half.along[k]) {
+                    half.along[k] = cost + half.straight[meets];
+                    half.meets[k] = meets;
+                }
+            }
+        }
+        return half;
+    }
+
+    std::vector<int> wayOf(const Half& half, std::size_t shoulder, bool isAlong) const {
+        std::size_t k = isAlong ? half.meets[shoulder] : shoulder;
+        std::vector<int> way = half.ways.pathTo(top_.ridge[k], ways_.links().table().edges);
+        while (k > shoulder) {
+            way.push_back(top_.ridge[--k]);
+        }
+        return way;
     }
 
     /// The best armhole from one of some armpits to one of some shoulder points.
@@ -195,25 +257,25 @@ private:
     Armhole bestArmhole(const std::vector<std::size_t>& armpits,
                         const std::vector<std::size_t>& shoulders, const std::vector<double>& front,
                         const std::vector<double>& back) const {
-        const Edges& edges = ways_.links().table().edges;
         Armhole best;
         for (const std::size_t armpit : armpits) {
-            const int low = top_.under[armpit];
-            const bool isKeptOff = pull_.hasSure();
-            const auto ahead =
-                ways_.waysFrom(low, isKeptOff ? keptOff(front, low, shoulders) : front);
-            const auto behind =
-                ways_.waysFrom(low, isKeptOff ? keptOff(back, low, shoulders) : back);
+            const Half ahead = halfFrom(armpit, shoulders, front);
+            const Half behind = halfFrom(armpit, shoulders, back);
             for (const std::size_t shoulder : shoulders) {
-                const int high = top_.ridge[shoulder];
-                const double cost = ahead.distance[high] + behind.distance[high] +
-                                    kShift * (shiftOf(top_.under, top_.armpit, armpit) +
-                                              shiftOf(top_.ridge, top_.shoulder, shoulder));
-                if (cost < best.cost) {
-                    std::vector<int> way = ahead.pathTo(high, edges);
-                    const std::vector<int> down = behind.pathTo(high, edges);
-                    way.insert(way.end(), down.rbegin() + 1, down.rend());
-                    best = {std::move(way), armpit, shoulder, cost};
+                for (const bool isAheadAlong : {false, true}) {  // the other half is straight then
+                    const std::size_t meets = (isAheadAlong ? ahead : behind).meets[shoulder];
+                    const double cost =
+                        (isAheadAlong ? ahead.along : ahead.straight)[shoulder] +
+                        (isAheadAlong ? behind.straight : behind.along)[shoulder] +
+                        kShift * (shiftOf(top_.under, top_.armpit, armpit) +
+                                  shiftOf(top_.ridge, top_.shoulder,
+                                          std::clamp(top_.shoulder, shoulder, meets)));
+                    if (cost < best.cost) {
+                        std::vector<int> way = wayOf(ahead, shoulder, isAheadAlong);
+                        const std::vector<int> down = wayOf(behind, shoulder, !isAheadAlong);
+                        way.insert(way.end(), down.rbegin() + 1, down.rend());
+                        best = {std::move(way), armpit, shoulder, cost};
+                    }
                 }
             }
             if (ways_.isCancelled()) {
@@ -247,9 +309,9 @@ private:
 
     void findArmhole() {
         const std::vector<std::size_t> armpits =
-            within(top_.under, top_.armpit, kArmpitReach, kArmpitTries);
+            within(top_.under, top_.armpit, kArmpitReach, kArmpitStep);
         const std::vector<std::size_t> shoulders =
-            within(top_.ridge, top_.shoulder, kShoulderReach, kShoulderTries);
+            within(top_.ridge, top_.shoulder, kShoulderReach, 0);
         using Places = std::vector<std::size_t>;
         // By the form it is where it is, unless cuts are in the way.
         take(bestArmhole(pull_.hasSure() ? armpits : Places{top_.armpit},
@@ -276,11 +338,10 @@ private:
                              first + static_cast<std::ptrdiff_t>(std::max(a, b)) + 1});
     }
 
-    /// Places of a way within a reach of one, some of them, that one among them.
+    /// Places of a way within a reach of one, a step apart, that one among them; both mm.
     std::vector<std::size_t> within(const std::vector<int>& way, std::size_t middle, double reach,
-                                    int tries) const {
+                                    double step) const {
         std::vector<std::size_t> places{middle};
-        const double step = 2 * reach / (tries - 1);
         for (const int direction : {-1, 1}) {
             double last = 0;
             for (std::size_t k = middle; k > 1 && k + 2 < way.size();) {

@@ -530,6 +530,10 @@ veraltet</translation>
         <translation>rechte Teilungsnaht</translation>
     </message>
     <message>
+        <source>band</source>
+        <translation>Bundnaht</translation>
+    </message>
+    <message>
         <source>ridge</source>
         <translation>Kante</translation>
     </message>

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include "core/pipeline/solve_advice.h"
-#include "core/tailor/file_borders.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/tailor/worn_shapes.h"
 
@@ -194,38 +193,6 @@ TEST(CutAdvice, ForetoldStrainRanksAsSolvedStrainDoes) {
             EXPECT_GT(solved->mean, advice.cuts[k - 1].predicted.mean / 2);
         }
     }
-}
-
-TEST(CutAdvice, BordersOfTheFileAreEvidence) {
-    const auto shirt = formPiece(test::wornShirt());
-    // A front and a back that were one material each.
-    PolygonSoup soup;
-    for (Eigen::Index v = 0; v < shirt->mesh.V.rows(); ++v) {
-        soup.positions.emplace_back(shirt->mesh.V.row(v));
-    }
-    soup.materials = {"front", "back"};
-    for (Eigen::Index f = 0; f < shirt->mesh.F.rows(); ++f) {
-        Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-        for (int k = 0; k < 3; ++k) {
-            soup.corners.push_back(shirt->mesh.F(f, k));
-            middle += shirt->mesh.V.row(shirt->mesh.F(f, k)) / 3;
-        }
-        soup.faceStart.push_back(static_cast<int>(soup.corners.size()));
-        soup.faceMaterial.push_back(middle.z() > 0 ? 0 : 1);
-    }
-    const std::vector<char> borders = fileBorders(*shirt, soup);
-    ASSERT_FALSE(borders.empty());
-    const CutAdvice plain = adviseCuts(shirt, {}, {});
-    const CutAdvice told = adviseCuts(shirt, {}, {.borders = borders});
-    const auto sidesAlong = [](const CutAdvice& advice) {
-        return std::ranges::count_if(advice.cuts, [](const AdvisedCut& cut) {
-            return cut.what.line == TailorLine::Side && cut.what.isFileBorder;
-        });
-    };
-    EXPECT_EQ(sidesAlong(plain), 0);
-    EXPECT_EQ(sidesAlong(told), 2);
-    soup.faceMaterial.assign(soup.faceMaterial.size(), 0);
-    EXPECT_TRUE(fileBorders(*shirt, soup).empty());
 }
 
 TEST(CutAdvice, TheFlatNeedsNone) {
