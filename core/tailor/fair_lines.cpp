@@ -81,10 +81,13 @@ double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3
     return least;
 }
 
-/// The fewest geodesics, one after the other, that stay near a way.
+/// The fewest geodesics, one after the other, that stay near a way. Each is the shortest of all:
+/// the way pulled tight may pass the bumps of uneven cloth on other sides, and turn far more.
 std::vector<PathPolyline> geodesicsNear(const SurfaceLinks& links, std::span<const int> way,
                                         double near) {
-    PathPolyline path = straightened(links, polylineOf(links, {way.begin(), way.end()}));
+    auto shortest = geodesicPath(links, links.atVertex(way.front()), links.atVertex(way.back()));
+    PathPolyline path =
+        shortest ? std::move(*shortest) : polylineOf(links, {way.begin(), way.end()});
     const std::vector<Eigen::Vector3d> line = positionsOf(links.mesh(), path);
     double most = near;
     std::size_t farthest = 0;
