@@ -9,14 +9,14 @@
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/garment/opening_cuts.h"
+#include "core/pipeline/solve_advice.h"
 #include "core/project/left_out.h"
 
 namespace toile::app {
 
 namespace {
 
-constexpr int kAfterMove = 700;     // ms, until what was moved is flattened anew
-constexpr std::size_t kSolved = 5;  // of the list, the first
+constexpr int kAfterMove = 700;  // ms, until what was moved is flattened anew
 
 AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
                           const std::vector<UserCut>& own = {}) {
@@ -190,7 +190,7 @@ void CutProposals::put(const CutAdvice& advice) {
 
 void CutProposals::solve() {
     std::vector<std::size_t> counts;
-    for (std::size_t k = 0; k < std::min(kSolved, advice_.cuts.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(kSolvedAhead, advice_.cuts.size()); ++k) {
         if (!advice_.cuts[k].solved) {
             counts.push_back(k + 1);
         }

@@ -15,8 +15,6 @@
 namespace toile::app {
 namespace {
 
-constexpr std::size_t kSolved = 5;
-
 std::string percent(double part) {
     return fixed(100 * part, part < 0.01 ? 2 : 1);
 }
@@ -58,7 +56,7 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
         const AdvisedCut& cut = advice.cuts[k];
         inAll += cut.length;
         table.add({cut.what.cut.name, fixed(cut.length, 0), fixed(inAll, 0),
-                   percent(cut.predicted.mean), k < kSolved ? solvedAfter(k + 1) : "",
+                   percent(cut.predicted.mean), k < kSolvedAhead ? solvedAfter(k + 1) : "",
                    textOf(cut.intake), cut.isNeeded ? "yes" : "", cut.evidence});
     }
     table.print(out);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,10 @@
 #include "core/tailor/cut_advice.h"
 
 namespace toile {
+
+/// Of the cuts that are advised, so many of the first are solved to be shown beside what is
+/// foretold.
+constexpr std::size_t kSolvedAhead = 5;
 
 /// What strain there really is with the first `count` of the cuts that were advised: they and the
 /// piece's own are made, the shortest open what is still closed, and all parts are flattened.
