@@ -100,10 +100,13 @@ bool doCollide(const Shape& a, const Shape& b, double dx, double dy) {
     if (doLargestMeet(a.circles, b.circles, static_cast<float>(dx), static_cast<float>(dy))) {
         return true;
     }
+    const double slack = a.slack + b.slack;
+    const Box reached{common.left - slack, common.bottom - slack, common.right + slack,
+                      common.top + slack};
     thread_local std::vector<Side> ofA, ofB;
-    sidesIn(a, 0, 0, common, ofA);
+    sidesIn(a, 0, 0, reached, ofA);
     if (!ofA.empty()) {
-        sidesIn(b, dx, dy, common, ofB);
+        sidesIn(b, dx, dy, reached, ofB);
         for (const Side& side : ofA) {
             const double left = std::min(side.x0, side.x1), right = std::max(side.x0, side.x1);
             for (const Side& other : ofB) {

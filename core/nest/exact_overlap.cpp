@@ -74,27 +74,6 @@ bool isInBox(const Point& p, const Edge& edge) {
            (p.array() <= edge.from.cwiseMax(edge.to).array()).all();
 }
 
-/// What two edges say: they cross, or meet at a point where one of them begins and the wedges there
-/// meet. The point where an edge ends is looked at with the next one.
-bool doEdgesMeet(const Edge& a, const Edge& b) {
-    const int a0 = exactOrientation(b.from, b.to, a.from);
-    const int a1 = exactOrientation(b.from, b.to, a.to);
-    const int b0 = exactOrientation(a.from, a.to, b.from);
-    const int b1 = exactOrientation(a.from, a.to, b.to);
-    if (a0 * a1 < 0 && b0 * b1 < 0) {
-        return true;
-    }
-    if (a.from == b.from) {
-        return doWedgesMeet(a.from, {a.to, a.before}, {b.to, b.before});
-    }
-    if (a0 == 0 && a.from != b.to && isInBox(a.from, b) &&
-        doWedgesMeet(a.from, {a.to, a.before}, {b.to, b.from})) {
-        return true;
-    }
-    return b0 == 0 && b.from != a.to && isInBox(b.from, a) &&
-           doWedgesMeet(b.from, {a.to, a.from}, {b.to, b.before});
-}
-
 /// Whether the way over a point goes from one side of another to its other side. Where they run
 /// along each other it is taken for touching.
 bool goesAcross(const Point& at, const Wedge& way, const Wedge& other) {
@@ -105,7 +84,11 @@ bool goesAcross(const Point& at, const Wedge& way, const Wedge& other) {
            goesInto(at, way.next, other) != goesInto(at, way.last, other);
 }
 
-bool doEdgesCross(const Edge& a, const Edge& b) {
+/// What two edges say: they cross, or meet at a point where one of them begins and the ways over it
+/// do what is asked for. The point where an edge ends is looked at with the next one.
+/// @param says  of the point and the wedges of `a` and `b` there
+template <typename Says>
+bool doEdgesMeet(const Edge& a, const Edge& b, Says says) {
     const int a0 = exactOrientation(b.from, b.to, a.from);
     const int a1 = exactOrientation(b.from, b.to, a.to);
     const int b0 = exactOrientation(a.from, a.to, b.from);
@@ -114,13 +97,19 @@ bool doEdgesCross(const Edge& a, const Edge& b) {
         return true;
     }
     if (a.from == b.from) {
-        return goesAcross(a.from, {a.to, a.before}, {b.to, b.before});
+        return says(a.from, Wedge{a.to, a.before}, Wedge{b.to, b.before});
     }
-    if (a0 == 0 && a.from != b.to && isInBox(a.from, b)) {
-        return goesAcross(a.from, {a.to, a.before}, {b.to, b.from});
+    if (a0 == 0 && a.from != b.to && isInBox(a.from, b) &&
+        says(a.from, Wedge{a.to, a.before}, Wedge{b.to, b.from})) {
+        return true;
     }
     return b0 == 0 && b.from != a.to && isInBox(b.from, a) &&
-           goesAcross(b.from, {b.to, b.before}, {a.to, a.from});
+           says(b.from, Wedge{b.to, b.before}, Wedge{a.to, a.from});
+}
+
+bool doBoxesMeet(const Edge& a, const Edge& b) {
+    return (b.from.cwiseMin(b.to).array() <= a.from.cwiseMax(a.to).array()).all() &&
+           (b.from.cwiseMax(b.to).array() >= a.from.cwiseMin(a.to).array()).all();
 }
 
 /// 1 inside, 0 on the rim, -1 outside.
@@ -164,7 +153,7 @@ bool doOverlap(const Rings& a, const Rings& b) {
     const auto edgesOfA = edgesIn(a, low, high), edgesOfB = edgesIn(b, low, high);
     for (const Edge& edge : edgesOfA) {
         for (const Edge& other : edgesOfB) {
-            if (doEdgesMeet(edge, other)) {
+            if (doBoxesMeet(edge, other) && doEdgesMeet(edge, other, doWedgesMeet)) {
                 return true;
             }
         }
@@ -176,10 +165,8 @@ bool doRingsCross(const Rings& rings) {
     const Point all = Point::Constant(HUGE_VAL);
     const auto edges = edgesIn(rings, -all, all);
     for (auto a = edges.begin(); a != edges.end(); ++a) {
-        const Point low = a->from.cwiseMin(a->to), high = a->from.cwiseMax(a->to);
         for (auto b = edges.begin(); b != a; ++b) {
-            if ((b->from.cwiseMin(b->to).array() <= high.array()).all() &&
-                (b->from.cwiseMax(b->to).array() >= low.array()).all() && doEdgesCross(*a, *b)) {
+            if (doBoxesMeet(*a, *b) && doEdgesMeet(*a, *b, goesAcross)) {
                 return true;
             }
         }

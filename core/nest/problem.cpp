@@ -106,8 +106,7 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
             Variant variant{angle, isMirrored, {}};
             turn(shape, angle, variant.shape);
             const NestItem lain{{}, item.bare};
-            variant.rest =
-                -placedRings(lain, {0, angle, isMirrored, 0, 0})[0].col(1).minCoeff();
+            variant.rest = -placedRings(lain, {0, angle, isMirrored, 0, 0})[0].col(1).minCoeff();
             const LeastSides sides = leastSides(variant.shape, item.tolerance);
             const double width = item.touchesEdge
                                      ? problem.high - (variant.rest + variant.shape.box.bottom)
@@ -262,15 +261,25 @@ const Obstacle* obstacleUnder(const Problem& problem, std::size_t copy, const Po
 }
 
 bool isValid(const Problem& problem, const std::vector<Pose>& poses, double length) {
-    std::vector<Rings> placed;
+    struct Placed {
+        Rings rings;
+        double left, bottom, right, top;
+    };
+    std::vector<Placed> placed;
     for (std::size_t c = 0; c < poses.size(); ++c) {
-        placed.push_back(ringsAt(problem, c, poses[c]));
-        if (!keepsRules(problem, problem.itemOf(c), poses[c], placed.back()[0], length) ||
+        Rings rings = ringsAt(problem, c, poses[c]);
+        if (!keepsRules(problem, problem.itemOf(c), poses[c], rings[0], length) ||
             obstacleUnder(problem, c, poses[c])) {
             return false;
         }
-        for (std::size_t d = 0; d < c; ++d) {
-            if (doOverlap(placed[d], placed[c])) {
+        const Eigen::RowVector2d low = rings[0].colwise().minCoeff();
+        const Eigen::RowVector2d high = rings[0].colwise().maxCoeff();
+        placed.push_back({std::move(rings), low.x(), low.y(), high.x(), high.y()});
+    }
+    for (auto a = placed.begin(); a != placed.end(); ++a) {
+        for (auto b = placed.begin(); b != a; ++b) {
+            if (b->left < a->right && b->right > a->left && b->bottom < a->top &&
+                b->top > a->bottom && doOverlap(b->rings, a->rings)) {
                 return false;
             }
         }

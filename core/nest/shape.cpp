@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/segment.h"
+#include "core/nest/simplify.h"
 
 namespace toile::nest {
 namespace {
@@ -19,6 +20,10 @@ using geometry::Polygon;
 constexpr std::array<std::pair<std::size_t, double>, 3> kCircleLimits{
     {{64, 0.0}, {16, 0.8}, {8, 0.9}}};
 constexpr std::size_t kLanes = 4;
+
+constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;   // a shape of more has fewer
+constexpr double kMostSlack = 0.5, kMostSlackShare = 0.001;  // mm, and of the diameter
+constexpr double kNearHullShare = 1e-9;                      // of it: within rounding
 
 struct Circle {
     Vector2d centre;
@@ -100,9 +105,32 @@ std::vector<Circle> inscribedCircles(const Rings& rings, double area) {
 }
 
 Box boxOf(const Shape& shape) {
-    const auto [left, right] = std::ranges::minmax(shape.x);
-    const auto [bottom, top] = std::ranges::minmax(shape.y);
+    const bool hasRim = !shape.rimX.empty();
+    const auto [left, right] = std::ranges::minmax(hasRim ? shape.rimX : shape.x);
+    const auto [bottom, top] = std::ranges::minmax(hasRim ? shape.rimY : shape.y);
     return {left, bottom, right, top};
+}
+
+/// The points of a convex hull, and those whose triangle with its sides is less than `near`.
+std::vector<Vector2d> hullOf(const Polygon& points, double near) {
+    std::vector<Vector2d> sorted;
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        sorted.emplace_back(points.row(k));
+    }
+    std::ranges::sort(sorted, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
+    std::vector<Vector2d> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t first = hull.size();
+        for (const Vector2d& p : sorted) {
+            while (hull.size() > first + 1 &&
+                   geometry::cross(hull.back() - hull[hull.size() - 2], p - hull.back()) < -near) {
+                hull.pop_back();
+            }
+            hull.push_back(p);
+        }
+        std::ranges::reverse(sorted);
+    }
+    return hull;
 }
 
 }  // namespace
@@ -146,8 +174,24 @@ double hullAreaOf(const Polygon& points) {
     return std::max(0.0, twice / 2);
 }
 
-Shape makeShape(const Rings& rings) {
+Shape makeShape(const Rings& all) {
     Shape shape;
+    std::size_t points = 0;
+    for (const Polygon& ring : all) {
+        points += static_cast<std::size_t>(ring.rows());
+        shape.area += geometry::signedAreaOf(ring);
+    }
+    Rings fewer;
+    if (points > kFewPoints) {
+        const Vector2d sides = all[0].colwise().maxCoeff() - all[0].colwise().minCoeff();
+        shape.slack = std::min(kMostSlack, kMostSlackShare * sides.norm());
+        fewer = simplified(all, shape.slack, kEnoughPoints);
+        for (const Vector2d& p : hullOf(all[0], kNearHullShare * sides.squaredNorm())) {
+            shape.rimX.push_back(p.x());
+            shape.rimY.push_back(p.y());
+        }
+    }
+    const Rings& rings = fewer.empty() ? all : fewer;
     for (const Polygon& ring : rings) {
         const int first = static_cast<int>(shape.x.size()), count = static_cast<int>(ring.rows());
         shape.ringStarts.push_back(first);
@@ -156,7 +200,6 @@ Shape makeShape(const Rings& rings) {
             shape.y.push_back(ring(k, 1));
             shape.next.push_back(first + (k + 1) % count);
         }
-        shape.area += geometry::signedAreaOf(ring);
     }
     shape.box = boxOf(shape);
     shape.hullRoot = std::sqrt(hullAreaOf(rings[0]));
@@ -184,6 +227,10 @@ void turn(const Shape& shape, double angle, Shape& turned) {
     for (std::size_t k = 0; k < shape.x.size(); ++k) {
         turned.x[k] = way.x() * shape.x[k] - way.y() * shape.y[k];
         turned.y[k] = way.y() * shape.x[k] + way.x() * shape.y[k];
+    }
+    for (std::size_t k = 0; k < shape.rimX.size(); ++k) {
+        turned.rimX[k] = way.x() * shape.rimX[k] - way.y() * shape.rimY[k];
+        turned.rimY[k] = way.y() * shape.rimX[k] + way.x() * shape.rimY[k];
     }
     const float c = static_cast<float>(way.x()), s = static_cast<float>(way.y());
     for (std::size_t k = 0; k < shape.circles.x.size(); ++k) {

@@ -19,11 +19,14 @@ struct Circles {
     std::vector<float> x, y, radius;
 };
 
-/// A shape at one angle, as the search looks at it: about its own origin.
+/// A shape at one angle, as the search looks at it: about its own origin. One of many points is
+/// looked at with fewer of them, around it; its box stays that of the shape itself.
 struct Shape {
-    std::vector<double> x, y;     ///< of all points, ring after ring
-    std::vector<int> next;        ///< the point after each in its ring
-    std::vector<int> ringStarts;  ///< the first point of each ring
+    std::vector<double> x, y;        ///< of all points, ring after ring
+    std::vector<int> next;           ///< the point after each in its ring
+    std::vector<int> ringStarts;     ///< the first point of each ring
+    std::vector<double> rimX, rimY;  ///< around the shape itself, where it has fewer points here
+    double slack = 0;                ///< how far these may lie beyond the box
     Circles circles;
     Box box;
     double area = 0;

@@ -22,17 +22,57 @@ constexpr const char* kNoRoom = translatable("there is no room left for it on th
 namespace toile::nest {
 namespace {
 
-constexpr int kTurnsTried = 8;            // of shapes that turn freely, to each side
-constexpr double kApart = 1e-6;           // mm: more than rounding moves
-constexpr std::size_t kMostRows = 60;     // that a copy is tried at
-constexpr int kEvenRows = 20;             // and beside obstacles
+constexpr int kTurnsTried = 8;         // of shapes that turn freely, to each side
+constexpr double kApart = 1e-6;        // mm: more than rounding moves
+constexpr std::size_t kMostRows = 60;  // that a copy is tried at
+constexpr int kEvenRows = 20;          // and beside obstacles
+/// Of more copies, one is looked for a place for only from near the last one like it on, in fewer
+/// rows: all else was tried for that.
+constexpr std::size_t kManyCopies = 150, kMostRowsOfMany = 30;
 constexpr int kOrdersTried = 20;          // where the cloth ends
 constexpr double kLeastStepShare = 1e-3;  // of the strip's width
 
 struct Laid {
     const Shape* shape;
     double x, y;
+    double left() const { return x + shape->box.left; }
     double right() const { return x + shape->box.right; }
+};
+
+/// What lies somewhere along the strip, by where it begins.
+class LaidAlong {
+public:
+    explicit LaidAlong(double cell) : cell_(cell) {}
+
+    void add(const Laid& laid) {
+        const std::size_t at = cellOf(laid.left());
+        cells_.resize(std::max(cells_.size(), at + 1));
+        cells_[at].push_back(laid);
+        widest_ = std::max(widest_, laid.right() - laid.left());
+        end_ = std::max(end_, laid.right());
+    }
+    double end() const { return end_; }
+    /// Each that reaches into this, in some order.
+    template <typename Does>
+    void forEach(double left, double right, Does does) const {
+        const std::size_t last = std::min(cellOf(right) + 1, cells_.size());
+        for (std::size_t at = cellOf(left - widest_); at < last; ++at) {
+            for (const Laid& laid : cells_[at]) {
+                if (laid.right() > left && laid.left() < right) {
+                    does(laid);
+                }
+            }
+        }
+    }
+
+private:
+    std::size_t cellOf(double x) const {
+        return static_cast<std::size_t>(std::clamp(x / cell_, 0.0, kMostCells));
+    }
+
+    static constexpr double kMostCells = 1e5;
+    double cell_, widest_ = 0, end_ = 0;
+    std::vector<std::vector<Laid>> cells_;
 };
 
 /// Lays one after the other.
@@ -45,7 +85,9 @@ public:
           progress_(progress),
           byBoxes_(byBoxes),
           poses_(problem.copies.size()),
-          owned_(poses_.size()) {}
+          owned_(poses_.size()),
+          laid_(problem.width() / 8),
+          nearest_(problem.items.size()) {}
 
     /// The copy that found no room, or none.
     std::optional<std::size_t> lay(const std::vector<std::size_t>& order) {
@@ -60,53 +102,56 @@ public:
             }
             poses_[copy] = *pose;
             const Shape& shape = shapeOf(item, *pose, owned_[copy]);
-            laid_.push_back({&shape, pose->x, pose->y});
+            laid_.add({&shape, pose->x, pose->y});
         }
         return std::nullopt;
     }
 
-    Found found() const { return {poses_, end()}; }
+    Found found() const { return {poses_, laid_.end()}; }
 
 private:
-    double end() const {
-        double length = 0;
-        for (const Laid& laid : laid_) {
-            length = std::max(length, laid.right());
-        }
-        return length;
+    bool areMany() const { return poses_.size() > kManyCopies; }
+
+    /// Where to look for a place from: the left of a copy's box.
+    double from(std::size_t copy, const Shape& shape) const {
+        const double last = nearest_[static_cast<std::size_t>(problem_.copies[copy].item)];
+        return std::max(problem_.low, areMany() ? last - (shape.box.right - shape.box.left) : 0);
     }
 
     /// Of all angles and rows the place that ends first, then lowest.
     std::optional<Pose> bestPose(std::size_t copy) {
         const Item& item = problem_.itemOf(copy);
         std::optional<Pose> best;
-        double end = HUGE_VAL;
+        double end = HUGE_VAL, left = 0;
         const int turns = item.tolerance > 0 ? kTurnsTried : 0;
         for (std::size_t v = 0; v < item.variants.size(); ++v) {
             for (int k = -turns; k <= turns; ++k) {
                 Pose pose{static_cast<int>(v), turns > 0 ? item.tolerance * k / turns : 0};
                 Shape own;
                 const Shape& shape = shapeOf(item, pose, own);
-                for (const double y : rowsFor(item, shape, pose)) {
+                const double first = from(copy, shape);
+                for (const double y : rowsFor(item, shape, pose, first)) {
                     if (progress_.isCancelled()) {
                         return best;
                     }
                     pose.y = y;
-                    pose.x = leftmost(copy, shape, pose, problem_.low - shape.box.left, end);
+                    pose.x = leftmost(copy, shape, pose, first - shape.box.left, end);
                     if (pose.x + shape.box.right < end) {
                         end = pose.x + shape.box.right;
+                        left = pose.x + shape.box.left;
                         best = pose;
                     }
                 }
             }
         }
+        nearest_[static_cast<std::size_t>(problem_.copies[copy].item)] = left;
         return best || item.tolerance == 0 ? best : upright(copy);
     }
 
     /// One whose only fitting turns are between those tried: at the finest steps, past all others.
     std::optional<Pose> upright(std::size_t copy) const {
         const Item& item = problem_.itemOf(copy);
-        const double right = std::max(problem_.low, end()) + kApart;
+        const double right = std::max(problem_.low, laid_.end()) + kApart;
         std::optional<Pose> best;
         double least = HUGE_VAL;
         for (std::size_t v = 0; v < item.variants.size(); ++v) {
@@ -129,7 +174,8 @@ private:
     }
 
     /// Where it would lie on the edges or on, or under, the boxes of others, as its rules allow.
-    std::vector<double> rowsFor(const Item& item, const Shape& shape, const Pose& pose) const {
+    std::vector<double> rowsFor(const Item& item, const Shape& shape, const Pose& pose,
+                                double from) const {
         const double bottom = shape.box.bottom, top = shape.box.top;
         const Track track = tracksOf(item, pose).y;
         if (std::isinf(track.step)) {
@@ -142,9 +188,8 @@ private:
             rows.insert(y + box.bottom - (top - bottom));
             rows.insert(y + box.bottom);
         };
-        for (const Laid& laid : laid_) {
-            add(laid.y, laid.shape->box);
-        }
+        laid_.forEach(areMany() ? from : -HUGE_VAL, HUGE_VAL,
+                      [&](const Laid& laid) { add(laid.y, laid.shape->box); });
         for (const Obstacle& obstacle : problem_.obstacles) {
             add(0, obstacle.shape.box);
         }
@@ -165,11 +210,12 @@ private:
             }
         }
         std::vector<double> list(places.begin(), places.end());
-        if (list.size() > kMostRows) {  // evenly chosen, with the edges
-            for (std::size_t k = 0; k < kMostRows; ++k) {
-                list[k] = list[k * (list.size() - 1) / (kMostRows - 1)];
+        const std::size_t limit = areMany() ? kMostRowsOfMany : kMostRows;
+        if (list.size() > limit) {  // evenly chosen, with the edges
+            for (std::size_t k = 0; k < limit; ++k) {
+                list[k] = list[k * (list.size() - 1) / (limit - 1)];
             }
-            list.resize(kMostRows);
+            list.resize(limit);
         }
         return list;
     }
@@ -183,13 +229,12 @@ private:
         double x = nextAlong(problem_, track, shape, from);
         while (x + shape.box.right < enough) {
             double next = HUGE_VAL;
-            for (const Laid& laid : laid_) {
-                if (laid.right() > x + shape.box.left &&
-                    laid.x + laid.shape->box.left < x + shape.box.right &&
-                    doMeet(shape, *laid.shape, laid.x - x, laid.y - row.y)) {
-                    next = std::min(next, laid.right() - shape.box.left + (byBoxes_ ? kApart : 0));
+            laid_.forEach(x + shape.box.left, x + shape.box.right, [&](const Laid& laid) {
+                const double after = laid.right() - shape.box.left + (byBoxes_ ? kApart : 0);
+                if (after < next && doMeet(shape, *laid.shape, laid.x - x, laid.y - row.y)) {
+                    next = after;
                 }
-            }
+            });
             Pose pose = row;
             pose.x = x;
             const Obstacle* obstacle =
@@ -231,7 +276,8 @@ private:
     bool byBoxes_;
     std::vector<Pose> poses_;
     std::vector<Shape> owned_;
-    std::vector<Laid> laid_;
+    LaidAlong laid_;
+    std::vector<double> nearest_;  ///< where the last of an item begins
 };
 
 /// The fixed ones, then the largest.
