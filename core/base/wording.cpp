@@ -38,11 +38,13 @@ constexpr Noun kNouns[] = {
     {"face", translatable("1 face"), translatable("%1 faces")},
     {"fragment", translatable("1 fragment"), translatable("%1 fragments")},
     {"handle", translatable("1 handle"), translatable("%1 handles")},
+    {"hide", translatable("1 hide"), translatable("%1 hides")},
     {"hole", translatable("1 hole"), translatable("%1 holes")},
     {"loop", translatable("1 loop"), translatable("%1 loops")},
     {"opening", translatable("1 opening"), translatable("%1 openings")},
     {"outline vertex", translatable("1 outline vertex"), translatable("%1 outline vertices")},
     {"panel", translatable("1 panel"), translatable("%1 panels")},
+    {"sheet", translatable("1 sheet"), translatable("%1 sheets")},
     {"triangle", translatable("1 triangle"), translatable("%1 triangles")},
     {"vertex", translatable("1 vertex"), translatable("%1 vertices")},
 };

@@ -202,9 +202,9 @@ void pairEdges(Drawing& drawing) {
     }
 }
 
-void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Placement& placement,
-              const DrawingWords& words) {
-    const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(index)];
+/// @param piece  that of the index, with a slug of the copy's own
+void addPiece(Drawing& drawing, const Pattern& pattern, int index, const PatternPiece& piece,
+              const Placement& placement, const DrawingWords& words) {
     const std::string id = "piece-" + piece.slug + "-";
     DrawnBlock block{
         "piece-" + piece.slug, index, placement, drawing.paths.size(), drawing.texts.size(),
@@ -284,9 +284,21 @@ Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& w
     drawing.title = pattern.name.empty() ? "pattern" : pattern.name;
     drawing.width = left + kCheckSide + kDrawingMargin;
     drawing.height = std::ceil(std::max(marker.height, kCheckSide)) + 2 * kDrawingMargin;
-    for (const auto& [piece, placement] : marker.copies) {
-        addPiece(drawing, pattern, piece,
-                 movedBy(placement, Eigen::Vector2d::Constant(kDrawingMargin)), words);
+    UniqueNames slugs;
+    for (const PatternPiece& piece : pattern.pieces) {
+        slugs.take(piece.slug);
+    }
+    std::set<int> drawn;
+    for (const auto& [index, placement] : marker.copies) {
+        const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(index)];
+        const Placement onPage = movedBy(placement, Eigen::Vector2d::Constant(kDrawingMargin));
+        if (drawn.insert(index).second) {
+            addPiece(drawing, pattern, index, piece, onPage, words);
+        } else {
+            PatternPiece copy = piece;
+            copy.slug = slugs.numbered(piece.slug, "-copy-", 2);
+            addPiece(drawing, pattern, index, copy, onPage, words);
+        }
     }
     pairEdges(drawing);
     addCheckSquare(drawing, {left, kDrawingMargin}, words.checkSquare);

@@ -88,7 +88,8 @@ bool hasLayer(const Drawing& drawing, LayerKind kind);
 /// `piece-<slug>--seam-<number>-tick-<k>`, `...-number` and `...-name` ("b" after the number of a
 /// seam's second side on the same piece), `piece-<slug>--fold`, `piece-<slug>--fold-text`,
 /// `check-square`, `check-square-text`; of edges `piece-<slug>--edge-<number>` ("b" likewise, "-2"
-/// and so on where a half pattern has more parts of it).
+/// and so on where a half pattern has more parts of it). A piece that is laid again has a slug with
+/// "-copy-2" and so on there.
 /// @param pattern  as it is cut (`asCut`)
 /// Cost: that of placeMarks per piece. Pure.
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words = {});

@@ -18,16 +18,19 @@ namespace toile {
 class ExportSource {
 public:
     /// @param results  one per piece of the garment  @param laid  its pattern
+    /// @param drawing  of `laid`, where it is another than that of `draw`
     ExportSource(const Garment& garment, const PieceResults& results, const LaidOutPattern& laid,
                  const ExportOptions& options = {}, DrawingWords words = {},
-                 LineSettings lines = {}, Fabric fabric = fabricPresets().front())
+                 LineSettings lines = {}, Fabric fabric = fabricPresets().front(),
+                 std::optional<Drawing> drawing = std::nullopt)
         : garment_(garment),
           results_(results),
           laid_(laid),
           options_(options),
           words_(std::move(words)),
           lines_(std::move(lines)),
-          fabric_(std::move(fabric)) {}
+          fabric_(std::move(fabric)),
+          drawing_(std::move(drawing)) {}
 
     const Garment& garment() const { return garment_; }
     const PieceResults& results() const { return results_; }

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "core/geometry/polygon.h"
+#include "core/marker/cloth_parts.h"
 #include "core/marker/laid_pieces.h"
 #include "core/nest/exact_overlap.h"
-#include "core/nest/nest.h"
 #include "core/pattern/half_pattern.h"
 
 namespace toile {
@@ -15,11 +15,30 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000;
 
-std::vector<geometry::Polygon> ringsOnCloth(const Pattern& pattern, const LaidCopy& copy) {
-    NestItem item;
-    item.rings = {cloth::lineOnCloth(pattern.pieces[static_cast<std::size_t>(copy.piece)],
-                                     copy.placement.mirrored)};
-    return placedRings(item, cloth::nestPlacementOf(copy.placement));
+constexpr const char* kOwnFabric = translatable("Own fabric");
+constexpr const char* kClothUsed = translatable("%1: %2 mm wide, %3 mm long, %4 % used");
+constexpr const char* kSheetsUsed = translatable("%1: %2, %3 % used");
+
+/// Whether a line lies in a sheet or hide, and in none of its holes or of zones worse than that.
+/// @param grade  0: any
+bool isInPart(const ClothPart& part, const geometry::Polygon& line, int grade) {
+    const Eigen::RowVector2d low =
+        part.outline.colwise().minCoeff().cwiseMin(line.colwise().minCoeff()) -
+        Eigen::RowVector2d::Ones();
+    const Eigen::RowVector2d high =
+        part.outline.colwise().maxCoeff().cwiseMax(line.colwise().maxCoeff()) +
+        Eigen::RowVector2d::Ones();
+    geometry::Polygon around(4, 2);
+    around << low.x(), low.y(), high.x(), low.y(), high.x(), high.y(), low.x(), high.y();
+    return !nest::doOverlap({line}, nest::wound({around, part.outline})) &&
+           std::ranges::none_of(part.zones, [&](const HideZone& zone) {
+               return (zone.grade == 0 || (grade > 0 && zone.grade > grade)) &&
+                      nest::doOverlap({line}, nest::wound({zone.outline}));
+           });
+}
+
+bool isOnRoll(double width, const geometry::Polygon& line) {
+    return line.minCoeff() >= 0 && line.col(1).maxCoeff() <= width;
 }
 
 }  // namespace
@@ -42,19 +61,26 @@ std::vector<std::string> markerMaterials(const Pattern& pattern) {
 }
 
 Points2 laidOutline(const Pattern& pattern, const LaidCopy& copy) {
-    return ringsOnCloth(pattern, copy).front();
+    return cloth::lineOf(pattern.pieces[static_cast<std::size_t>(copy.piece)], copy.isImage,
+                         copy.placement);
 }
 
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings) {
+    const std::vector<ClothPart> parts = cloth::clothParts(settings, marker.copies.size());
     std::vector<nest::Rings> placed;
     std::vector<bool> isMisplaced(marker.copies.size());
     for (std::size_t c = 0; c < marker.copies.size(); ++c) {
-        placed.push_back(nest::wound(ringsOnCloth(pattern, marker.copies[c])));
+        const LaidCopy& copy = marker.copies[c];
+        placed.push_back(nest::wound({laidOutline(pattern, copy)}));
         const geometry::Polygon& line = placed.back().front();
-        isMisplaced[c] = line.col(0).minCoeff() < settings.border ||
-                         line.col(1).minCoeff() < settings.border ||
-                         line.col(1).maxCoeff() > marker.width - settings.border;
+        const auto grade =
+            settings.grades.find(pattern.pieces[static_cast<std::size_t>(copy.piece)].name);
+        const int worst = grade == settings.grades.end() ? 0 : grade->second;
+        isMisplaced[c] = parts.empty() ? !isOnRoll(marker.width, line)
+                                       : std::ranges::none_of(parts, [&](const ClothPart& part) {
+                                             return isInPart(part, line, worst);
+                                         });
         for (std::size_t d = 0; d < c; ++d) {
             if (nest::doOverlap(placed[d], placed[c])) {
                 isMisplaced[c] = isMisplaced[d] = true;
@@ -68,6 +94,16 @@ std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& mark
         }
     }
     return misplaced;
+}
+
+Wording clothSentence(const ClothMarker& marker) {
+    const Wording name = marker.material.empty() ? worded(kOwnFabric) : Wording(marker.material);
+    const Wording use = figure(100 * marker.use, 1);
+    return marker.isRoll
+               ? worded(kClothUsed, {name, figure(marker.width), figure(marker.length), use})
+               : worded(
+                     kSheetsUsed,
+                     {name, countWording(marker.sheets, marker.areHides ? "hide" : "sheet"), use});
 }
 
 Marker pageOf(const ClothMarker& marker) {

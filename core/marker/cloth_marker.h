@@ -34,13 +34,17 @@ struct ClothPart {
 
 /// The pieces of one material laid on their cloth: none overlaps another or the cloth's edge.
 struct ClothMarker {
-    std::string material;    ///< empty: the garment's own fabric
-    double width = 0;        ///< mm, as it lies: folded cloth is half as wide
-    double length = 0;       ///< mm, along the warp; of sheets and hides up to the last copy
-    int sheets = 1;          ///< how many sheets, or hides, are used
-    double use = 0;          ///< area of the pieces / area of the cloth
-    int rounds = 0;          ///< of search
+    std::string material;  ///< empty: the garment's own fabric
+    double width = 0;      ///< mm, as it lies: folded cloth is half as wide
+    double length = 0;     ///< mm, along the warp; of sheets and hides up to the last copy
+    bool isRoll = true;    ///< else sheets or hides
+    bool areHides = false;
+    int sheets = 1;        ///< how many of them are used
+    double clothArea = 0;  ///< mm2, of a roll up to `length`, of sheets and hides all that are used
+    double use = 0;        ///< area of the pieces / area of that cloth
+    int rounds = 0;        ///< of search
     bool isOptimal = false;  ///< no shorter one can be: no use to go on
+    bool isWhole = true;     ///< nothing was left out
     std::vector<LaidCopy> copies;
     std::vector<ClothPart> parts{};  ///< of the cloth that are used, up to `length`
     std::vector<Wording> notes{};    ///< what is not as it was asked for: pieces too large, seams
@@ -65,13 +69,16 @@ class MarkerNester {
 public:
     /// @param pattern  as it lies (`patternOnCloth`)  @param fabric  of this material
     /// @param kept  those of other pieces, or of more copies than are cut, are not looked at
-    /// Errors: PageTooSmall naming the cloth where border and gap leave none; MalformedFile naming
-    /// a piece that is kept outside or on another kept one, or the pattern where more copies are
-    /// asked for than are laid at once; Cancelled.
+    /// @param threads  to work with, 0: as the machine has; the marker does not depend on it
+    /// Kept copies that lie on others, or nearer to them or to an edge than they may, stay there
+    /// too, and others make room. What is too large or finds no room is left out, with a note.
+    /// Errors: PageTooSmall naming the cloth where its width and border leave none; MalformedFile
+    /// naming the cloth where more copies are asked for than are laid at once; Cancelled.
     static Result<MarkerNester> make(std::shared_ptr<const Pattern> pattern,
                                      const std::string& material, const Fabric& fabric,
                                      const MarkerSettings& settings,
-                                     const std::vector<KeptCopy>& kept, const Progress& progress);
+                                     const std::vector<KeptCopy>& kept, const Progress& progress,
+                                     int threads = 0);
     ~MarkerNester();
     MarkerNester(MarkerNester&&) noexcept;
     MarkerNester& operator=(MarkerNester&&) noexcept;
@@ -87,10 +94,14 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Which laid copies lie on another, or beyond the cloth: by exact arithmetic, as indices. The end
-/// of a roll is nowhere.  Cost: that of the edges in the common parts of boxes. Pure.
+/// Which laid copies lie on another, beyond the cloth, in a hole of it or in a zone too bad for
+/// them: by exact arithmetic, as indices. Gap and border are not looked at; a roll has no end.
+/// Cost: that of the edges in the common parts of boxes. Pure.
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings);
+
+/// "Own fabric: 1400 mm wide, 2310 mm long, 82.4 % used".
+Wording clothSentence(const ClothMarker& marker);
 
 /// For the exports: the copies of a marker as one page, the warp along x.
 Marker pageOf(const ClothMarker& marker);

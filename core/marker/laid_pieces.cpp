@@ -2,8 +2,10 @@
 #include "core/marker/laid_pieces.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/units.h"
+#include "core/pattern/half_pattern.h"
 
 namespace toile {
 namespace {
@@ -97,20 +99,51 @@ std::vector<LaidPiece> laidPieces(const Pattern& pattern, const std::string& mat
     return all;
 }
 
-geometry::Polygon lineOnCloth(const PatternPiece& piece, bool isImage) {
-    geometry::Polygon line = edgeOf(piece);
-    if (isImage) {
-        line.col(0) *= -1;
+Points2 NestForm::of(const Points2& line) const {
+    NestItem item;
+    item.rings = {line};
+    Points2 formed = placedRings(item, {0, turn, false, 0, 0}).front();
+    formed.col(0) *= flip ? -1 : 1;
+    return formed;
+}
+
+Eigen::Vector2d NestForm::of(const Eigen::Vector2d& point) const {
+    return of(Points2(point.transpose())).row(0).transpose();
+}
+
+NestPlacement NestForm::nestPlacement(const Placement& placement) const {
+    return {0, placement.mirrored ? placement.turn + turn : placement.turn - turn,
+            placement.mirrored != flip, placement.offset.x(), placement.offset.y()};
+}
+
+Placement NestForm::placement(const NestPlacement& placed) const {
+    const bool isMirrored = placed.mirrored != flip;
+    return {
+        {placed.x, placed.y}, isMirrored ? placed.angle - turn : placed.angle + turn, isMirrored};
+}
+
+NestForm nestFormOf(const PatternPiece& piece, bool isImage) {
+    NestForm form;
+    form.flip = isImage;
+    if (piece.cutAs == CutAs::OnFold) {
+        const Chord fold = foldOf(piece);
+        form.turn = -directionTo(fold.from, fold.to);
+        form.flip = std::cos(grainOf(piece) + form.turn) < 0;  // so that the warp runs along x
     }
-    return line;
+    return form;
 }
 
 NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& settings) {
     NestItem item;
     item.name = piece.name;
-    item.rings = {lineOnCloth(piece, isImage)};
+    item.rings = {nestFormOf(piece, isImage).of(edgeOf(piece))};
+    if (piece.cutAs == CutAs::OnFold) {
+        item.touchesEdge = true;
+        item.mayMirror = settings.turns != TurnRule::OneWay;
+        return item;
+    }
     const double grain = grainOf(piece);
-    const double up = isImage ? grain - kPi : -grain;
+    const double up = wrappedAngle(isImage ? grain - kPi : -grain);
     item.angles = {up};
     if (settings.turns == TurnRule::HalfTurns) {
         item.angles.push_back(up + kPi);
@@ -119,12 +152,11 @@ NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& s
     return item;
 }
 
-NestPlacement nestPlacementOf(const Placement& placement) {
-    return {0, placement.turn, false, placement.offset.x(), placement.offset.y()};
-}
-
-Placement placementOf(const NestPlacement& placement, bool isImage) {
-    return {{placement.x, placement.y}, wrappedAngle(placement.angle), isImage};
+geometry::Polygon lineOf(const PatternPiece& piece, bool isImage, const Placement& placement) {
+    const NestForm form = nestFormOf(piece, isImage);
+    NestItem item;
+    item.rings = {form.of(edgeOf(piece))};
+    return placedRings(item, form.nestPlacement(placement)).front();
 }
 
 }  // namespace toile::cloth

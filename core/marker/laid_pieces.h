@@ -31,14 +31,25 @@ std::string materialOnCloth(const Pattern& pattern, const PatternPiece& piece);
 std::vector<LaidPiece> laidPieces(const Pattern& pattern, const std::string& material,
                                   const MarkerSettings& settings, std::vector<Wording>& notes);
 
-/// The piece's line for the nest, an image as one; without the holes, in which nothing is laid.
-geometry::Polygon lineOnCloth(const PatternPiece& piece, bool isImage);
+/// The nest has pieces in coordinates of their own, so that what it lays and what is drawn of it
+/// have the same points to the last bit: turned where they lie on the fold, which is level there
+/// with the cloth above it, and then mirrored, where they are images.
+struct NestForm {
+    double turn = 0;
+    bool flip = false;
 
-/// The piece so that the warp runs along x, and as often turned as the rule allows.
+    Points2 of(const Points2& line) const;
+    Eigen::Vector2d of(const Eigen::Vector2d& point) const;
+    NestPlacement nestPlacement(const Placement& placement) const;
+    Placement placement(const NestPlacement& placed) const;
+};
+NestForm nestFormOf(const PatternPiece& piece, bool isImage);
+
+/// The piece so that the warp runs along x, and as often turned as the rule allows; without the
+/// holes, in which nothing is laid.
 NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& settings);
 
-/// Where a copy lies, as the nest says it and as layouts do.
-NestPlacement nestPlacementOf(const Placement& placement);
-Placement placementOf(const NestPlacement& placement, bool isImage);
+/// The line that a copy takes up, as it lies.
+geometry::Polygon lineOf(const PatternPiece& piece, bool isImage, const Placement& placement);
 
 }  // namespace toile::cloth

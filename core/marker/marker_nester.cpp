@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <utility>
 
 #include "core/base/units.h"
 #include "core/geometry/polygon.h"
 #include "core/marker/cloth_marker.h"
+#include "core/marker/cloth_parts.h"
 #include "core/marker/laid_pieces.h"
+#include "core/marker/stripes.h"
 #include "core/nest/exact_overlap.h"
 #include "core/nest/nest.h"
 #include "core/pattern/line_settings.h"
@@ -20,6 +23,9 @@ using geometry::Polygon;
 
 constexpr const char* kSplice =
     translatable("%1 is not laid: it is %2 mm across, the cloth %3 mm; splice it at %4 mm");
+constexpr const char* kNoRoom =
+    translatable("%1 is not laid %2 times: there is no room left for it");
+constexpr const char* kFitsNowhere = translatable("%1 is not laid: it fits on no sheet or hide");
 constexpr const char* kNoLine = translatable("%1 is not laid: its outline crosses itself");
 
 Polygon withoutRepeats(const Polygon& line) {
@@ -57,18 +63,32 @@ double leastAcross(const NestItem& item) {
 struct MarkerNester::State {
     std::shared_ptr<const Pattern> pattern;
     MarkerSettings settings;
-    std::vector<LaidPiece> laid;  ///< one per item of the instance
+    std::vector<LaidPiece> laid;     ///< one per item of the instance
+    std::vector<LaidCopy> onTop{};   ///< kept where others are, or where no cloth is
+    std::vector<ClothPart> parts{};  ///< sheets or hides; none: a roll
     std::optional<Nester> nester;
     ClothMarker best;
 
-    const PatternPiece& pieceOf(const LaidPiece& piece) const {
-        return pattern->pieces[static_cast<std::size_t>(piece.piece)];
+    const PatternPiece& pieceOf(int index) const {
+        return pattern->pieces[static_cast<std::size_t>(index)];
+    }
+
+    LaidCopy copyOf(const LaidPiece& piece, int number, const Placement& placement) const {
+        LaidCopy copy;
+        copy.key = {cloth::idOnCloth(*pattern, piece.piece), number};
+        copy.piece = piece.piece;
+        copy.isImage = piece.isImage;
+        copy.isKept = piece.isKept;
+        copy.yield = piece.yield;
+        copy.placement = placement;
+        return copy;
     }
 
     /// Those that are kept get items of their own, in front, so that they are laid first.
     void addItems(const LaidPiece& piece, const std::vector<KeptCopy>& kept,
                   NestInstance& instance) {
-        const NestItem item = cloth::itemOf(pieceOf(piece), piece.isImage, settings);
+        const PatternPiece& of = pieceOf(piece.piece);
+        const NestItem item = cloth::itemOf(of, piece.isImage, settings);
         const PieceId id = cloth::idOnCloth(*pattern, piece.piece);
         LaidPiece rest = piece;
         rest.numbers.clear();
@@ -79,7 +99,7 @@ struct MarkerNester::State {
                 continue;
             }
             NestItem& fixed = instance.items.emplace_back(item);
-            fixed.fixed = cloth::nestPlacementOf(found->placement);
+            fixed.fixed = cloth::nestFormOf(of, piece.isImage).nestPlacement(found->placement);
             laid.push_back(piece);
             laid.back().numbers = {number};
             laid.back().isKept = true;
@@ -91,28 +111,122 @@ struct MarkerNester::State {
         }
     }
 
-    /// What is too large for the cloth is not laid, and named.
-    /// @return whether anything was left out that could be the reason for the error
-    bool leaveOut(const Error& error, NestInstance& instance) {
+    void erase(std::size_t item, NestInstance& instance) {
+        instance.items.erase(instance.items.begin() + static_cast<std::ptrdiff_t>(item));
+        laid.erase(laid.begin() + static_cast<std::ptrdiff_t>(item));
+        best.isWhole = false;
+    }
+
+    /// What is too large for the cloth is not laid, and named; where sheets or hides have no room
+    /// left, one copy less is.
+    /// @return whether that could be the reason for the error
+    bool leaveOut(const std::string& name, NestInstance& instance) {
         const double room = instance.width - 2 * settings.border;
         bool isAny = false;
-        std::string noted;
         for (std::size_t i = instance.items.size(); i-- > 0;) {
-            const NestItem& item = instance.items[i];
-            if (item.fixed || item.name != error.subject.name) {
+            NestItem& item = instance.items[i];
+            if (item.fixed || item.name != name) {
                 continue;
             }
-            const double across = leastAcross(item);
-            const double splice = std::max(room - AllowanceWidths{}.seam, 0.0);
-            if (!isAny) {
-                best.notes.push_back(worded(
-                    kSplice, {item.name, figure(across), figure(instance.width), figure(splice)}));
+            if (parts.empty() || !settings.hides.empty()) {
+                const double across = leastAcross(item);
+                if (parts.empty() || across > room) {
+                    const double splice = std::max(room - AllowanceWidths{}.seam, 0.0);
+                    note(worded(kSplice,
+                                {name, figure(across), figure(instance.width), figure(splice)}));
+                    erase(i, instance);
+                    isAny = true;
+                    continue;
+                }
             }
-            isAny = true;
-            instance.items.erase(instance.items.begin() + static_cast<std::ptrdiff_t>(i));
-            laid.erase(laid.begin() + static_cast<std::ptrdiff_t>(i));
+            if (!settings.hides.empty() && item.demand > 1) {
+                --item.demand;
+                laid[i].numbers.pop_back();
+                best.isWhole = false;
+                ++missing[name];
+                return true;
+            }
+            if (!settings.hides.empty()) {
+                ++missing[name];
+            } else {
+                note(worded(kFitsNowhere, {name}));
+            }
+            erase(i, instance);
+            return true;
         }
         return isAny;
+    }
+
+    /// Of a piece and its image once.
+    void note(const Wording& said) {
+        if (std::ranges::find(best.notes, said) == best.notes.end()) {
+            best.notes.push_back(said);
+        }
+    }
+
+    /// A person may lay a copy on others or beyond the cloth: it stays there, and others make room.
+    bool layOnTop(const std::string& name, NestInstance& instance) {
+        bool isAny = false;
+        for (std::size_t i = instance.items.size(); i-- > 0;) {
+            const NestItem& item = instance.items[i];
+            if (item.fixed && item.name == name) {
+                const LaidPiece& piece = laid[i];
+                const cloth::NestForm form = cloth::nestFormOf(pieceOf(piece.piece), piece.isImage);
+                onTop.push_back(copyOf(piece, piece.numbers.front(), form.placement(*item.fixed)));
+                instance.obstacles.push_back({name, placedRings(item, *item.fixed), {}});
+                const bool wasWhole = best.isWhole;
+                erase(i, instance);
+                best.isWhole = wasWhole;
+                isAny = true;
+            }
+        }
+        return isAny;
+    }
+
+    std::vector<int> grades() const {
+        std::vector<int> grades;
+        for (const LaidPiece& piece : laid) {
+            const auto found = settings.grades.find(pieceOf(piece.piece).name);
+            grades.push_back(found == settings.grades.end() ? 0 : found->second);
+        }
+        return grades;
+    }
+
+    /// A first nest, after as many tries as something has to be left out.
+    std::optional<Error> begin(NestInstance instance, int threads, const Progress& progress) {
+        std::vector<Wording> ofStripes;
+        if (!settings.matched.empty()) {
+            cloth::matchStripes(*pattern, laid, settings, instance.items, ofStripes);
+        }
+        NestOptions options;
+        options.gap = settings.gap;
+        options.border = settings.border;
+        options.seed = settings.seed;
+        options.threads = threads;
+        while (!nester) {
+            NestInstance onParts = instance;
+            cloth::addParts(parts, grades(), onParts);
+            auto made = Nester::make(std::move(onParts), options, progress);
+            if (made) {
+                nester = std::move(*made);
+                break;
+            }
+            const Error& error = made.error();
+            const std::string name = error.subject.name;
+            const bool isPiece = error.subject.kind == Subject::Kind::Piece;
+            const bool canGoOn =
+                isPiece && (error.code == ErrorCode::PageTooSmall    ? leaveOut(name, instance)
+                            : error.code == ErrorCode::MalformedFile ? layOnTop(name, instance)
+                                                                     : false);
+            if (!canGoOn) {
+                return error;
+            }
+        }
+        for (const auto& [name, count] : missing) {
+            best.notes.push_back(worded(kNoRoom, {name, figure(count)}));
+        }
+        best.notes.insert(best.notes.end(), ofStripes.begin(), ofStripes.end());
+        return std::nullopt;
     }
 
     void take() {
@@ -120,63 +234,74 @@ struct MarkerNester::State {
         best.rounds = result.rounds;
         best.isOptimal = result.optimal;
         best.length = result.length;
-        best.use = result.use;
         best.copies.clear();
         std::vector<std::size_t> next(laid.size());
-        for (const NestPlacement& placement : result.placements) {
-            const auto item = static_cast<std::size_t>(placement.item);
+        for (const NestPlacement& placed : result.placements) {
+            const auto item = static_cast<std::size_t>(placed.item);
             const LaidPiece& piece = laid[item];
-            LaidCopy& copy = best.copies.emplace_back();
-            copy.key = {cloth::idOnCloth(*pattern, piece.piece), piece.numbers[next[item]++]};
-            copy.piece = piece.piece;
-            copy.isImage = piece.isImage;
-            copy.isKept = piece.isKept;
-            copy.yield = piece.yield;
-            copy.placement = cloth::placementOf(placement, piece.isImage);
+            const cloth::NestForm form = cloth::nestFormOf(pieceOf(piece.piece), piece.isImage);
+            best.copies.push_back(
+                copyOf(piece, piece.numbers[next[item]++], form.placement(placed)));
         }
-        ClothPart roll;
-        roll.outline.resize(4, 2);
-        roll.outline << 0, 0, best.length, 0, best.length, best.width, 0, best.width;
-        best.parts = {roll};
+        best.copies.insert(best.copies.end(), onTop.begin(), onTop.end());
+        double area = 0;
+        int last = -1;
+        for (LaidCopy& copy : best.copies) {
+            const Polygon line = cloth::lineOf(pieceOf(copy.piece), copy.isImage, copy.placement);
+            copy.sheet = cloth::partAt(parts, line.col(0).minCoeff());
+            last = std::max(last, copy.sheet);
+            area += std::abs(geometry::signedAreaOf(line));
+            best.length = std::max(best.length, line.col(0).maxCoeff());
+        }
+        best.parts.assign(parts.begin(), parts.begin() + (parts.empty() ? 0 : last + 1));
+        best.sheets = last + 1;
+        if (parts.empty()) {
+            ClothPart roll;
+            roll.outline.resize(4, 2);
+            roll.outline << 0, 0, best.length, 0, best.length, best.width, 0, best.width;
+            best.parts = {roll};
+        }
+        best.clothArea = 0;
+        for (const ClothPart& part : best.parts) {
+            best.clothArea += cloth::areaOf(part);
+        }
+        best.use = best.clothArea > 0 ? area / best.clothArea : 0;
     }
+
+    std::map<std::string, int> missing{};  ///< copies for which there is no room
 };
 
 Result<MarkerNester> MarkerNester::make(std::shared_ptr<const Pattern> pattern,
                                         const std::string& material, const Fabric& fabric,
                                         const MarkerSettings& settings,
-                                        const std::vector<KeptCopy>& kept,
-                                        const Progress& progress) {
+                                        const std::vector<KeptCopy>& kept, const Progress& progress,
+                                        int threads) {
     auto state = std::make_unique<State>();
     state->pattern = std::move(pattern);
     state->settings = settings;
-    state->best.material = material;
-    state->best.width = settings.width > 0 ? settings.width : fabric.width;
-    state->best.width *= settings.isFolded ? 0.5 : 1;
+    ClothMarker& best = state->best;
+    best.material = material;
+    best.isRoll = settings.hides.empty() && !settings.sheet;
+    best.areHides = !settings.hides.empty();
+    best.width = cloth::widthOnCloth(settings, fabric);
     NestInstance instance;
     instance.name = material.empty() ? state->pattern->name : material;
-    instance.width = state->best.width;
+    instance.width = best.width;
+    std::size_t copies = 0;
     for (const LaidPiece& piece :
-         cloth::laidPieces(*state->pattern, material, settings, state->best.notes)) {
-        const PatternPiece& of = state->pieceOf(piece);
+         cloth::laidPieces(*state->pattern, material, settings, best.notes)) {
+        const PatternPiece& of = state->pieceOf(piece.piece);
         if (isLayable(withoutRepeats(edgeOf(of)))) {
             state->addItems(piece, kept, instance);
-        } else if (!piece.isImage) {
-            state->best.notes.push_back(worded(kNoLine, {of.name}));
+            copies += piece.numbers.size();
+        } else {
+            best.isWhole = false;
+            state->note(worded(kNoLine, {of.name}));
         }
     }
-    NestOptions options;
-    options.gap = settings.gap;
-    options.border = settings.border;
-    options.seed = settings.seed;
-    while (!state->nester) {
-        auto made = Nester::make(instance, options, progress);
-        if (made) {
-            state->nester = std::move(*made);
-        } else if (made.error().code != ErrorCode::PageTooSmall ||
-                   made.error().subject.kind != Subject::Kind::Piece ||
-                   !state->leaveOut(made.error(), instance)) {
-            return made.error();
-        }
+    state->parts = cloth::clothParts(settings, copies);
+    if (auto error = state->begin(std::move(instance), threads, progress)) {
+        return *std::move(error);
     }
     state->take();
     return MarkerNester(std::move(state));

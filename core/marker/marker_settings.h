@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,6 +59,9 @@ struct MarkerSettings {
     double tolerance = 0;   ///< and so much more to both sides
     bool isFolded = false;  ///< lengthwise, the fold at y = 0: pieces on the fold lie along it
     ClothRepeat repeat{};
+    std::vector<std::string> matched{};  ///< seams, by name, along which the repeat goes on
+    std::map<std::string, int>
+        grades{};      ///< the worst that a piece may have, by its name; others: any
     int garments = 1;  ///< how many are cut
     std::uint64_t seed = 1;
 

@@ -8,49 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "tests/core/marker/marker_fixtures.h"
 
 namespace toile {
 namespace {
 
-/// As wide across the cloth as high, but for a corner that tells turned and mirrored apart.
-PatternPiece clothPiece(const std::string& name, double width, double height,
-                        std::uint64_t id = 0) {
-    PatternPiece piece;
-    piece.name = piece.slug = name;
-    piece.id = {id};
-    piece.outline.resize(5, 2);
-    piece.outline << 0, 0, width, 0, width, height / 2, width / 2, height, 0, height;
-    return piece;
-}
-
-Pattern clothPattern(std::vector<PatternPiece> pieces) {
-    Pattern pattern;
-    pattern.name = "shirt";
-    pattern.pieces = std::move(pieces);
-    return pattern;
-}
-
-Fabric clothOf(double width) {
-    Fabric fabric = fabricPresets().front();
-    fabric.width = width;
-    return fabric;
-}
-
-ClothMarker laidOn(double width, const Pattern& pattern, const MarkerSettings& settings = {},
-                   const std::vector<KeptCopy>& kept = {}, int rounds = 1,
-                   const std::string& material = {}) {
-    auto nester = MarkerNester::make(std::make_shared<const Pattern>(pattern), material,
-                                     clothOf(width), settings, kept, Progress());
-    EXPECT_TRUE(nester) << sentence(nester.error());
-    for (int k = 0; nester && k < rounds; ++k) {
-        nester->step(Progress());
-    }
-    if (!nester) {
-        return {};
-    }
-    EXPECT_TRUE(misplacedCopies(pattern, nester->best(), settings).empty());
-    return nester->best();
-}
+using test::clothPattern;
+using test::clothPiece;
+using test::laidOn;
 
 TEST(ClothMarker, LaysEachPieceAsOftenAsItIsCutInPairs) {
     Pattern pattern =
@@ -157,6 +122,87 @@ TEST(ClothMarker, PairsAreLaidOnceOnFoldedCloth) {
               "pocket is cut through both layers of the folded cloth: 1 more than are needed");
 }
 
+/// A piece that is its own image, of 2 x `half` by `height`.
+PatternPiece symmetricPiece(double half, double height, std::uint64_t id) {
+    PatternPiece piece;
+    piece.name = piece.slug = "front";
+    piece.id = {id};
+    piece.mirror.isSymmetric = true;
+    piece.outline.resize(6, 2);
+    // The mirror line goes from row 0 to row 3, upwards, the first half on the right of it.
+    piece.outline << 0, height, -half, height - 50, -half, 0, 0, 20, half, 0, half, height - 50;
+    return piece;
+}
+
+TEST(ClothMarker, WhatMirrorsItselfLiesOnTheFold) {
+    MarkerSettings settings;
+    settings.isFolded = true;
+    settings.border = 5;
+    for (const TurnRule turns : {TurnRule::HalfTurns, TurnRule::OneWay}) {
+        settings.turns = turns;
+        Pattern whole = clothPattern({symmetricPiece(250, 700, 1), symmetricPiece(250, 600, 2)});
+        const Pattern pattern = patternOnCloth(whole, settings);
+        ASSERT_EQ(pattern.pieces[0].cutAs, CutAs::OnFold);
+        const ClothMarker marker = laidOn(900, pattern, settings);
+        ASSERT_EQ(marker.copies.size(), 2U);
+        for (const LaidCopy& copy : marker.copies) {
+            const Points2 line = laidOutline(pattern, copy);
+            EXPECT_EQ(line.col(1).minCoeff(), 0);
+            EXPECT_EQ((line.col(1).array() == 0).count(), 2);  // both ends of its fold
+            EXPECT_NEAR(line.col(1).maxCoeff(), 250, 1e-9);
+            if (turns == TurnRule::OneWay) {
+                EXPECT_NEAR(directionOnSheet(copy.placement, kGrainUpwards), 0, 1e-12);
+            }
+        }
+        EXPECT_EQ(markerFigures(pattern, marker).copies, 2);
+    }
+    settings.isFolded = false;
+    const Pattern flat = patternOnCloth(clothPattern({symmetricPiece(250, 700, 1)}), settings);
+    EXPECT_EQ(flat.pieces[0].cutAs, CutAs::Whole);
+}
+
+TEST(ClothMarker, WhatIsKeptOnOthersStaysAndTheRestMakesRoom) {
+    Pattern pattern = clothPattern({clothPiece("back", 300, 500, 1)});
+    pattern.pieces[0].quantity = 4;
+    std::vector<KeptCopy> kept(2);
+    kept[0] = {{{1}, 0}, 0, {{100, 100}, 0, false}};
+    kept[1] = {{{1}, 2}, 0, {{150, 150}, 0, false}};
+    auto nester = MarkerNester::make(std::make_shared<const Pattern>(pattern), "", Fabric{}, {},
+                                     kept, Progress());
+    ASSERT_TRUE(nester) << sentence(nester.error());
+    nester->step(Progress());
+    const ClothMarker& marker = nester->best();
+    EXPECT_EQ(marker.copies.size(), 4U);
+    EXPECT_TRUE(marker.isWhole);
+    const std::vector<int> misplaced = misplacedCopies(pattern, marker, {});
+    ASSERT_EQ(misplaced.size(), 2U);
+    for (const int copy : misplaced) {
+        EXPECT_TRUE(marker.copies[static_cast<std::size_t>(copy)].isKept);
+    }
+}
+
+TEST(ClothMarker, IsTheSameWithAnyNumberOfThreads) {
+    Pattern pattern =
+        clothPattern({clothPiece("back", 300, 500, 1), clothPiece("sleeve", 210, 300, 2)});
+    pattern.pieces[1].quantity = 3;
+    pattern.pieces[1].mirroredPair = true;
+    const auto shared = std::make_shared<const Pattern>(pattern);
+    std::vector<std::vector<Placement>> found;
+    for (const int threads : {1, 2, 5}) {
+        auto nester = MarkerNester::make(shared, "", Fabric{}, {}, {}, Progress(), threads);
+        ASSERT_TRUE(nester);
+        for (int k = 0; k < 3; ++k) {
+            nester->step(Progress());
+        }
+        auto& places = found.emplace_back();
+        for (const LaidCopy& copy : nester->best().copies) {
+            places.push_back(copy.placement);
+        }
+    }
+    EXPECT_EQ(found[0], found[1]);
+    EXPECT_EQ(found[0], found[2]);
+}
+
 TEST(MisplacedCopies, LieOnOthersOrBeyondTheCloth) {
     const Pattern pattern = clothPattern({clothPiece("Front", 70, 60, 2)});
     ClothMarker marker;
@@ -167,8 +213,8 @@ TEST(MisplacedCopies, LieOnOthersOrBeyondTheCloth) {
         marker.copies.push_back(copy);
     };
     add(0, 0);
-    add(70, 0);  // touches it
-    add(500, 240.5);
+    add(70, 0);       // touches it
+    add(500, 240.5);  // beyond the selvedge
     add(200, 100);
     add(210, 110);
     EXPECT_EQ(misplacedCopies(pattern, marker, {}), (std::vector<int>{2, 3, 4}));

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/marker_report.h"
+
+#include <algorithm>
+
+#include "core/base/units.h"
+#include "core/base/version.h"
+#include "core/export/json.h"
+
+namespace toile {
+namespace {
+
+constexpr int kMarkerVersion = 1;  // of the fields: grows when one changes its meaning or goes
+
+Json copiesJson(const Pattern& pattern, const ClothMarker& marker) {
+    Json copies = Json::array();
+    for (const LaidCopy& copy : marker.copies) {
+        const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(copy.piece)];
+        copies.push_back({{"piece", text(piece.name)},
+                          {"number", copy.key.number},
+                          {"mirrored", copy.isImage},
+                          {"on_fold", piece.cutAs == CutAs::OnFold},
+                          {"kept", copy.isKept},
+                          {"sheet", copy.sheet},
+                          {"yield", copy.yield},
+                          {"angle", number(copy.placement.turn / kDegree)},
+                          {"x", number(copy.placement.offset.x())},
+                          {"y", number(copy.placement.offset.y())}});
+    }
+    return copies;
+}
+
+Json markerJson(const Pattern& pattern, const ClothMarker& marker,
+                std::optional<double> minutesPerMetre) {
+    const MarkerFigures figures = markerFigures(pattern, marker);
+    Json notes = Json::array();
+    for (const Wording& note : marker.notes) {
+        notes.push_back(text(note));
+    }
+    Json json{{"material", textOrNull(marker.material)},
+              {"width", number(marker.width)},
+              {"length", number(marker.length)},
+              {"sheets", marker.isRoll ? Json(nullptr) : Json(marker.sheets)},
+              {"use", number(marker.use)},
+              {"rounds", marker.rounds},
+              {"optimal", marker.isOptimal},
+              {"pieces", figures.copies},
+              {"seam_metres", number(figures.seamMetres)},
+              {"cut_metres", number(figures.cutMetres)},
+              {"notches", figures.notches}};
+    json["minutes"] = minutesPerMetre ? number(*minutesPerMetre * figures.seamMetres) : Json();
+    json["notes"] = std::move(notes);
+    json["copies"] = copiesJson(pattern, marker);
+    return json;
+}
+
+}  // namespace
+
+std::string writeMarkers(const Pattern& pattern, const std::vector<ClothMarker>& markers,
+                         const MarkerSettings& settings, std::optional<double> minutesPerMetre) {
+    double used = 0, cloth = 0, length = 0;
+    int rounds = 0;
+    Json all = Json::array();
+    for (const ClothMarker& marker : markers) {
+        cloth += marker.clothArea;
+        used += marker.use * marker.clothArea;
+        length += marker.length;
+        rounds = std::max(rounds, marker.rounds);
+        all.push_back(markerJson(pattern, marker, minutesPerMetre));
+    }
+    const Json json{{"version", kMarkerVersion},
+                    {"toile", text(version())},
+                    {"name", text(pattern.name)},
+                    {"use", number(cloth > 0 ? used / cloth : 0)},
+                    {"length", number(length)},
+                    {"rounds", rounds},
+                    {"garments", settings.garments},
+                    {"gap", number(settings.gap)},
+                    {"border", number(settings.border)},
+                    {"folded", settings.isFolded},
+                    {"seed", settings.seed},
+                    {"markers", std::move(all)}};
+    return jsonText(json);
+}
+
+}  // namespace toile

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/reading/hide_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/base/characters.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/geometry/polygon.h"
+#include "core/reading/dxf_document.h"
+#include "core/reading/dxf_drawing.h"
+#include "core/reading/dxf_unit.h"
+#include "core/reading/joined_lines.h"
+#include "core/reading/svg_reader.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kNoHide = translatable("it has no closed line that could be a hide");
+constexpr const char* kZoneOutside =
+    translatable("a closed line that begins outside of the hide is left out (layer \"%1\")");
+constexpr const char* kHideUnit = translatable("its numbers are taken for %1: %2");
+constexpr double kHideEndsNear = 0.01;  // mm, of lines that meet
+constexpr double kLeastHideArea = 1;    // mm2
+
+/// Lines by layer, in the order of the file's layers.
+using LinesOfLayers = std::vector<std::pair<std::string, std::vector<FileLine>>>;
+
+void addHideLine(LinesOfLayers& layers, std::string_view layer, FileLine line) {
+    auto found = std::ranges::find(layers, layer, &LinesOfLayers::value_type::first);
+    if (found == layers.end()) {
+        layers.emplace_back(std::string(layer), std::vector<FileLine>{});
+        found = std::prev(layers.end());
+    }
+    found->second.push_back(std::move(line));
+}
+
+/// The numbers as they are. @param extent  the larger side of all
+LinesOfLayers linesOf(const DxfDrawing& drawing, double& extent) {
+    LinesOfLayers layers;
+    Eigen::AlignedBox2d box;
+    const auto addGroup = [&](const DxfGroupOfEntities& group) {
+        for (const auto* lines : {&group.polylines, &group.lines}) {
+            for (const DxfLine& line : *lines) {
+                for (const auto& point : line.points.rowwise()) {
+                    box.extend(point.transpose());
+                }
+                addHideLine(layers, line.layer, {line.points, line.closed});
+            }
+        }
+    };
+    addGroup(drawing.page);
+    std::ranges::for_each(drawing.blocks, addGroup);
+    extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
+    return layers;
+}
+
+Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>& notes) {
+    const auto document = readDxfDocument(bytes);
+    if (!document) {
+        return document.error();
+    }
+    double extent = 0;
+    linesOf(dxfDrawing(*document, 1), extent);
+    const DxfUnit unit = dxfUnit(*document, "", extent);
+    if (unit.inDoubt) {
+        notes.push_back(worded(kHideUnit, {std::string(symbol(unit.unit)), unit.reason}));
+    }
+    return linesOf(dxfDrawing(*document, millimetresPer(unit.unit)), extent);
+}
+
+Result<LinesOfLayers> readSvgLines(std::string_view bytes) {
+    const auto svg = readSvg(bytes);
+    if (!svg) {
+        return svg.error();
+    }
+    LinesOfLayers layers;
+    for (const SvgLine& line : svg->lines) {
+        if (line.text.empty()) {
+            addHideLine(layers, line.layer, {line.points, line.closed});
+        }
+    }
+    return layers;
+}
+
+struct HideLine {
+    geometry::Polygon points;
+    std::string layer;
+    double area = 0;
+};
+
+/// The largest first.
+std::vector<HideLine> closedLines(const LinesOfLayers& layers) {
+    std::vector<HideLine> closed;
+    for (const auto& [layer, lines] : layers) {
+        for (const FileLine& line : joinedLines(lines, kHideEndsNear, kHideEndsNear)) {
+            Eigen::Index count = line.points.rows();
+            while (count > 3 && line.points.row(count - 1) == line.points.row(0)) {
+                --count;
+            }
+            if (!line.closed || count < 3) {
+                continue;
+            }
+            const auto points = geometry::antiClockwise(line.points.topRows(count));
+            const double area = geometry::signedAreaOf(points);
+            if (area > kLeastHideArea) {
+                closed.push_back({points, layer, area});
+            }
+        }
+    }
+    std::ranges::stable_sort(closed, std::greater{}, &HideLine::area);
+    return closed;
+}
+
+}  // namespace
+
+int gradeOfLayer(std::string_view layer) {
+    std::string small(layer);
+    std::ranges::transform(small, small.begin(), lowered);
+    std::size_t at = small.find("grade");
+    if (at == std::string::npos) {
+        return 0;
+    }
+    at = small.find_first_of("0123456789", at);
+    int grade = 0;
+    if (at != std::string::npos) {
+        std::from_chars(small.data() + at, small.data() + small.size(), grade);
+    }
+    return grade;
+}
+
+Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind) {
+    HideFile file;
+    const auto layers =
+        kind == PatternFileKind::Dxf ? readDxfLines(bytes, file.notes) : readSvgLines(bytes);
+    if (!layers) {
+        return layers.error();
+    }
+    const std::vector<HideLine> closed = closedLines(*layers);
+    if (closed.empty()) {
+        return Error{ErrorCode::NoGeometry, {}, worded(kNoHide)};
+    }
+    const geometry::Polygon& edge = closed.front().points;
+    const Eigen::RowVector2d corner = edge.colwise().minCoeff();
+    file.hide.outline = edge.rowwise() - corner;
+    for (std::size_t k = 1; k < closed.size(); ++k) {
+        const HideLine& line = closed[k];
+        if (geometry::isInside(edge, line.points.row(0).transpose())) {
+            file.hide.zones.push_back({line.points.rowwise() - corner, gradeOfLayer(line.layer)});
+        } else {
+            file.notes.push_back(worded(kZoneOutside, {readableName(line.layer)}));
+        }
+    }
+    return file;
+}
+
+Result<HideFile> readHide(const std::filesystem::path& path) {
+    const auto kind = patternFileKind(path);
+    if (!kind || kind == PatternFileKind::GarmentCode) {
+        return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
+                     "a hide is read from .dxf or .svg"};
+    }
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) {
+        return bytes.error();
+    }
+    auto file = readHide(*bytes, *kind);
+    if (!file) {
+        Error error = file.error();
+        error.subject = Subject::file(path.string());
+        return error;
+    }
+    file->hide.name = path.stem().string();
+    return file;
+}
+
+}  // namespace toile

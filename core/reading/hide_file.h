@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/wording.h"
+#include "core/marker/marker_settings.h"
+#include "core/reading/read_pattern.h"
+
+namespace toile {
+
+/// A hide from a drawing. Of its closed lines the largest is the edge; those within it are zones of
+/// the grade that their layer names ("grade 2", "Grade_3"), or holes.
+struct HideFile {
+    Hide hide;  ///< its lower left corner at the origin
+    std::vector<Wording> notes{};
+};
+
+/// @param kind  Dxf or Svg
+/// Errors: MalformedFile, NoGeometry (no closed line), without a subject.  Cost: that of reading,
+/// and zones times points of the edge. Pure.
+Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind);
+
+/// By its ending.
+/// Errors: the same and UnknownFormat, FileUnreadable, with the file's name.
+Result<HideFile> readHide(const std::filesystem::path& path);
+
+/// The grade that a layer names: the number after "grade", in any case; 0 where there is none.
+int gradeOfLayer(std::string_view layer);
+
+}  // namespace toile
