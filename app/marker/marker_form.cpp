@@ -3,16 +3,15 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <algorithm>
 #include <utility>
 
 #include "app/marker/marker_desk.h"
-#include "app/settings/length_display.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
 #include "core/garment/fabric.h"
@@ -46,7 +45,7 @@ MarkerForm::MarkerForm(MarkerDesk& desk, QWidget* parent)
       turns_(new QComboBox(this)),
       tolerance_(new AngleEdit(this)),
       folded_(new QCheckBox(tr("F&olded lengthwise"), this)),
-      garments_(new QSpinBox(this)) {
+      garments_(new QDoubleSpinBox(this)) {
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 6, 10, 6);
     grid->setHorizontalSpacing(8);
@@ -57,7 +56,6 @@ MarkerForm::MarkerForm(MarkerDesk& desk, QWidget* parent)
     grid->setColumnStretch(0, 1);
     grid->setRowStretch(grid->rowCount(), 1);
     connect(&desk_, &MarkerDesk::changed, this, &MarkerForm::refresh);
-    connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &MarkerForm::refresh);
     refresh();
 }
 
@@ -148,13 +146,15 @@ void MarkerForm::addCloth(QGridLayout& grid) {
 void MarkerForm::addPieces(QGridLayout& grid) {
     addHeading(grid, tr("Pieces"));
     garments_->setRange(1, kMostGarments);
+    garments_->setDecimals(0);
     garments_->setKeyboardTracking(false);
     addRow(grid, "markerGarments", tr("&Garments"), tr("How many of the garment are cut at once"),
            *garments_);
-    connect(garments_, &QSpinBox::valueChanged, this, [this](int count) {
+    connect(garments_, &QDoubleSpinBox::valueChanged, this, [this](double count) {
         change(
             tr("Garments of the marker"),
-            [count](MarkerSettings& settings) { settings.garments = count; }, true);
+            [count](MarkerSettings& settings) { settings.garments = static_cast<int>(count); },
+            true);
     });
     gap_ =
         addLength(grid, "markerGap", tr("Ga&p"), tr("Between two pieces, at least"), 0, kLongestGap,
@@ -220,23 +220,29 @@ void MarkerForm::chooseKind(int kind) {
             settings.isFolded = false;
         }
     });
-    refresh();
+}
+
+void MarkerForm::showMaterials() {
+    const QSignalBlocker quiet(material_);
+    material_->clear();
+    for (const std::string& material : desk_.materials()) {
+        material_->addItem(material.empty() ? tr("Own fabric") : QString::fromStdString(material),
+                           QString::fromStdString(material));
+    }
+    material_->setCurrentIndex(material_->findData(QString::fromStdString(desk_.material())));
+    material_->setEnabled(material_->count() > 1);
 }
 
 void MarkerForm::refresh() {
-    const MarkerSettings& settings = desk_.settings();
-    setEnabled(desk_.document().garment() != nullptr);
-    {
-        const QSignalBlocker quiet(material_);
-        material_->clear();
-        for (const std::string& material : desk_.materials()) {
-            material_->addItem(
-                material.empty() ? tr("Own fabric") : QString::fromStdString(material),
-                QString::fromStdString(material));
-        }
-        material_->setCurrentIndex(material_->findData(QString::fromStdString(desk_.material())));
-        material_->setEnabled(material_->count() > 1);
+    const Shown now{desk_.settings(), desk_.materials(), desk_.material(), desk_.fabric().width,
+                    desk_.document().garment() != nullptr};
+    if (shown_ == now) {
+        return;
     }
+    shown_ = now;
+    const MarkerSettings& settings = now.settings;
+    setEnabled(now.isOpen);
+    showMaterials();
     const Kind kind = kindOf(settings);
     if (kind == Hides && kind_->count() == Hides) {
         kind_->addItem(tr("Hides"));  // that the project has
@@ -254,8 +260,7 @@ void MarkerForm::refresh() {
     show(*along_, kind == Sheets);
     show(*across_, kind == Sheets);
     folded_->setVisible(kind == Roll);
-    showLength(*width_, settings.width > 0 ? settings.width : desk_.fabric().width,
-               settings.width > 0);
+    showLength(*width_, settings.width > 0 ? settings.width : now.width, settings.width > 0);
     if (settings.sheet) {
         showLength(*along_, settings.sheet->x(), false);
         showLength(*across_, settings.sheet->y(), false);

@@ -3,14 +3,17 @@
 
 #include <QWidget>
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "core/marker/marker_settings.h"
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
-class QSpinBox;
 
 namespace toile::app {
 
@@ -44,7 +47,20 @@ private:
     void addHeading(QGridLayout& grid, const QString& text);
     void change(const QString& text, const Change& change, bool isTyped = false);
     void chooseKind(int kind);
+    /// What is typed and not taken yet is not touched by a marker that gets better.
     void refresh();
+    void showMaterials();
+
+    /// What the fields show.
+    struct Shown {
+        MarkerSettings settings{};
+        std::vector<std::string> materials{};
+        std::string material{};
+        double width = 0;  ///< of the fabric
+        bool isOpen = false;
+
+        bool operator==(const Shown&) const = default;
+    };
 
     MarkerDesk& desk_;
     FieldGuard& guard_;
@@ -54,8 +70,9 @@ private:
     LengthEdit *warp_ = nullptr, *weft_ = nullptr;
     AngleEdit* tolerance_;
     QCheckBox* folded_;
-    QSpinBox* garments_;
+    QDoubleSpinBox* garments_;
     int gesture_ = -1;
+    std::optional<Shown> shown_;
 };
 
 }  // namespace toile::app

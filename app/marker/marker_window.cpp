@@ -25,6 +25,7 @@
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
+#include "app/widgets/field_keys.h"
 #include "app/widgets/scrolled.h"
 #include "core/export/export_file.h"
 #include "core/export/formats.h"
@@ -83,6 +84,8 @@ MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileD
     auto* scrolled = scrolledColumn(*form_, this);
     scrolled->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
     scrolled->setMinimumWidth(form_->sizeHint().width() + 18);
+    auto* keys = new FieldKeys([this] { view_->setFocus(); }, this);
+    keys->watch(*form_);
     auto* layout = new QGridLayout(this);
     layout->addWidget(scrolled, 0, 0);
     layout->addWidget(view_, 0, 1);

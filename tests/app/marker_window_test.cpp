@@ -4,12 +4,13 @@
 #include "app/marker/marker_window.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
-#include <QSpinBox>
+#include <QSignalSpy>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -138,7 +139,7 @@ private slots:
     void itIsImprovedUntilItIsStopped() {
         openSheets();
         layOnCloth();
-        type(find<QSpinBox>("markerGarments"), "5");
+        type(find<QDoubleSpinBox>("markerGarments"), "5");
         QCOMPARE(plan().settings.garments, 5);
         QVERIFY(rests());
         QCOMPARE(desk().marker()->copies.size(), std::size_t(20));
@@ -158,6 +159,25 @@ private slots:
         }
         QVERIFY(rests());
         QCOMPARE(find<QPushButton>("markerImprove").text(), QString("&Improve"));
+    }
+
+    void whatIsTypedIsLeftAloneWhileItIsImproved() {
+        openSheets();
+        layOnCloth();
+        type(find<QDoubleSpinBox>("markerGarments"), "7");
+        auto& width = find<LengthEdit>("markerWidth");
+        width.setFocus();
+        width.selectAll();
+        QTest::keyClicks(&width, "77");
+        QSignalSpy better(&desk(), &MarkerDesk::changed);
+        desk().improve();
+        QVERIFY(comes([&] { return better.count() > 3 || !desk().isRunning(); }));
+        desk().stop();
+        QVERIFY(width.text().startsWith("77"));
+        QTest::keyClick(&width, Qt::Key_0);
+        QTest::keyClick(&width, Qt::Key_Return);
+        QCOMPARE(plan().settings.width, 770.0);
+        QVERIFY(comes([this] { return view().hasFocus(); }));
     }
 
     void aDraggedPieceIsKeptInOneStep() {
