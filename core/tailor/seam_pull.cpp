@@ -71,6 +71,10 @@ bool SeamPull::goesOn(int first, int middle, int last) const {
            lines_.lineOf[findEdge(edges, middle, last)];
 }
 
+bool SeamPull::isBorder(int from, int to) const {
+    return lines_.isBorder(findEdge(ways_.links().table().edges, from, to));
+}
+
 double SeamPull::alongSure(const std::vector<int>& way) const {
     double sure = 0;
     for (std::size_t k = 1; k < way.size() && hasSure(); ++k) {

@@ -25,6 +25,8 @@ public:
     double along(const std::vector<int>& way) const;  ///< as of `alongLines`
     /// Whether two edges of a way, from vertex to vertex, are of one line of the mesh.
     bool goesOn(int first, int middle, int last) const;
+    /// Whether the edge between two vertices is a border of the file.
+    bool isBorder(int from, int to) const;
     /// The way from one set to the other that the mesh suggests near `way`, or `way` itself where
     /// nothing better is near.
     std::vector<int> pulled(const std::vector<int>& way, const std::vector<double>& costs,

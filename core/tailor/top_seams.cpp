@@ -198,8 +198,8 @@ private:
         return costs;
     }
 
-    /// Half an armhole: from an armpit to each place of the ridge, straight or along a seam of the
-    /// mesh that the ridge follows from there on, having left the shoulder's.
+    /// Half an armhole: from an armpit to each place of the ridge, straight or along a border of
+    /// the file that the ridge follows from there on, having left the shoulder's.
     struct Half {
         geometry::ShortestForest ways;
         std::vector<double> straight, along;  ///< costs, by place
@@ -225,7 +225,7 @@ private:
             const auto isAlong = [&](std::size_t next) {
                 return pull_.goesOn(ridge[next - 2], ridge[next - 1], ridge[next]) ==
                            (next > k + 1) &&
-                       pull_.along({ridge[next - 1], ridge[next]}) > kArmholeSure;
+                       pull_.isBorder(ridge[next - 1], ridge[next]);
             };
             for (std::size_t meets = k + 1; meets < ridge.size() && isAlong(meets); ++meets) {
                 cost += costs[edgeBetween(ridge[meets - 1], ridge[meets])];
