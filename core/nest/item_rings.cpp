@@ -11,6 +11,8 @@ namespace toile {
 namespace {
 
 constexpr const char* kNoOutline = translatable("its outline is no polygon");
+constexpr const char* kWoundTwice =
+    translatable("its outline goes round twice, or a hole lies outside it or on another");
 constexpr const char* kNoArea = translatable("its outline has no area");
 constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
 
@@ -47,6 +49,36 @@ Rings withoutRepeats(const Rings& rings) {
     return result;
 }
 
+ClipperLib::Path gridPathOf(const Polygon& ring) {
+    ClipperLib::Path path;
+    for (Eigen::Index k = 0; k < ring.rows(); ++k) {
+        path.emplace_back(std::llround(ring(k, 0) / kNestGrid),
+                          std::llround(ring(k, 1) / kNestGrid));
+    }
+    return path;
+}
+
+/// Whether the outline goes once round what is inside, and the holes lie there and apart: then what
+/// is left has the area of the outline less theirs. Rings that run along themselves cross nowhere.
+/// @param rings  wound, none crossing another
+bool areWoundOnce(const Rings& rings) {
+    ClipperLib::Clipper clipper;
+    double area = 0, length = 0;
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+        clipper.AddPath(gridPathOf(rings[k]), k == 0 ? ClipperLib::ptSubject : ClipperLib::ptClip,
+                        true);
+        area += geometry::signedAreaOf(rings[k]);
+        length += geometry::perimeterOf(rings[k]);
+    }
+    ClipperLib::Paths left;
+    clipper.Execute(ClipperLib::ctDifference, left, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    double covered = 0;
+    for (const ClipperLib::Path& path : left) {
+        covered += ClipperLib::Area(path) * kNestGrid * kNestGrid;
+    }
+    return std::abs(covered - area) <= 2 * kNestGrid * length + 1e-9 * covered;
+}
+
 /// @param rings  without repeats
 const char* wrongInRings(const Rings& rings) {
     if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
@@ -58,7 +90,10 @@ const char* wrongInRings(const Rings& rings) {
     if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
         return kNoArea;
     }
-    return doRingsCross(rings) ? kNoOutline : nullptr;
+    if (doRingsCross(rings)) {
+        return kNoOutline;
+    }
+    return areWoundOnce(wound(rings)) ? nullptr : kWoundTwice;
 }
 
 bool isUsable(const NestLattice& lattice) {
@@ -98,12 +133,7 @@ Result<Rings> grownRings(const Subject& subject, const Rings& rings, double dist
     }
     ClipperLib::ClipperOffset offset(2.0, kArcShare / kNestGrid / 2);
     for (const Polygon& ring : rings) {
-        ClipperLib::Path path;
-        for (Eigen::Index k = 0; k < ring.rows(); ++k) {
-            path.emplace_back(std::llround(ring(k, 0) / kNestGrid),
-                              std::llround(ring(k, 1) / kNestGrid));
-        }
-        offset.AddPath(path, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
+        offset.AddPath(gridPathOf(ring), ClipperLib::jtRound, ClipperLib::etClosedPolygon);
     }
     ClipperLib::Paths paths;
     offset.Execute(paths, (distance + kArcShare) / kNestGrid);
