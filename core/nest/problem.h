@@ -84,6 +84,9 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
 
 NestPlacement placementOf(const Problem& problem, std::size_t copy, const Pose& pose);
 
+/// The copy's rings as they lie, grown by half the gap or bare.
+Rings ringsAt(const Problem& problem, std::size_t copy, const Pose& pose, bool isBare = false);
+
 /// The obstacle that a copy lies on there, by exact arithmetic; null: none.
 const Obstacle* obstacleUnder(const Problem& problem, std::size_t copy, const Pose& pose);
 

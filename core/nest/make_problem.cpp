@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "core/nest/item_rings.h"
+#include "core/nest/make_item.h"
+#include "core/nest/rules.h"
+
+namespace toile {
+namespace {
+
+constexpr const char* kNoStrip = translatable("width, gap and border leave no strip");
+constexpr const char* kTooManyCopies =
+    translatable("more than %1 copies are not laid at once: lay several markers, or fewer copies");
+constexpr const char* kKeptOutside =
+    translatable("it is kept where it lies, which is outside the cloth");
+constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
+
+}  // namespace
+}  // namespace toile
+
+namespace toile::nest {
+namespace {
+
+using geometry::Polygon;
+
+constexpr int kMostCopies = 4000;
+
+/// Of the copy added last: it lies outside, or on another fixed one.
+std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
+    const auto askedOf = [&](std::size_t copy) -> const NestItem& {
+        return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
+    };
+    const std::size_t last = problem.copies.size() - 1;
+    const Pose& pose = problem.copies[last].start;
+    const Rings own = ringsAt(problem, last, pose);
+    if (!keepsRules(problem, problem.itemOf(last), pose, own[0], HUGE_VAL)) {
+        return wrongItem(askedOf(last), kKeptOutside);
+    }
+    if (const Obstacle* under = obstacleUnder(problem, last, pose)) {
+        return wrongItem(askedOf(last), worded(kKeptOnOther, {under->name}));
+    }
+    for (std::size_t copy = 0; copy < last; ++copy) {
+        if (problem.itemOf(copy).isFixed &&
+            doOverlap(own, ringsAt(problem, copy, problem.copies[copy].start))) {
+            return wrongItem(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
+        }
+    }
+    return std::nullopt;
+}
+
+double areaOf(const Rings& rings) {
+    double area = 0;
+    for (const Polygon& ring : rings) {
+        area += geometry::signedAreaOf(ring);
+    }
+    return area;
+}
+
+/// Where shapes end that fill the stretches from the first on, as long as this together.
+double endOfArea(const Problem& problem, double length) {
+    for (const Stretch& stretch : problem.stretches) {
+        if (length <= stretch.to - stretch.from) {
+            return stretch.from + length;
+        }
+        length -= stretch.to - stretch.from;
+    }
+    return problem.stretches.back().to;
+}
+
+/// What the bands leave.
+std::optional<Error> addStretches(Problem& problem, const NestInstance& instance) {
+    auto bands = instance.bands;
+    if (!std::ranges::all_of(bands, [](const NestBand& band) {
+            return std::abs(band.from) <= kMostSize && band.to >= band.from;
+        })) {
+        return Error{ErrorCode::MalformedFile, Subject::file(instance.name), kNoBand};
+    }
+    std::ranges::sort(bands, {}, &NestBand::from);
+    double from = 0;
+    const auto add = [&](double end) {
+        if (const Stretch stretch{from + problem.low, end - problem.low};
+            stretch.from < stretch.to) {
+            problem.stretches.push_back(stretch);
+        }
+    };
+    for (const NestBand& band : bands) {
+        if (band.from > from) {
+            add(band.from);
+        }
+        from = std::max(from, band.to);
+    }
+    add(HUGE_VAL);
+    if (problem.stretches.empty()) {
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance, double border) {
+    for (const NestObstacle& asked : instance.obstacles) {
+        const Subject subject = Subject::piece(asked.name);
+        const auto rings = usableRings(subject, asked.rings);
+        if (!rings) {
+            return rings.error();
+        }
+        auto grown = grownRings(subject, *rings, border);
+        if (!grown) {
+            return grown.error();
+        }
+        Obstacle obstacle{asked.name, std::move(*grown), {}, {}};
+        obstacle.shape = makeShape(obstacle.rings);
+        obstacle.isFor.assign(instance.items.size(), asked.items.empty());
+        for (const int item : asked.items) {
+            if (item >= 0 && item < static_cast<int>(obstacle.isFor.size())) {
+                obstacle.isFor[static_cast<std::size_t>(item)] = true;
+            }
+        }
+        problem.obstacles.push_back(std::move(obstacle));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options,
+                            const Progress& progress) {
+    Problem problem;
+    problem.cloth = instance.width;
+    problem.low = options.border - options.gap / 2;
+    problem.high = instance.width - problem.low;
+    if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
+          options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
+    }
+    std::int64_t copies = 0;
+    for (const NestItem& asked : instance.items) {
+        copies += std::max(asked.demand, 0);
+    }
+    if (copies > kMostCopies) {
+        return Error{ErrorCode::MalformedFile, Subject::file(instance.name),
+                     worded(kTooManyCopies, {figure(kMostCopies, 0)})};
+    }
+    if (auto fault = addStretches(problem, instance)) {
+        return *std::move(fault);
+    }
+    if (auto fault = addObstacles(problem, instance, options.border)) {
+        return *std::move(fault);
+    }
+    const bool isBareToo = options.gap > 0 && !problem.obstacles.empty();
+    double grownArea = 0, lowest = problem.low;
+    for (std::size_t i = 0; i < instance.items.size(); ++i) {
+        const NestItem& asked = instance.items[i];
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        if (asked.demand == 0) {
+            problem.items.emplace_back();
+            continue;
+        }
+        const auto rings = usableRings(asked);
+        if (!rings) {
+            return rings.error();
+        }
+        auto grown = grownRings(Subject::piece(asked.name), *rings, options.gap / 2);
+        if (!grown) {
+            return grown.error();
+        }
+        auto item = makeItem(problem, asked, *rings, std::move(*grown), isBareToo);
+        if (!item) {
+            return item.error();
+        }
+        problem.area += areaOf(item->bare) * asked.demand;
+        grownArea += areaOf(item->grown) * asked.demand;
+        Copy copy{static_cast<int>(i)};
+        for (const Variant& variant : item->variants) {
+            const double least = variant.rest + variant.shape.box.bottom;
+            lowest = item->touchesEdge ? std::min(lowest, least) : lowest;
+        }
+        if (asked.fixed) {
+            copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
+            item->leastExtent = copy.start.x + item->variants[0].shape.box.right - problem.low;
+        }
+        problem.leastLength = std::max(problem.leastLength, item->leastExtent);
+        problem.items.push_back(std::move(*item));
+        problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
+        if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
+            return *std::move(fault);
+        }
+    }
+    problem.leastLength = std::max(problem.low + problem.leastLength,
+                                   endOfArea(problem, grownArea / (problem.high - lowest)));
+    return problem;
+}
+
+}  // namespace toile::nest
