@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/nest/collision.h"
+#include "core/nest/crowded.h"
 #include "core/nest/laid_along.h"
 #include "core/nest/rules.h"
 
@@ -30,7 +31,7 @@ constexpr int kEvenRows = 20;          // and beside obstacles
 /// Of more copies, one is looked for a place for only from near the last one like it on, in fewer
 /// rows: all else was tried for that.
 constexpr std::size_t kManyCopies = 150, kMostRowsOfMany = 30;
-constexpr int kOrdersTried = 20;          // where the cloth ends
+constexpr int kOrdersTried = 8;           // where the cloth ends
 constexpr double kLeastStepShare = 1e-3;  // of the strip's width
 
 /// Lays one after the other.
@@ -258,6 +259,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
     auto order = orderOf(problem);
     const auto isMovable = [&](std::size_t copy) { return !problem.itemOf(copy).isFixed; };
     std::optional<std::size_t> failed;
+    std::vector<Pose> poses;
     for (int k = 0; k < kOrdersTried; ++k) {
         for (const bool byBoxes : {false, true}) {
             FirstNest nest(problem, byBoxes, progress);
@@ -270,6 +272,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
                 return found;
             }
             if (failed) {
+                poses = found.poses;
                 break;
             }
         }
@@ -280,6 +283,14 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
                 break;
             }
             std::rotate(first, at, at + 1);
+        }
+    }
+    if (!poses.empty()) {
+        if (auto found = crowdedNest(problem, poses, progress)) {
+            return *std::move(found);
+        }
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
         }
     }
     const std::size_t copy = failed.value_or(order.front());

@@ -91,6 +91,15 @@ TEST(NestRules, ClothMayEnd) {
     EXPECT_EQ(Nester::make(instance, {}).error().subject.name, "long");
 }
 
+/// One after the other leaves no room for the last ones; pushing them apart does.
+TEST(NestRules, CrowdedClothIsFilledBySearch) {
+    NestInstance instance{
+        "crowd", 30, {nestItem("half", nestPolygon({{0, 0}, {40, 0}, {0, 30}}), 6)}};
+    instance.items[0].angles = {0, kPi};
+    instance.bands = {{124, HUGE_VAL}};
+    EXPECT_LE(laid(instance).length, 124);
+}
+
 TEST(NestRules, WhatHasItsPlaceInTheRepeatLiesThere) {
     NestInstance instance{"stripes", 60, {nestItem("front", nestRectangle(13, 20), 6)}};
     instance.items[0].angles = {0, kPi};
