@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes CLI11, since it takes seconds to compile; so it is longer than most:
-// all options of all commands, in the order in which their help lists them.
+// All options of all commands, in the order in which their help lists them; so it is longer than
+// most. CLI11 takes seconds to compile: only this and what is compiled with it include it.
 #include "app/cli/arguments.h"
 
 #include <algorithm>
 #include <charconv>
 #include <map>
 #include <sstream>
-#include <tuple>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/check_arguments.h"
 #include "app/cli/command_line.h"
+#include "app/cli/marker_options.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/export/formats.h"
@@ -435,15 +435,19 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
     addReading(render, arguments);
 }
 
-void addCheck(CLI::App& app, Arguments& arguments) {
-    CLI::App& check = addCommand(app, arguments, Arguments::Command::Check, "check",
-                                 "Flatten a garment and tell whether it is ready to cut");
+void addFabric(CLI::App& command, Arguments& arguments, const std::string& help) {
     std::vector<std::string> fabrics;
     for (const Fabric& fabric : fabricPresets()) {
         fabrics.push_back(fabric.id);
     }
-    addChoice(check, "--fabric", arguments.fabric, fabrics, fabricPreset,
-              "What the garment is cut from; " + fabrics.front() +
+    addChoice(command, "--fabric", arguments.fabric, fabrics, fabricPreset, help);
+}
+
+void addCheck(CLI::App& app, Arguments& arguments) {
+    CLI::App& check = addCommand(app, arguments, Arguments::Command::Check, "check",
+                                 "Flatten a garment and tell whether it is ready to cut");
+    addFabric(check, arguments,
+              std::string("What the garment is cut from; ") + fabricPresets().front().id +
                   ", and its strain no fault, where neither this nor a project says so");
     addMethodOptions(check, arguments.stated);
     addLineOptions(check, arguments.stated);
@@ -467,57 +471,37 @@ void addWalk(CLI::App& app, Arguments& arguments) {
     walk.add_flag("--json", arguments.json, "Print as JSON");
 }
 
-/// The file's name ends so, in small letters or large.
-CLI::Validator endingIn(const std::string& small, const std::string& large) {
-    return CLI::Validator(
-        [small, large](const std::string& name) {
-            return name.ends_with(small) || name.ends_with(large)
-                       ? std::string()
-                       : "the name must end in " + small + ", not \"" + name + "\"";
-        },
-        "");
-}
-
 void addMarker(CLI::App& app, Typed& typed, Arguments& arguments) {
-    CLI::App& command = *app.add_subcommand(
-        "marker", "Nest shapes on a strip of cloth as densely as time allows (docs/marker.md)");
-    command.callback([&arguments] { arguments.command = Arguments::Command::Marker; });
+    CLI::App& command =
+        addCommand(app, arguments, Arguments::Command::Marker, "marker",
+                   "Lay the pieces of a garment on cloth as densely as time allows, or shapes of "
+                   "the nesting problem, .json (docs/marker.md)");
     command.footer(
-        "\nAfter so many rounds the nest is the same everywhere; a time says after which round\n"
-        "it ends.");
-    command.add_option("INPUT", arguments.inputs, "Instance of the nesting problem, as published")
-        ->required()
-        ->expected(1)
-        ->type_name("FILE.json")
-        ->check(endingIn(".json", ".JSON"));
-    command.add_option("-o,--output", typed.picture, "Picture of the nest to write")
-        ->type_name("FILE.svg")
-        ->check(endingIn(".svg", ".SVG"));
-    command.add_option("--report", typed.report, "Write use, length and places of copies as JSON")
-        ->type_name("FILE.json");
-    MarkerArguments& marker = arguments.marker;
-    command.add_option("--rounds", marker.rounds, "End after so many rounds")
-        ->type_name("N")
-        ->check(CLI::Range(0, 1'000'000'000));
+        "\nAfter so many rounds the marker is the same everywhere; a time says after which round\n"
+        "it ends, and so does Ctrl-C. Exit status 1 where a piece failed or is too large.");
     command
-        .add_option("--time", marker.seconds,
-                    "End after so many seconds [5 where no rounds are given]")
-        ->type_name("S")
-        ->check(CLI::Range(0.0, 1e6));
-    command.add_option("--seed", marker.seed, "Another seed, another nest")
-        ->type_name("N")
-        ->capture_default_str();
-    for (const auto& [option, length, help] :
-         {std::tuple("--gap", &marker.gap, "Between two copies at least"),
-          std::tuple("--border", &marker.border, "Between copies and the edges of the cloth")}) {
-        command.add_option(option, *length, help)
-            ->type_name("MM")
-            ->check(CLI::Range(0.0, 1000.0))
-            ->capture_default_str();
-    }
-    command.add_option("--threads", marker.threads, "To work with; the nest is the same [all]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 64));
+        .add_option("-o,--output", arguments.outputs,
+                    "Marker to write, by its ending: .svg, .dxf, .pdf, .plt or .png; of several "
+                    "materials a file each, named after it. May be given several times")
+        ->type_name("FILE")
+        ->allow_extra_args(false);  // so that inputs may follow
+    command
+        .add_option("--report", arguments.marker.report,
+                    "Write use, length and places of copies as JSON")
+        ->type_name("FILE.json")
+        ->check([](const std::string& name) {
+            return name.ends_with(".json") || name.ends_with(".JSON")
+                       ? std::string()
+                       : "the report's name must end in .json, not \"" + name + "\"";
+        });
+    addMarkerOptions(command, arguments.marker);
+    addFabric(command, arguments, "What the garment is cut from, which says how wide that is");
+    addMethodOptions(command, arguments.stated);
+    addLineOptions(command, arguments.stated);
+    addPatternOptions(command, arguments.stated);
+    addLabelOptions(command, arguments.stated);
+    addReading(command, arguments);
+    addExporting(command, typed);
 }
 
 void addInfo(CLI::App& app, Arguments& arguments) {
@@ -635,6 +619,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
     } else if (!typed.windowFiles.empty()) {
         return wrongUsage("\"" + typed.windowFiles.front().string() +
                           "\" stands before the command");
+    }
+    if (arguments.command == Arguments::Command::Marker) {  // places of pieces, and no blocks
+        arguments.exporting.dxf.profile = DxfProfile::Plain;
     }
     for (const FormatOption& row : formatOptions()) {
         const auto value = typed.exporting.find(row.name);

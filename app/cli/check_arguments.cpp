@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <vector>
 
@@ -29,20 +30,25 @@ std::string wrongFairing(const LineSettings& lines) {
 }
 
 /// A mistyped output must not cost the user the garment.
-const std::filesystem::path* overwrittenInput(const Arguments& arguments) {
+std::optional<std::filesystem::path> overwrittenInput(const Arguments& arguments) {
     std::vector<std::filesystem::path> inputs = arguments.inputs;
     if (!arguments.seams.empty()) {
         inputs.push_back(arguments.seams);
     }
-    for (const auto& output : arguments.outputs) {
+    for (const std::filesystem::path& hide : arguments.marker.hides) {
+        inputs.push_back(hide);
+    }
+    std::vector<std::filesystem::path> outputs = arguments.outputs;
+    outputs.push_back(arguments.marker.report);
+    for (const auto& output : outputs) {
         for (const auto& input : inputs) {
             std::error_code ignored;
             if (std::filesystem::equivalent(input, output, ignored)) {
-                return &output;
+                return output;
             }
         }
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 /// Not known, or not in this build.
@@ -65,7 +71,7 @@ std::string wrongOutputs(const Arguments& arguments) {
             return "the picture's name must end in .png, not \"" + output.string() + "\"";
         }
     }
-    if (const auto* lost = overwrittenInput(arguments)) {
+    if (const auto lost = overwrittenInput(arguments)) {
         return "\"" + lost->string() + "\" is an input and would be overwritten";
     }
     return {};
@@ -85,6 +91,13 @@ std::string wrongIn(const Arguments& arguments) {
     }
     if (std::isnan(arguments.picture.morph)) {
         return "--morph must be a number from 0 to 1";
+    }
+    if (arguments.command == Arguments::Command::Marker) {
+        if (std::string wrong =
+                wrongInMarker(arguments.inputs, arguments.outputs, arguments.marker);
+            !wrong.empty()) {
+            return wrong;
+        }
     }
     return wrongOutputs(arguments);
 }

@@ -30,6 +30,8 @@ int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostrea
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err);
+/// Of an instance of the nesting problem.
+int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostream& err);
 
 /// Where the input is a project file: the same arguments with its meshes as the input and with what
 /// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes

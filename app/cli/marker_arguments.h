@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
+
+#include "core/marker/marker_settings.h"
 
 namespace toile::app {
 
@@ -10,9 +15,34 @@ namespace toile::app {
 struct MarkerArguments {
     std::optional<int> rounds;      ///< after so many it ends
     std::optional<double> seconds;  ///< after the round in which so much time has passed
-    std::uint64_t seed = 1;
-    double gap = 0, border = 0;  ///< mm
-    int threads = 0;             ///< 0: as the machine has
+    int threads = 0;                ///< 0: as the machine has
+    MarkerSettings settings{};      ///< but for the hides, which the command reads
+    std::vector<std::filesystem::path> hides;
+    std::optional<std::string> material;  ///< only of this one; empty: of the garment's own fabric
+    std::optional<double> minutesPerMetre;
+    std::filesystem::path report;
 };
+
+/// The time that a marker takes where nothing else is said.
+inline constexpr double kUsualMarkerSeconds = 5;
+
+/// Whether to go on: until the rounds are done or the time is up, whichever was typed.
+bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds);
+
+/// True of a file that holds an instance of the nesting problem, and no garment.
+bool isNestInstance(const std::filesystem::path& path);
+
+/// "305x610": along the warp, across it, mm. @return what is wrong, or nothing
+std::string readSheet(const std::string& typed, MarkerSettings& settings);
+/// "80x60", "80x0@10,20": along the warp, across it, origin, mm. @return what is wrong, or nothing
+std::string readRepeat(const std::string& typed, MarkerSettings& settings);
+/// "front=2". @return what is wrong, or nothing
+std::string readGrade(const std::string& typed, MarkerSettings& settings);
+
+/// What goes only with garments, or only with instances; which files can be written.
+/// @return what is wrong, or nothing
+std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,
+                          const std::vector<std::filesystem::path>& outputs,
+                          const MarkerArguments& typed);
 
 }  // namespace toile::app

@@ -1,69 +1,205 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <csignal>
 #include <ostream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
+#include "app/cli/input.h"
+#include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
-#include "core/nest/instance_file.h"
-#include "core/nest/nest.h"
-#include "core/nest/nest_writer.h"
+#include "core/export/export_file.h"
+#include "core/export/formats.h"
+#include "core/export/marker_drawing.h"
+#include "core/export/marker_report.h"
+#include "core/marker/cloth_marker.h"
+#include "core/reading/hide_file.h"
 
 namespace toile::app {
 namespace {
 
-constexpr double kUsualSeconds = 5;
+constexpr double kBetweenLines = 1;  // s, of those that say how far the search is
 
 int refuseMarker(const Error& error, std::ostream& err) {
     err << "toile: " << sentence(error) << '\n';
     return kExitUnreadable;
 }
 
-/// Whether to go on: until the rounds are done or the time is up, whichever was typed.
-bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds) {
-    const bool hasRounds = !typed.rounds || rounds < *typed.rounds;
-    const double most = typed.seconds.value_or(typed.rounds ? seconds + 1 : kUsualSeconds);
-    return hasRounds && seconds < most;
+Progress* searched = nullptr;  // for the signal, which knows nobody
+
+/// While there is one, Ctrl-C ends the search and not the program.
+class Interruptible {
+public:
+    explicit Interruptible(Progress& progress) {
+        searched = &progress;
+        before_ = std::signal(SIGINT, [](int) { searched->cancel(); });
+    }
+    ~Interruptible() { std::signal(SIGINT, before_); }
+    Interruptible(const Interruptible&) = delete;
+    Interruptible& operator=(const Interruptible&) = delete;
+
+private:
+    void (*before_)(int);
+};
+
+/// The settings with their hides.
+Result<MarkerSettings> withHides(const MarkerArguments& typed, std::ostream& err) {
+    MarkerSettings settings = typed.settings;
+    for (const auto& path : typed.hides) {
+        auto hide = readHide(path);
+        if (!hide) {
+            return hide.error();
+        }
+        for (const Wording& note : hide->notes) {
+            err << "toile: " << path.string() << ": " << shownText(note) << '\n';
+        }
+        settings.hides.push_back(std::make_shared<const Hide>(std::move(hide->hide)));
+    }
+    return settings;
+}
+
+/// What is laid: with the grain and the materials of what is drawn.
+Pattern wholePatternOf(const LaidOutPattern& laid) {
+    Pattern whole = laid.wholePattern;
+    for (std::size_t p = 0; p < whole.pieces.size(); ++p) {
+        whole.pieces[p].grain = laid.pattern.pieces[p].grain;
+    }
+    whole.materials = laid.pattern.materials;
+    return whole;
+}
+
+void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progress,
+            std::ostream& err) {
+    const Interruptible interruptible(progress);
+    const Stopwatch watch;
+    double said = 0;
+    while (!nester.best().isOptimal && !progress.isCancelled() &&
+           isToGoOn(typed, nester.best().rounds, watch.seconds())) {
+        nester.step(progress);
+        if (typed.seconds && watch.seconds() >= said + kBetweenLines) {
+            said = watch.seconds();
+            err << "toile: " << fixed(said, 0) << " s, " << counted(nester.best().rounds, "round")
+                << ": " << fixed(nester.best().length, 1) << " mm\n";
+        }
+    }
+}
+
+/// "marker-silk.pdf" where there are several.
+std::filesystem::path pathOf(const std::filesystem::path& output, const std::string& material,
+                             bool isOne) {
+    const std::string ending(endingOf(output));
+    return isOne || material.empty() ? output : exportedPath(output, "-" + slug(material) + ending);
+}
+
+void printMarker(const ClothMarker& marker, const Pattern& pattern, const MarkerArguments& typed,
+                 std::ostream& out, std::ostream& err) {
+    const MarkerFigures figures = markerFigures(pattern, marker);
+    out << shownText(clothSentence(marker)) << ", " << counted(marker.rounds, "round")
+        << (marker.isOptimal ? ", none is shorter" : "") << "; " << counted(figures.copies, "piece")
+        << ", " << fixed(figures.seamMetres, 1) << " m of seam, " << figures.notches
+        << (figures.notches == 1 ? " notch" : " notches") << ", " << fixed(figures.cutMetres, 1)
+        << " m to cut";
+    if (typed.minutesPerMetre) {
+        out << ", " << fixed(*typed.minutesPerMetre * figures.seamMetres, 0) << " min to sew";
+    }
+    out << '\n';
+    for (const Wording& note : marker.notes) {
+        err << "toile: " << shownText(note) << '\n';
+    }
+}
+
+Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
+                         const PieceResults& results, const Pattern& pattern,
+                         const ClothMarker& marker, const MarkerSettings& settings, bool isOne,
+                         std::ostream& out) {
+    const DrawnMarker drawn = drawMarker(pattern, marker, settings, {clothSentence(marker)});
+    const ExportSource source(garment, results, drawn.laid, arguments.exporting, {},
+                              arguments.lines, arguments.fabric.value_or(fabricPresets().front()),
+                              drawn.drawing);
+    for (const auto& output : arguments.outputs) {
+        const auto written = exportFile(pathOf(output, marker.material, isOne), source);
+        if (!written) {
+            return written.error();
+        }
+        for (const std::filesystem::path& file : written->files) {
+            out << "wrote " << file.string();
+            if (written->readBack && file == written->files.front()) {
+                out << "; " << readBackSentence(*written->readBack);
+            }
+            out << '\n';
+        }
+    }
+    return {};
 }
 
 }  // namespace
 
 int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    if (isNestInstance(arguments.inputs.front())) {
+        return runMarkerOfInstance(arguments, out, err);
+    }
     const MarkerArguments& typed = arguments.marker;
-    auto instance = readNestInstance(arguments.inputs.front());
-    if (!instance) {
-        return refuseMarker(instance.error(), err);
+    const auto settings = withHides(typed, err);
+    if (!settings) {
+        return refuseMarker(settings.error(), err);
     }
-    NestOptions options;
-    options.seed = typed.seed;
-    options.gap = typed.gap;
-    options.border = typed.border;
-    options.threads = typed.threads;
-    const Stopwatch watch;
-    const Progress progress;
-    auto nester = Nester::make(std::move(*instance), options, progress);
-    if (!nester) {
-        return refuseMarker(nester.error(), err);
+    Progress progress;
+    const auto garment = readInput(arguments, progress, err);
+    if (!garment) {
+        return kExitUnreadable;
     }
-    const NestResult& best = nester->best();
-    while (!best.optimal && isToGoOn(typed, best.rounds, watch.seconds())) {
-        nester->step(progress);
+    const PieceResults results = flattened(arguments, *garment, progress);
+    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
+    status = printFailures(results, err) ? kExitSomeFailed : status;
+    const auto pattern = std::make_shared<const Pattern>(
+        patternOnCloth(wholePatternOf(laidOut(arguments, *garment, results)), *settings));
+    std::vector<std::string> materials = markerMaterials(*pattern);
+    if (typed.material) {
+        if (std::ranges::find(materials, *typed.material) == materials.end()) {
+            err << "toile: nothing is cut from \"" << *typed.material << "\"; there is "
+                << quotedList(materials, materials.size()) << ".\n";
+            return kExitUsage;
+        }
+        materials = {*typed.material};
     }
-    out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "
-        << counted(best.rounds, "round") << (best.optimal ? ", no nest is shorter" : "") << '\n';
-    for (const auto& path : arguments.outputs) {
-        const bool isPicture = path.extension() == ".svg" || path.extension() == ".SVG";
-        const std::string text = isPicture ? nestPicture(nester->instance(), best)
-                                           : nestReport(nester->instance(), options, best);
-        if (const auto written = writeFile(path, text); !written) {
+    if (materials.empty()) {
+        err << "toile: no piece lies flat: there is nothing to lay.\n";
+        return kExitSomeFailed;
+    }
+    std::vector<ClothMarker> markers;
+    for (const std::string& material : materials) {
+        const Fabric fabric = fabricOf(material, pattern->materials,
+                                       arguments.fabric.value_or(fabricPresets().front()));
+        auto nester =
+            MarkerNester::make(pattern, material, fabric, *settings, {}, Progress(), typed.threads);
+        if (!nester) {
+            return refuseMarker(nester.error(), err);
+        }
+        search(*nester, typed, progress, err);
+        markers.push_back(nester->best());
+        const ClothMarker& marker = markers.back();
+        printMarker(marker, *pattern, typed, out, err);
+        status = marker.isWhole ? status : kExitSomeFailed;
+        if (const auto written = writeMarker(arguments, *garment, results, *pattern, marker,
+                                             *settings, materials.size() == 1, out);
+            !written) {
+            return refuseMarker(written.error(), err);
+        }
+    }
+    if (!typed.report.empty()) {
+        const auto written = writeFile(
+            typed.report, writeMarkers(*pattern, markers, *settings, typed.minutesPerMetre));
+        if (!written) {
             return refuseMarker(written.error(), err);
         }
     }
     out.flush();
-    return !out ? kExitUnreadable : best.valid ? kExitDone : kExitSomeFailed;
+    return out ? status : kExitUnreadable;
 }
 
 }  // namespace toile::app

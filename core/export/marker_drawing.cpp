@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-constexpr double kClothTextHeight = 4;  // mm
+constexpr double kClothTextHeight = 8;  // mm
 constexpr double kClothTextGap = 3;     // mm, above the cloth
 
 Points2 onPage(const geometry::Polygon& line) {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/marker_arguments.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/base/text.h"
+#include "core/export/formats.h"
+#include "core/export/marker_drawing.h"
+#include "core/garment/fabric.h"
+
+namespace toile::app {
+namespace {
+
+/// The numbers between these marks, all of them; nothing where there are others.
+std::vector<double> numbersOf(std::string_view typed, std::string_view marks) {
+    std::vector<double> numbers;
+    while (true) {
+        double value = 0;
+        const auto [end, error] = std::from_chars(typed.data(), typed.data() + typed.size(), value);
+        if (error != std::errc() || !std::isfinite(value)) {
+            return {};
+        }
+        numbers.push_back(value);
+        typed.remove_prefix(static_cast<std::size_t>(end - typed.data()));
+        if (typed.empty()) {
+            return numbers;
+        }
+        if (numbers.size() > marks.size() || typed.front() != marks[numbers.size() - 1]) {
+            return {};
+        }
+        typed.remove_prefix(1);
+    }
+}
+
+bool isSheetSide(double side) {
+    return side >= 1 && side <= kMaxClothWidth;
+}
+
+bool endsInJson(const std::filesystem::path& path) {
+    return equalsIgnoringCase(path.extension().string(), ".json");
+}
+
+/// What an instance says itself, or has no room for.
+const char* saidOfGarments(const MarkerArguments& typed) {
+    MarkerSettings plain;
+    plain.gap = typed.settings.gap;
+    plain.border = typed.settings.border;
+    plain.seed = typed.settings.seed;
+    return typed.minutesPerMetre        ? "--minutes-per-metre"
+           : typed.material             ? "--material"
+           : !typed.hides.empty()       ? "--hide"
+           : !(typed.settings == plain) ? "--width, --sheet, --garments and the rules of cloth"
+                                        : nullptr;
+}
+
+}  // namespace
+
+bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds) {
+    const bool hasRounds = !typed.rounds || rounds < *typed.rounds;
+    const double most = typed.seconds.value_or(typed.rounds ? seconds + 1 : kUsualMarkerSeconds);
+    return hasRounds && seconds < most;
+}
+
+bool isNestInstance(const std::filesystem::path& path) {
+    return endsInJson(path);
+}
+
+std::string readSheet(const std::string& typed, MarkerSettings& settings) {
+    const std::vector<double> sides = numbersOf(typed, "x");
+    if (sides.size() != 2 || !isSheetSide(sides[0]) || !isSheetSide(sides[1])) {
+        return "--sheet takes the sides along the warp and across it from 1 to " +
+               shortest(kMaxClothWidth) + " mm, as in 305x610, not \"" + typed + "\"";
+    }
+    settings.sheet = Eigen::Vector2d(sides[0], sides[1]);
+    return {};
+}
+
+std::string readRepeat(const std::string& typed, MarkerSettings& settings) {
+    const std::vector<double> numbers = numbersOf(typed, "x@,");
+    const bool hasOrigin = numbers.size() == 4;
+    if ((numbers.size() != 2 && !hasOrigin) || std::min(numbers[0], numbers[1]) < 0 ||
+        std::max(numbers[0], numbers[1]) > kMaxClothWidth) {
+        return "--repeat takes the repeat along the warp and across it, 0 where there is none, and "
+               "where one begins, as in 80x60 or 80x0@10,5, not \"" +
+               typed + "\"";
+    }
+    settings.repeat.warp = numbers[0];
+    settings.repeat.weft = numbers[1];
+    if (hasOrigin) {
+        settings.repeat.origin = {numbers[2], numbers[3]};
+    }
+    return {};
+}
+
+std::string readGrade(const std::string& typed, MarkerSettings& settings) {
+    const std::size_t at = typed.rfind('=');
+    int grade = 0;
+    if (at != std::string::npos && at > 0) {
+        std::from_chars(typed.data() + at + 1, typed.data() + typed.size(), grade);
+    }
+    if (grade < 1) {
+        return "--grade takes a piece and the worst grade that it may have, as in front=2, not \"" +
+               typed + "\"";
+    }
+    settings.grades[typed.substr(0, at)] = grade;
+    return {};
+}
+
+std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,
+                          const std::vector<std::filesystem::path>& outputs,
+                          const MarkerArguments& typed) {
+    const MarkerSettings& settings = typed.settings;
+    if (std::ranges::any_of(inputs, isNestInstance)) {
+        const char* other = saidOfGarments(typed);
+        if (inputs.size() > 1) {
+            return "an instance of the nesting problem is the only input: \"" +
+                   std::ranges::find_if(inputs, isNestInstance)->string() + "\"";
+        }
+        if (other) {
+            return std::string("an instance says itself what lies on which strip: ") + other +
+                   " go with a garment or a project";
+        }
+        for (const auto& output : outputs) {
+            if (!equalsIgnoringCase(output.extension().string(), ".svg")) {
+                return "the nest of an instance is drawn as .svg, not \"" + output.string() + "\"";
+            }
+        }
+        return {};
+    }
+    for (const auto& output : outputs) {
+        if (!holdsMarkers(output)) {
+            return "\"" + output.string() +
+                   "\" has an ending that no marker is drawn in; use .svg, .dxf, .pdf, .plt or, "
+                   "where the window's libraries are there, .png";
+        }
+    }
+    const int cloths =
+        (settings.width > 0 ? 1 : 0) + (settings.sheet ? 1 : 0) + (typed.hides.empty() ? 0 : 1);
+    if (cloths > 1) {
+        return "--width, --sheet and --hide are three kinds of cloth: give one of them";
+    }
+    if (settings.isFolded && (settings.sheet || !typed.hides.empty())) {
+        return "--folded goes with a roll: leave out --sheet and --hide";
+    }
+    if (!settings.grades.empty() && typed.hides.empty()) {
+        return "--grade goes with --hide, whose zones have grades";
+    }
+    if (!settings.matched.empty() && settings.repeat == ClothRepeat{}) {
+        return "--match keeps stripes: give their --repeat";
+    }
+    return {};
+}
+
+}  // namespace toile::app

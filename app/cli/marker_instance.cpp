@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
+#include "core/base/file.h"
+#include "core/base/stopwatch.h"
+#include "core/base/text.h"
+#include "core/nest/instance_file.h"
+#include "core/nest/nest.h"
+#include "core/nest/nest_writer.h"
+
+namespace toile::app {
+namespace {
+
+int refuseInstance(const Error& error, std::ostream& err) {
+    err << "toile: " << sentence(error) << '\n';
+    return kExitUnreadable;
+}
+
+}  // namespace
+
+int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    const MarkerArguments& typed = arguments.marker;
+    auto instance = readNestInstance(arguments.inputs.front());
+    if (!instance) {
+        return refuseInstance(instance.error(), err);
+    }
+    NestOptions options;
+    options.seed = typed.settings.seed;
+    options.gap = typed.settings.gap;
+    options.border = typed.settings.border;
+    options.threads = typed.threads;
+    const Stopwatch watch;
+    const Progress progress;
+    auto nester = Nester::make(std::move(*instance), options, progress);
+    if (!nester) {
+        return refuseInstance(nester.error(), err);
+    }
+    const NestResult& best = nester->best();
+    while (!best.optimal && isToGoOn(typed, best.rounds, watch.seconds())) {
+        nester->step(progress);
+    }
+    out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "
+        << counted(best.rounds, "round") << (best.optimal ? ", no nest is shorter" : "") << '\n';
+    std::vector<std::filesystem::path> files = arguments.outputs;
+    if (!typed.report.empty()) {
+        files.push_back(typed.report);
+    }
+    for (const auto& path : files) {
+        const std::string text = path == typed.report
+                                     ? nestReport(nester->instance(), options, best)
+                                     : nestPicture(nester->instance(), best);
+        if (const auto written = writeFile(path, text); !written) {
+            return refuseInstance(written.error(), err);
+        }
+    }
+    out.flush();
+    return !out ? kExitUnreadable : best.valid ? kExitDone : kExitSomeFailed;
+}
+
+}  // namespace toile::app
