@@ -8,11 +8,11 @@
 #include <map>
 #include <sstream>
 
-#include <CLI/CLI.hpp>
-
 #include "app/cli/check_arguments.h"
+#include "app/cli/choice_options.h"
 #include "app/cli/command_line.h"
 #include "app/cli/marker_options.h"
+#include "app/cli/reading_options.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/export/formats.h"
@@ -34,8 +34,6 @@ struct Typed {
 constexpr Word<ViewsShown> kViewWords[] = {
     {ViewsShown::Garment, "garment"}, {ViewsShown::Pattern, "pattern"}, {ViewsShown::Both, "both"}};
 
-constexpr int kMostLayers = 1000;
-
 constexpr Word<bool> kNotchesWords[] = {{true, "auto"}, {false, "none"}};
 constexpr Word<bool> kFailOnWords[] = {{false, "fault"}, {true, "doubt"}};
 constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
@@ -44,49 +42,12 @@ constexpr Word<Panel> kPanelWords[] = {
     {Panel::Pieces, "pieces"},   {Panel::Seams, "seams"}, {Panel::ProblemList, "problems"},
     {Panel::History, "history"}, {Panel::Lines, "lines"}, {Panel::Symmetry, "symmetry"}};
 
-template <class Value, std::size_t n>
-std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
-    std::vector<std::string> names;
-    for (const auto& [value, word] : words) {
-        names.emplace_back(word);
-    }
-    return names;
-}
-
 std::vector<std::string> methodNames() {
     std::vector<std::string> names;
     for (const MethodTraits& method : allMethods()) {
         names.emplace_back(method.name);
     }
     return names;
-}
-
-/// One of these words; the help lists them as the option's type already.
-CLI::Validator oneOf(const std::vector<std::string>& words) {
-    CLI::Validator member = CLI::IsMember(words);
-    member.description("");
-    return member;
-}
-
-/// An option that takes one of these words.
-/// @param parse  gives the value for each of them
-template <class Value, class Parse>
-CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
-                       const std::vector<std::string>& words, const Parse& parse,
-                       const std::string& help) {
-    return command
-        .add_option_function<std::string>(
-            option, [&value, parse](const std::string& word) { value = *parse(word); }, help)
-        ->type_name(CLI::detail::join(words, "|"))
-        ->check(oneOf(words));
-}
-
-template <class Value, class Choice, std::size_t n>
-CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
-                       const Word<Choice> (&words)[n], const std::string& help) {
-    return addChoice(
-        command, option, value, namesOf(words),
-        [&words](const std::string& word) { return parseWord(words, word); }, help);
 }
 
 /// A command, with the files that each of them takes.
@@ -102,98 +63,6 @@ CLI::App& addCommand(CLI::App& app, Arguments& arguments, Arguments::Command com
         ->required()
         ->type_name("FILE...");
     return added;
-}
-
-/// What files are, and what is done with them before they are divided.
-void addPreparing(CLI::App& command, Preparation& preparing) {
-    addChoice(command, "--as", preparing.as, kFileKindWords,
-              "What the files are, if that is not seen rightly (docs/input.md)");
-    addChoice(command, "--surface", preparing.surface, kShellSurfaceWords,
-              "Which surface of a thick shell is the sheet")
-        ->default_str("outer");
-    command
-        .add_option("--layer", preparing.onlyLayer,
-                    "Which of several layers of cloth is taken, from the outermost, 1; 0: all")
-        ->type_name("N")
-        ->check(CLI::Range(0, kMostLayers));
-    ScanSteps& scan = preparing.scan;
-    command.add_flag_callback(
-        "--keep-debris", [&scan] { scan.dropDebris = false; },
-        "Of a scan: keep fragments that are no part of the garment");
-    const auto addLength = [&](const char* option, double& length, const char* help) {
-        command.add_option(option, length, help)
-            ->type_name("MM")
-            ->check(CLI::Range(0.0, kMaxPreparedLength));
-    };
-    addLength("--close-holes", scan.largestHole,
-              "Of a scan: close holes up to this perimeter; 0: none");
-    addLength("--smooth", scan.smoothing, "Of a scan: smooth noise up to this height; 0: none");
-    addLength("--remesh", scan.edgeLength,
-              "Of a scan: make its triangles anew, with edges of this length; 0: not");
-    addLength("--weld-within", preparing.weldDistance,
-              "Of a soup: join vertices up to this distance; 0: a thousandth of an edge");
-    command.add_flag("--complete-half", preparing.isHalf,
-                     "The files hold half a garment: add its mirror image");
-    command.parse_complete_callback([&command, &preparing] {
-        static constexpr std::pair<const char*, FileKind> kGoesWith[] = {
-            {"--keep-debris", FileKind::Scan}, {"--close-holes", FileKind::Scan},
-            {"--smooth", FileKind::Scan},      {"--remesh", FileKind::Scan},
-            {"--weld-within", FileKind::Soup}, {"--surface", FileKind::Shell},
-            {"--layer", FileKind::Layers}};
-        for (const auto& [option, kind] : kGoesWith) {
-            const bool isRecognised = kind == FileKind::Shell || kind == FileKind::Layers;
-            const bool fits = preparing.as == kind || (isRecognised && !preparing.as);
-            if (command.count(option) > 0 && !fits) {
-                throw CLI::ValidationError(
-                    option, "goes with --as " + std::string(wordOf(kFileKindWords, kind)));
-            }
-        }
-    });
-}
-
-/// How files are read, divided and cut: the commands and the window alike.
-void addReading(CLI::App& command, Arguments& arguments) {
-    LoadOptions& load = arguments.load;
-    addChoice(command, "--split", load.split,
-              {"auto", "components", "objects", "groups", "materials", "uv", "seams"},
-              parseSplitMode, "By what files are divided into pieces")
-        ->default_str(std::string(name(load.split)));
-    command
-        .add_option_function<std::string>(
-            "--unit", [&load](const std::string& text) { load.unit = parseFileUnit(text); },
-            "Unit of the input's coordinates; or what one is: 12.5mm")
-        ->type_name("mm|cm|dm|m|in|LENGTH")
-        ->check([](const std::string& text) {
-            return parseFileUnit(text) ? std::string()
-                                       : text + " is no unit: mm, cm, dm, m, in, or a length";
-        });
-    addChoice(command, "--up", load.up, {"y", "z"}, parseUpAxis,
-              "Axis of the input that points up");
-    command
-        .add_option(
-            "--seams", arguments.seams,
-            "Cut and join the garment along the lines of this file, and take the ease of its "
-            "seams from it (docs/seams.md)")
-        ->type_name("FILE.json");
-    command.add_flag("--auto-cut", load.autoCut, "Cut open whatever cannot lie flat as it is");
-    addChoice(command, "--cut-style", load.cutStyle, kCutStyleWords,
-              "Where automatic cuts run: as tailors cut, or the shortest ways that open a piece")
-        ->default_str("auto");
-    command
-        .add_option_function<double>(
-            "--enough", [&load](double percent) { load.enoughStrain = percent / 100; },
-            "Strain at which no further cut is worth its length: of what tailors would cut as much "
-            "is cut as that needs [their usual seams]")
-        ->type_name("PERCENT")
-        ->check(CLI::Range(0.1, 100.0));
-    command.add_flag("--swap-front", load.isFrontSwapped,
-                     "Take the guessed front of tailors' cuts for the back");
-    command.add_flag("--weld", load.weld, "Join vertices that lie on each other");
-    addPreparing(command, load.preparing);
-    command.add_flag("--close-slits", load.closeSlits,
-                     "Sew shut the slits inside pieces, as texture maps have them");
-    command.add_flag("--strict", load.strict,
-                     "Refuse a file in which anything has to be left out or repaired");
 }
 
 /// From when on the exit status is that of a failure.

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/words.h"
+
+// For the sources of this folder that add options, which are compiled together: CLI11 takes
+// seconds.
+namespace toile::app {
+
+template <class Value, std::size_t n>
+std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
+    std::vector<std::string> names;
+    for (const auto& [value, word] : words) {
+        names.emplace_back(word);
+    }
+    return names;
+}
+
+/// One of these words; the help lists them as the option's type already.
+inline CLI::Validator oneOf(const std::vector<std::string>& words) {
+    CLI::Validator member = CLI::IsMember(words);
+    member.description("");
+    return member;
+}
+
+/// An option that takes one of these words.
+/// @param parse  gives the value for each of them
+template <class Value, class Parse>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
+                       const std::vector<std::string>& words, const Parse& parse,
+                       const std::string& help) {
+    return command
+        .add_option_function<std::string>(
+            option, [&value, parse](const std::string& word) { value = *parse(word); }, help)
+        ->type_name(CLI::detail::join(words, "|"))
+        ->check(oneOf(words));
+}
+
+template <class Value, class Choice, std::size_t n>
+CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& value,
+                       const Word<Choice> (&words)[n], const std::string& help) {
+    return addChoice(
+        command, option, value, namesOf(words),
+        [&words](const std::string& word) { return parseWord(words, word); }, help);
+}
+
+}  // namespace toile::app
