@@ -80,14 +80,14 @@ void addParts(const std::vector<ClothPart>& parts, const std::vector<int>& grade
                                              : std::numeric_limits<double>::infinity()});
         if (!isRectangle(parts[k])) {
             const double top = std::max(instance.width, outline.col(1).maxCoeff());
-            instance.obstacles.push_back({"edge",
+            instance.obstacles.push_back({"the edge of the hide",
                                           {rectangleOf(left - kBeyondHide, -kBeyondHide,
                                                        right + kBeyondHide, top + kBeyondHide),
                                            outline},
                                           {}});
         }
         for (const HideZone& zone : parts[k].zones) {
-            NestObstacle obstacle{"zone", {zone.outline}, {}};
+            NestObstacle obstacle{"a zone of the hide", {zone.outline}, {}};
             for (std::size_t i = 0; zone.grade > 0 && i < grades.size(); ++i) {
                 if (grades[i] > 0 && grades[i] < zone.grade) {
                     obstacle.items.push_back(static_cast<int>(i));

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/marker_drawing.h"
+
+#include <algorithm>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/export/marker_report.h"
+#include "tests/core/marker/marker_fixtures.h"
+
+namespace toile {
+namespace {
+
+Pattern drawnCloth() {
+    Pattern pattern = test::clothPattern({test::clothPiece("back", 300, 500, 1)});
+    pattern.pieces[0].quantity = 2;
+    pattern.pieces[0].mirroredPair = true;
+    return pattern;
+}
+
+TEST(DrawMarker, EachLineAndTextHasAnIdOfItsOwn) {
+    const Pattern pattern = drawnCloth();
+    const ClothMarker marker = test::laidOn(1000, pattern);
+    const DrawnMarker drawn = drawMarker(pattern, marker, {}, {clothSentence(marker)});
+    std::set<std::string> ids;
+    for (const DrawnPath& path : drawn.drawing.paths) {
+        EXPECT_TRUE(ids.insert(path.id).second) << path.id;
+    }
+    for (const DrawnText& text : drawn.drawing.texts) {
+        EXPECT_TRUE(ids.insert(text.id).second) << text.id;
+    }
+    EXPECT_TRUE(ids.contains("piece-back-cut") && ids.contains("piece-back-copy-4-cut"));
+    EXPECT_TRUE(ids.contains("cloth-1") && ids.contains("cloth-text"));
+    EXPECT_EQ(drawn.drawing.blocks.size(), 4U);
+}
+
+TEST(DrawMarker, LabelsSayNothingOfCopiesThatLieThere) {
+    const Pattern pattern = drawnCloth();
+    const ClothMarker marker = test::laidOn(1000, pattern);
+    for (const DrawnText& text : drawMarker(pattern, marker, {}, {}).drawing.texts) {
+        for (const std::string& line : text.lines) {
+            EXPECT_EQ(line.find("pairs"), std::string::npos);
+            EXPECT_EQ(line.find("wrong side"), std::string::npos);
+        }
+    }
+}
+
+TEST(DrawMarker, CopiesLieAsTheMarkerSays) {
+    const Pattern pattern = drawnCloth();
+    const ClothMarker marker = test::laidOn(1000, pattern);
+    const DrawnMarker drawn = drawMarker(pattern, marker, {}, {});
+    for (std::size_t k = 0; k < marker.copies.size(); ++k) {
+        const DrawnPath& path = drawn.drawing.paths[drawn.drawing.blocks[k].path];
+        const Points2 line = laidOutline(pattern, marker.copies[k]).array() + kDrawingMargin;
+        EXPECT_LT((path.points.colwise().minCoeff() - line.colwise().minCoeff()).norm(), 1e-9);
+        EXPECT_LT((path.points.colwise().maxCoeff() - line.colwise().maxCoeff()).norm(), 1e-9);
+    }
+}
+
+TEST(DrawMarker, GoesIntoFormatsThatHoldAPage) {
+    EXPECT_TRUE(holdsMarkers("m.svg") && holdsMarkers("m.DXF") && holdsMarkers("m.pdf") &&
+                holdsMarkers("m.plt"));
+    EXPECT_FALSE(holdsMarkers("m.obj") || holdsMarkers("m.json") || holdsMarkers("m.csv") ||
+                 holdsMarkers("m"));
+}
+
+}  // namespace
+}  // namespace toile
