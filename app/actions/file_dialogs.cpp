@@ -130,6 +130,11 @@ FileDialogs FileDialogs::native() {
         return QFileDialog::getOpenFileName(parent, FileDialogs::tr("Read cuts and ease"), folder,
                                             FileDialogs::tr("Seams files (*.json);;All files (*)"));
     };
+    dialogs.openHides = [](QWidget* parent, const QString& folder) {
+        return QFileDialog::getOpenFileNames(
+            parent, FileDialogs::tr("Open hides"), folder,
+            FileDialogs::tr("Drawings (%1);;All files (*)").arg("*.dxf *.svg"));
+    };
     dialogs.openPattern = [](QWidget* parent, const QString& folder) {
         return QFileDialog::getOpenFileName(
             parent, FileDialogs::tr("Open a reference pattern"), folder,

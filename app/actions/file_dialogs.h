@@ -27,6 +27,8 @@ public:
     std::function<QString(QWidget* parent, const QString& folder)> openSeams;
     /// A pattern to compare with; empty where the person thought better of it.
     std::function<QString(QWidget* parent, const QString& folder)> openPattern;
+    /// Drawings of hides to lay a pattern on; empty where the person thought better of it.
+    std::function<QStringList(QWidget* parent, const QString& folder)> openHides;
     /// File to write; empty where the person thought better of it. The suggestion is a full path
     /// whose ending is the format's.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;

@@ -8,6 +8,7 @@
 #include "app/jobs/pattern_now.h"
 #include "app/text/error_text.h"
 #include "core/export/export_file.h"
+#include "core/export/marker_drawing.h"
 
 namespace toile::app {
 
@@ -138,19 +139,18 @@ void MarkerSearch::onDone(const Attempt<Outcome>& made, bool isCancelled) {
     emit changed();
 }
 
-std::unique_ptr<Job> markerFileJob(std::shared_ptr<const ClothGround> ground,
-                                   std::shared_ptr<const Pattern> pattern, ClothMarker marker,
-                                   std::filesystem::path path, const ExportOptions& options,
+std::unique_ptr<Job> markerFileJob(MarkerSheet sheet, std::filesystem::path path,
+                                   const ExportOptions& options,
                                    std::function<void(const Exported&)> done) {
     const QString name = textOf(path.filename());
-    auto work = [ground = std::move(ground), pattern = std::move(pattern),
-                 marker = std::move(marker), path = std::move(path),
+    auto work = [sheet = std::move(sheet), path = std::move(path),
                  options](Progress& progress) -> Result<Exported> {
-        const LaidOutPattern laid{*pattern, pageOf(marker), ground->laid.wholePattern,
-                                  ground->laid.whole};
+        const ClothGround& ground = *sheet.ground;
+        const DrawnMarker drawn =
+            drawMarker(*sheet.pattern, sheet.marker, sheet.settings, sheet.title, ground.words);
         return exportFile(path,
-                          ExportSource(ground->garment, ground->results, laid, options,
-                                       ground->words, ground->lines, ground->fabric),
+                          ExportSource(ground.garment, ground.results, drawn.laid, options,
+                                       ground.words, ground.lines, ground.fabric, drawn.drawing),
                           progress);
     };
     return makeJob(QCoreApplication::translate("ExportJob", "Writing %1").arg(name),

@@ -112,11 +112,19 @@ private:
     Worker<Outcome> worker_;
 };
 
-/// Writes a marker as a file, by its ending.
-/// @param pattern  that is laid  @param done  not called where it cannot be written
-std::unique_ptr<Job> markerFileJob(std::shared_ptr<const ClothGround> ground,
-                                   std::shared_ptr<const Pattern> pattern, ClothMarker marker,
-                                   std::filesystem::path path, const ExportOptions& options,
+/// A marker as it is to be written.
+struct MarkerSheet {
+    std::shared_ptr<const ClothGround> ground;
+    std::shared_ptr<const Pattern> pattern;  ///< that is laid
+    ClothMarker marker{};
+    MarkerSettings settings{};
+    std::vector<std::string> title{};  ///< above the cloth, line by line
+};
+
+/// Writes a marker as a file, by its ending (`holdsMarkers`).
+/// @param done  not called where it cannot be written
+std::unique_ptr<Job> markerFileJob(MarkerSheet sheet, std::filesystem::path path,
+                                   const ExportOptions& options,
                                    std::function<void(const Exported&)> done);
 
 }  // namespace toile::app

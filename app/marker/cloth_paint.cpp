@@ -163,9 +163,10 @@ void paintWords(QPainter& painter, const RenderStyle& style, const SheetMap& onS
     const QSizeF size = labelSize(painter.font(), shape.name, shape.isSelected);
     const bool hasName = size.width() <= room.width() && 2 * size.height() <= room.height();
     const QPointF arrow = at + QPointF(0, hasName ? 0.95 * size.height() : 0);
-    const bool isOnCloth = onCloth(onScreen, shape.edge).containsPoint(arrow, Qt::OddEvenFill);
-    if (isOnCloth && std::min(room.width(), room.height()) > 0.8 * kArrow) {
-        const QPointF way = 0.5 * kArrow * QPointF(shape.grain.x(), -shape.grain.y());
+    const QPointF way = 0.5 * kArrow * QPointF(shape.grain.x(), -shape.grain.y());
+    const QPolygonF edge = onCloth(onScreen, shape.edge);
+    if (edge.containsPoint(arrow - way, Qt::OddEvenFill) &&
+        edge.containsPoint(arrow + way, Qt::OddEvenFill)) {
         paintArrow(painter, style, arrow - way, arrow + way, shape.isSelected, shape.isStated);
     }
     if (hasName) {
@@ -202,7 +203,7 @@ const Eigen::Vector2d& ClothLabels::of(const std::shared_ptr<const Pattern>& pat
 void paintCloth(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                 const ClothMarker& marker, const MarkerSettings& settings, const QColor& ground) {
     painter.save();
-    const bool isRoll = !settings.sheet && settings.hides.empty();
+    const bool isRoll = marker.isRoll;
     const Eigen::AlignedBox2d cloth(Eigen::Vector2d::Zero(),
                                     Eigen::Vector2d(marker.length, marker.width));
     QPainterPath area;

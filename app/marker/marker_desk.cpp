@@ -36,7 +36,7 @@ bool liesAlike(const ClothGround& one, const ClothGround& other) {
 
 /// A marker in which copies lie where they are to: how long it is then, and how well used.
 void lay(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
-    if (settings.sheet || !settings.hides.empty() || !(marker.length > 0)) {
+    if (!marker.isRoll || !(marker.length > 0)) {
         return;  // the cloth is as large as it is
     }
     double end = 0;
@@ -65,11 +65,11 @@ int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
     return copy.sheet;
 }
 
-/// No file is to blame for what a person has said or laid here.
+/// No file is to blame for what a person asks for here.
 QString searchProblem(const Error& problem) {
-    return problem.code == ErrorCode::MalformedFile && problem.subject.kind == Subject::Kind::Piece
-               ? MarkerDesk::tr("%1: %2. Lay it elsewhere, or release it.")
-                     .arg(QString::fromStdString(problem.subject.name), wordingText(problem.detail))
+    return problem.code == ErrorCode::MalformedFile
+               ? QString("%1: %2.").arg(QString::fromStdString(problem.subject.name),
+                                        wordingText(problem.detail))
                : errorText(problem);
 }
 
@@ -345,7 +345,7 @@ void MarkerDesk::compose() {
     figures_ = {};
     if (search_.best() && pattern()) {
         marker_ = *search_.best();
-        bool isByHand = false;
+        bool isByHand = false, isMoved = false;
         for (LaidCopy& copy : marker_->copies) {
             const auto kept = std::ranges::find(plan_.kept, copy.key, &KeptCopy::copy);
             copy.isKept = kept != plan_.kept.end();
@@ -353,11 +353,14 @@ void MarkerDesk::compose() {
             const Placement place = isTried       ? tried_->second
                                     : copy.isKept ? kept->placement
                                                   : copy.placement;
-            isByHand = isByHand || !(place == copy.placement);
+            isByHand = isByHand || copy.isKept || isTried;
+            isMoved = isMoved || !(place == copy.placement);
             copy.placement = place;
         }
-        if (isByHand) {  // else it is known to be well
+        if (isMoved) {
             lay(*marker_, *pattern(), plan_.settings);
+        }
+        if (isByHand || isMoved) {  // else it is known to be well
             misplaced_ = misplacedCopies(*pattern(), *marker_, plan_.settings);
         }
         figures_ = markerFigures(*pattern(), *marker_);

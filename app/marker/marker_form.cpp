@@ -7,8 +7,10 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QListWidget>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "app/marker/marker_desk.h"
@@ -20,6 +22,7 @@ namespace toile::app {
 
 namespace {
 
+constexpr int kSeamsHigh = 120;                // pixels
 constexpr int kFieldWide = 128;                // pixels
 constexpr double kLongestGap = 1000;           // mm
 constexpr double kLongestRepeat = 10'000;      // mm
@@ -43,6 +46,7 @@ MarkerForm::MarkerForm(MarkerDesk& desk, QWidget* parent)
       material_(new QComboBox(this)),
       kind_(new QComboBox(this)),
       turns_(new QComboBox(this)),
+      matched_(new QListWidget(this)),
       tolerance_(new AngleEdit(this)),
       folded_(new QCheckBox(tr("F&olded lengthwise"), this)),
       garments_(new QDoubleSpinBox(this)) {
@@ -112,9 +116,13 @@ void MarkerForm::addCloth(QGridLayout& grid) {
     connect(material_, &QComboBox::activated, this, [this](int index) {
         desk_.setMaterial(material_->itemData(index).toString().toStdString());
     });
-    kind_->addItems({tr("Roll"), tr("Sheets")});
-    addRow(grid, "markerKind", tr("&Comes as"),
-           tr("A roll, of which as little as may be is used, or sheets of one size"), *kind_);
+    kind_->addItems({tr("Roll"), tr("Sheets"), tr("Hides…")});
+    addRow(
+        grid, "markerKind", tr("&Comes as"),
+        tr("A roll, of which as little as may be is used, sheets of one size, or hides that are "
+           "read from drawings: DXF or SVG, the largest line the edge, lines within it holes, or "
+           "zones where their layer is called \"grade 2\""),
+        *kind_);
     connect(kind_, &QComboBox::activated, this, &MarkerForm::chooseKind);
     width_ = addLength(grid, "markerWidth", tr("&Width"),
                        tr("From selvedge to selvedge; at first as the fabric is sold"), 1,
@@ -194,6 +202,32 @@ void MarkerForm::addStripes(QGridLayout& grid) {
                       tr("From one stripe to the next across the warp; 0: there are none"), 0,
                       kLongestRepeat,
                       [](MarkerSettings& settings, double value) { settings.repeat.weft = value; });
+    matched_->setObjectName("markerMatched");
+    matched_->setAccessibleName(tr("Seams that match"));
+    matched_->setToolTip(
+        tr("Along these seams the repeat goes on from one piece to the other; what cannot be kept "
+           "is named below"));
+    matched_->setFixedHeight(kSeamsHigh);
+    matchedTitle_ = new QLabel(tr("It &goes on across"), this);
+    matchedTitle_->setBuddy(matched_);
+    const int row = grid.rowCount();
+    grid.addWidget(matchedTitle_, row, 0, 1, 2);
+    grid.addWidget(matched_, row + 1, 0, 1, 2);
+    // Once the list has done with it: it is filled anew.
+    connect(
+        matched_, &QListWidget::itemChanged, this, [this] { matchChecked(); },
+        Qt::QueuedConnection);
+}
+
+void MarkerForm::matchChecked() {
+    std::vector<std::string> names;
+    for (int k = 0; k < matched_->count(); ++k) {
+        if (matched_->item(k)->checkState() == Qt::Checked) {
+            names.push_back(matched_->item(k)->text().toStdString());
+        }
+    }
+    change(tr("Seams that match"),
+           [&names](MarkerSettings& settings) { settings.matched = names; });
 }
 
 bool MarkerForm::eventFilter(QObject* watched, QEvent* event) {
@@ -210,10 +244,12 @@ void MarkerForm::change(const QString& text, const Change& change, bool isTyped)
 }
 
 void MarkerForm::chooseKind(int kind) {
+    if (kind == Hides) {
+        emit hidesWanted();
+        return;
+    }
     change(tr("Kind of cloth"), [kind](MarkerSettings& settings) {
-        if (kind != Hides) {
-            settings.hides.clear();
-        }
+        settings.hides.clear();
         settings.sheet.reset();
         if (kind == Sheets) {
             settings.sheet = kUsualSheet;
@@ -233,9 +269,45 @@ void MarkerForm::showMaterials() {
     material_->setEnabled(material_->count() > 1);
 }
 
+/// That are sewn, each once, of the pieces that are laid.
+std::vector<std::string> MarkerForm::seamNames() const {
+    std::set<std::string> names;
+    if (desk_.marker()) {
+        for (const LaidCopy& copy : desk_.marker()->copies) {
+            for (const SeamLine& seam :
+                 desk_.pattern()->pieces[static_cast<std::size_t>(copy.piece)].seams) {
+                if (seam.kind == SeamKind::Seam) {
+                    names.insert(seam.name);
+                }
+            }
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
+void MarkerForm::showSeams() {
+    const QSignalBlocker quiet(matched_);
+    matched_->clear();
+    const std::vector<std::string>& matched = shown_->settings.matched;
+    for (const std::string& name : shown_->seams) {
+        auto* item = new QListWidgetItem(QString::fromStdString(name), matched_);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
+        const bool isMatched = std::ranges::find(matched, name) != matched.end();
+        item->setCheckState(isMatched ? Qt::Checked : Qt::Unchecked);
+    }
+    const bool isShown = !(shown_->settings.repeat == ClothRepeat{}) && !shown_->seams.empty();
+    matched_->setVisible(isShown);
+    matchedTitle_->setVisible(isShown);
+}
+
+void MarkerForm::showAgain() {
+    shown_.reset();
+    refresh();
+}
+
 void MarkerForm::refresh() {
-    const Shown now{desk_.settings(), desk_.materials(), desk_.material(), desk_.fabric().width,
-                    desk_.document().garment() != nullptr};
+    const Shown now{desk_.settings(),     desk_.materials(), desk_.material(),
+                    desk_.fabric().width, seamNames(),       desk_.document().garment() != nullptr};
     if (shown_ == now) {
         return;
     }
@@ -243,10 +315,8 @@ void MarkerForm::refresh() {
     const MarkerSettings& settings = now.settings;
     setEnabled(now.isOpen);
     showMaterials();
+    showSeams();
     const Kind kind = kindOf(settings);
-    if (kind == Hides && kind_->count() == Hides) {
-        kind_->addItem(tr("Hides"));  // that the project has
-    }
     kind_->setCurrentIndex(kind);
     const auto show = [this](LengthEdit& field, bool isShown) {
         field.setVisible(isShown);

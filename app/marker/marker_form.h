@@ -14,6 +14,7 @@ class QComboBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
+class QListWidget;
 
 namespace toile::app {
 
@@ -32,6 +33,12 @@ public:
     explicit MarkerForm(MarkerDesk& desk, QWidget* parent = nullptr);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
+    /// What the document says, whatever was chosen and came to nothing.
+    void showAgain();
+
+signals:
+    /// Hides are to be laid on: they are to be chosen.
+    void hidesWanted();
 
 private:
     using Change = std::function<void(MarkerSettings&)>;
@@ -47,9 +54,12 @@ private:
     void addHeading(QGridLayout& grid, const QString& text);
     void change(const QString& text, const Change& change, bool isTyped = false);
     void chooseKind(int kind);
+    void matchChecked();
     /// What is typed and not taken yet is not touched by a marker that gets better.
     void refresh();
     void showMaterials();
+    void showSeams();
+    std::vector<std::string> seamNames() const;
 
     /// What the fields show.
     struct Shown {
@@ -57,6 +67,7 @@ private:
         std::vector<std::string> materials{};
         std::string material{};
         double width = 0;  ///< of the fabric
+        std::vector<std::string> seams{};
         bool isOpen = false;
 
         bool operator==(const Shown&) const = default;
@@ -68,6 +79,8 @@ private:
     LengthEdit *width_ = nullptr, *along_ = nullptr, *across_ = nullptr;
     LengthEdit *gap_ = nullptr, *border_ = nullptr;
     LengthEdit *warp_ = nullptr, *weft_ = nullptr;
+    QListWidget* matched_;
+    QLabel* matchedTitle_ = nullptr;
     AngleEdit* tolerance_;
     QCheckBox* folded_;
     QDoubleSpinBox* garments_;

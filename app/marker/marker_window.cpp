@@ -29,6 +29,8 @@
 #include "app/widgets/scrolled.h"
 #include "core/export/export_file.h"
 #include "core/export/formats.h"
+#include "core/export/marker_drawing.h"
+#include "core/reading/hide_file.h"
 
 namespace toile::app {
 
@@ -95,8 +97,12 @@ MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileD
     connect(&desk_, &MarkerDesk::changed, this, &MarkerWindow::refresh);
     connect(&desk_, &MarkerDesk::failed, this, &MarkerWindow::say);
     connect(view_, &ClothView::said, this, &MarkerWindow::say);
+    connect(form_, &MarkerForm::hidesWanted, this, &MarkerWindow::chooseHides);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &MarkerWindow::refresh);
-    connect(rate_, &QDoubleSpinBox::valueChanged, this, &MarkerWindow::refresh);
+    connect(rate_, &QDoubleSpinBox::valueChanged, this, [this](double minutes) {
+        preferences_.setSewingRate(minutes);
+        refresh();
+    });
     resize(QSize(1280, 800).boundedTo(screen()->availableSize() * 0.95));
     refresh();
 }
@@ -120,7 +126,7 @@ QLayout* MarkerWindow::makeFigures() {
     rate_->setObjectName("markerRate");
     rate_->setRange(0, 999);
     rate_->setDecimals(1);
-    rate_->setValue(kUsualRate);
+    rate_->setValue(preferences_.sewingRate().value_or(kUsualRate));
     rate_->setSuffix(tr(" min/m"));
     rate_->setToolTip(tr("Minutes that a metre of seam takes you to sew"));
     rate_->setAccessibleName(tr("Minutes a metre of seam"));
@@ -223,19 +229,18 @@ QString MarkerWindow::figuresText() const {
                    ? tr("1 piece lies on another or beyond the cloth")
                    : tr("%n pieces lie on others or beyond the cloth", nullptr, misplaced);
     }
-    const MarkerSettings& settings = desk_.settings();
-    if (settings.sheet) {
+    if (!marker.isRoll && !marker.areHides) {
         return (marker.sheets == 1 ? tr("1 sheet, %1 % used")
                                    : tr("%n sheets, %1 % used", nullptr, marker.sheets))
             .arg(wholePercent(marker.use));
     }
-    if (!settings.hides.empty()) {
+    if (marker.areHides) {
         return (marker.sheets == 1 ? tr("1 hide, %1 % used")
                                    : tr("%n hides, %1 % used", nullptr, marker.sheets))
             .arg(wholePercent(marker.use));
     }
-    return (settings.isFolded ? tr("%1 of cloth, folded to %2, %3 % used")
-                              : tr("%1 of cloth, %2 wide, %3 % used"))
+    return (desk_.settings().isFolded ? tr("%1 of cloth, folded to %2, %3 % used")
+                                      : tr("%1 of cloth, %2 wide, %3 % used"))
         .arg(saidLength(marker.length), saidLength(marker.width), wholePercent(marker.use));
 }
 
@@ -269,6 +274,32 @@ QString MarkerWindow::notesText() const {
     return lines.join('\n');
 }
 
+/// Reads the hides that are chosen: all at once take the place of those before.
+void MarkerWindow::chooseHides() {
+    const QStringList paths = files_.openHides(this, preferences_.openFolder());
+    MarkerSettings settings = desk_.settings();
+    settings.hides.clear();
+    QStringList sentences;
+    for (const QString& path : paths) {
+        const Result<HideFile> read = readHide(pathOf(path));
+        if (!read) {
+            sentences << errorText(read.error());
+            continue;
+        }
+        settings.hides.push_back(std::make_shared<const Hide>(read->hide));
+        for (const Wording& note : read->notes) {
+            sentences << QFileInfo(path).fileName() + ": " + wordingText(note);
+        }
+    }
+    say(sentences.join('\n'));
+    if (!settings.hides.empty()) {
+        settings.sheet.reset();
+        settings.isFolded = false;
+        desk_.setSettings(tr("Hides"), settings);
+    }
+    form_->showAgain();
+}
+
 void MarkerWindow::save() {
     const ClothMarker* marker = desk_.marker();
     if (!marker || !desk_.ground()) {
@@ -286,14 +317,16 @@ void MarkerWindow::save() {
     if (path.isEmpty()) {
         return;
     }
-    const Format* format = formatOf(pathOf(path));
-    if (!format || std::ranges::find(kPageFormats, format->id) == std::end(kPageFormats)) {
+    if (!holdsMarkers(pathOf(path))) {
         say(tr("A marker is written as .pdf, .svg, .dxf, .plt or .png."));
         return;
     }
     preferences_.setExportFolder(QFileInfo(path).absolutePath());
+    MarkerSheet sheet{desk_.ground(), desk_.pattern(), *marker, desk_.settings(), {}};
+    sheet.title = {desk_.document().title().toStdString(),
+                   wordingText(clothSentence(*marker)).toStdString()};
     desk_.workspace().writing().start(markerFileJob(
-        desk_.ground(), desk_.pattern(), *marker, pathOf(path), preferences_.exportOptions(),
+        std::move(sheet), pathOf(path), preferences_.exportOptions(),
         [this, alive = QPointer<MarkerWindow>(this)](const Exported& written) {
             if (alive) {
                 say(tr("Written: %1").arg(QFileInfo(textOf(written.files.front())).fileName()));

@@ -45,6 +45,7 @@ private:
     QString detailsText() const;
     QString notesText() const;
     void say(const QString& sentence);
+    void chooseHides();
     void save();
 
     Preferences& preferences_;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr auto kOpenFolder = "folders/open";
 constexpr auto kExportFolder = "folders/export";
+constexpr auto kSewingRate = "marker/minutesPerMetre";
 constexpr auto kExportFormat = "export/format";
 constexpr auto kExportOption = "export/%1";
 constexpr auto kRecent = "files/recent";
@@ -170,6 +171,16 @@ QString Preferences::exportFolder() const {
 
 void Preferences::setExportFolder(const QString& folder) {
     write(kExportFolder, folder);
+}
+
+std::optional<double> Preferences::sewingRate() const {
+    bool isNumber = false;
+    const double minutes = read(kSewingRate).toDouble(&isNumber);
+    return isNumber && minutes >= 0 ? std::optional(minutes) : std::nullopt;
+}
+
+void Preferences::setSewingRate(double minutes) {
+    write(kSewingRate, minutes);
 }
 
 QList<QStringList> Preferences::recentFiles() const {

@@ -45,6 +45,10 @@ public:
     ExportOptions exportOptions() const;
     void setExportOptions(const ExportOptions& options);
 
+    /// Minutes that a metre of seam takes the person to sew; none: never said.
+    std::optional<double> sewingRate() const;
+    void setSewingRate(double minutes);
+
     /// What was opened last, the latest first: the files of a garment each, or a project file.
     QList<QStringList> recentFiles() const;
     void setRecentFiles(const QList<QStringList>& files);

@@ -88,6 +88,43 @@ inline constexpr auto kRepeat = [](auto& at, auto& repeat) {
     at.point("origin", repeat.origin, kMostOfCloth);
 };
 
+/// Names of seams, by which the repeat goes on.
+template <class Fields, class Names>
+void nameList(Fields& at, const char* key, Names& names) {
+    if constexpr (Fields::kReads) {
+        at.fields().readEach(key, [&](const JsonDocument& json, const std::string& place) {
+            if (json.is_string()) {
+                names.push_back(json.template get<std::string>());
+            } else {
+                at.fields().failAt(place, "must be a text");
+            }
+        });
+    } else if (!names.empty()) {
+        at.json()[key] = names;
+    }
+}
+
+/// The worst grade that a piece may have.
+using GradeOfPiece = std::pair<std::string, int>;
+
+inline constexpr auto kGrade = [](auto& at, auto& grade) {
+    at.need("piece");
+    at.field("piece", grade.first);
+    at.field("grade", grade.second, 1, kWorstGrade);
+};
+
+template <class Fields, class Grades>
+void gradeList(Fields& at, Grades& grades) {
+    if constexpr (Fields::kReads) {
+        std::vector<GradeOfPiece> read;
+        at.list("grades", read, kGrade);
+        grades.insert(read.begin(), read.end());
+    } else if (!grades.empty()) {
+        const std::vector<GradeOfPiece> written(grades.begin(), grades.end());
+        at.list("grades", written, kGrade);
+    }
+}
+
 inline constexpr auto kKeptCopy = [](auto& at, auto& kept) {
     at.need("piece");
     at.id("piece", kept.copy.piece);
@@ -121,6 +158,8 @@ inline constexpr auto kMarker = [](auto& at, auto& marker) {
     if (at.kReads || !(settings.repeat == ClothRepeat{})) {
         at.object("repeat", settings.repeat, kRepeat);
     }
+    nameList(at, "matched", settings.matched);
+    gradeList(at, settings.grades);
     at.field("garments", settings.garments, 1, kMaxCopies);
     if (at.kReads || !marker.second.kept.empty()) {
         at.list("kept", marker.second.kept, kKeptCopy);

@@ -8,7 +8,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
-#include <QMenu>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <algorithm>
@@ -219,6 +219,28 @@ private slots:
         QVERIFY(desk().misplaced().empty());
     }
 
+    void whatIsKeptOnOtherThingsStaysRed() {
+        openSheets();
+        layOnCloth();
+        const CopyKey first = desk().marker()->copies[0].key;
+        const auto indexOf = [this](const CopyKey& key) {
+            const auto& copies = desk().marker()->copies;
+            return static_cast<int>(std::ranges::find(copies, key, &LaidCopy::key) -
+                                    copies.begin());
+        };
+        dragCopy(1, {0, 8});
+        dragCopy(1, {0, -8});
+        dragCopy(0, way(0, 1));
+        QCOMPARE(plan().kept.size(), std::size_t(2));
+        QVERIFY(desk().misplaced().size() >= 2);
+        click("markerImprove");
+        QVERIFY(comes([this] { return desk().marker()->rounds > 0 || !desk().isRunning(); }));
+        desk().stop();
+        QVERIFY(rests());
+        QVERIFY(std::ranges::find(desk().misplaced(), indexOf(first)) != desk().misplaced().end());
+        QVERIFY(!find<QPushButton>("markerSave").isEnabled());
+    }
+
     void overlapsAreShownWhileOneDrags() {
         openSheets();
         layOnCloth();
@@ -349,6 +371,71 @@ private slots:
         QVERIFY(comes([this] {
             return !desk().isRunning() && (desk().marker() || !desk().problem().isEmpty());
         }));
+    }
+
+    void hidesComeFromDrawings() {
+        QFile drawing(fixture_.path("hide.svg"));
+        QVERIFY(drawing.open(QIODevice::WriteOnly));
+        drawing.write(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='900mm' height='700mm' "
+            "viewBox='0 0 900 700'><path d='M0 0H900V700H0Z'/>"
+            "<path d='M400 300h60v60h-60Z'/></svg>");
+        drawing.close();
+        openSheets();
+        layOnCloth();
+        QStringList answer;
+        fixture_.window().garmentActions().fileDialogs().openHides = [&](QWidget*, const QString&) {
+            return answer;
+        };
+        auto& kind = find<QComboBox>("markerKind");
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_End);
+        QVERIFY(plan().settings.hides.empty());
+        QCOMPARE(kind.currentIndex(), 0);  // nothing was chosen
+        answer << fixture_.path("missing.svg") << drawing.fileName();
+        QTest::keyClick(&kind, Qt::Key_End);
+        QCOMPARE(plan().settings.hides.size(), std::size_t(1));
+        QVERIFY(find<QLabel>("markerSaid").text().contains("missing.svg"));
+        QVERIFY(comes([this] {
+            return desk().marker() && desk().marker()->areHides && !desk().isRunning();
+        }));
+        QVERIFY(misplacedCopies(*desk().pattern(), *desk().marker(), desk().settings()).empty());
+        QVERIFY(find<QLabel>("markerFigures").text().contains("hide"));
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(plan().settings.hides.empty());
+        QCOMPARE(kind.currentIndex(), 0);
+    }
+
+    void seamsMatchWhereThereIsARepeat() {
+        test::writeObj(fixture_.path("sewn.obj").toStdString(), test::sewnCapParts());
+        QVERIFY(fixture_.openAndWait(fixture_.path("sewn.obj")));
+        layOnCloth();
+        auto& seams = find<QListWidget>("markerMatched");
+        QVERIFY(!seams.isVisible());
+        type(find<LengthEdit>("markerRepeatWarp"), "40");
+        QVERIFY(rests());
+        QVERIFY(seams.isVisible());
+        QVERIFY(seams.count() > 0);
+        seams.setFocus();
+        seams.setCurrentRow(0);
+        QTest::keyClick(&seams, Qt::Key_Space);
+        QVERIFY(comes([this] { return plan().settings.matched.size() == 1; }));
+        QCOMPARE(QString::fromStdString(plan().settings.matched.front()), seams.item(0)->text());
+        QVERIFY(rests());
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(plan().settings.matched.empty());
+        QCOMPARE(seams.item(0)->checkState(), Qt::Unchecked);
+    }
+
+    void minutesGoByTheRateThatIsTyped() {
+        test::writeObj(fixture_.path("sewn.obj").toStdString(), test::sewnCapParts());
+        QVERIFY(fixture_.openAndWait(fixture_.path("sewn.obj")));
+        layOnCloth();
+        QVERIFY(!fixture_.preferences().sewingRate());
+        type(find<QDoubleSpinBox>("markerRate"), "100");
+        QCOMPARE(fixture_.preferences().sewingRate().value_or(0), 100.0);
+        const QString minutes = QString::number(100 * desk().figures().seamMetres, 'f', 0);
+        QVERIFY(find<QLabel>("markerDetails").text().contains(minutes + " min"));
     }
 
     void aFileIsWritten() {

@@ -76,6 +76,12 @@ TEST(MarkerOfAProject, AFaultNamesItsPlace) {
               R"("markers[0].hides[0].outline[1]" must be a list of 2 numbers)");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["hides"][0]["outline"].erase(2); }),
               R"("markers[0].hides[0].outline" must have three points at least)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["matched"] = {1}; }),
+              R"("markers[0].matched[0]" must be a text)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) {
+                  d["markers"][0]["grades"] = {{{"piece", "front"}, {"grade", 0}}};
+              }),
+              R"("markers[0].grades[0].grade" must be a whole number from 1 to 1000)");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["kept"][0].erase("piece"); }),
               R"("markers[0].kept[0].piece" is missing)");
 }

@@ -120,6 +120,10 @@ private:
         settings.tolerance = length() / 1000;
         settings.isFolded = flag();
         settings.repeat = {flag() ? length() : 0, flag() ? length() : 0, {-length(), length()}};
+        for (int k = upTo(2); k > 0; --k) {
+            settings.matched.push_back(text());
+            settings.grades[text()] = 1 + upTo(4);
+        }
         settings.garments = 1 + upTo(5);
         for (int k = upTo(3); k > 0; --k) {
             plan.kept.push_back({{{random_() | 1U}, upTo(9)},
