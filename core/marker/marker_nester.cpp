@@ -23,6 +23,7 @@ using geometry::Polygon;
 
 constexpr const char* kSplice =
     translatable("%1 is not laid: it is %2 mm across, the cloth %3 mm; splice it at %4 mm");
+constexpr const char* kNoRoomOnce = translatable("%1 is not laid: there is no room left for it");
 constexpr const char* kNoRoom =
     translatable("%1 is not laid %2 times: there is no room left for it");
 constexpr const char* kFitsNowhere = translatable("%1 is not laid: it fits on no sheet or hide");
@@ -223,7 +224,8 @@ struct MarkerNester::State {
             }
         }
         for (const auto& [name, count] : missing) {
-            best.notes.push_back(worded(kNoRoom, {name, figure(count)}));
+            best.notes.push_back(count == 1 ? worded(kNoRoomOnce, {name})
+                                            : worded(kNoRoom, {name, figure(count)}));
         }
         best.notes.insert(best.notes.end(), ofStripes.begin(), ofStripes.end());
         return std::nullopt;

@@ -2754,6 +2754,82 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>more than %1 copies are not laid at once: lay several markers, or fewer copies</source>
         <translation>mehr als %1 Stücke werden nicht auf einmal ausgelegt: legen Sie mehrere Schnittbilder aus oder weniger Stücke</translation>
     </message>
+    <message>
+        <source>Own fabric</source>
+        <translation>Eigener Stoff</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm wide, %3 mm long, %4 % used</source>
+        <translation>%1: %2 mm breit, %3 mm lang, zu %4 % genutzt</translation>
+    </message>
+    <message>
+        <source>%1: %2, %3 % used</source>
+        <translation>%1: %2, zu %3 % genutzt</translation>
+    </message>
+    <message>
+        <source>%1 is cut through both layers of the folded cloth: %2 more than are needed</source>
+        <translation>%1 wird durch beide Lagen des gefalteten Stoffs geschnitten: %2 mehr als gebraucht</translation>
+    </message>
+    <message>
+        <source>%1 is not laid: it is %2 mm across, the cloth %3 mm; splice it at %4 mm</source>
+        <translation>%1 ist nicht ausgelegt: es ist %2 mm breit, der Stoff %3 mm; setzen Sie es bei %4 mm an</translation>
+    </message>
+    <message>
+        <source>%1 is not laid %2 times: there is no room left for it</source>
+        <translation>%1 ist %2-mal nicht ausgelegt: dafür ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>%1 is not laid: it fits on no sheet or hide</source>
+        <translation>%1 ist nicht ausgelegt: es passt auf keinen Bogen und keine Haut</translation>
+    </message>
+    <message>
+        <source>%1 is not laid: its outline crosses itself</source>
+        <translation>%1 ist nicht ausgelegt: sein Umriss kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>no seam that is laid here is called %1</source>
+        <translation>keine Naht, die hier ausgelegt ist, heißt %1</translation>
+    </message>
+    <message>
+        <source>the repeat does not meet along %1: its sides are %2 mm apart in it</source>
+        <translation>der Rapport trifft sich nicht entlang %1: die Seiten liegen darin %2 mm auseinander</translation>
+    </message>
+    <message>
+        <source>the repeat meets where %1 begins, and is %2 mm apart where it ends</source>
+        <translation>der Rapport trifft sich, wo %1 beginnt, und liegt %2 mm auseinander, wo sie endet</translation>
+    </message>
+    <message>
+        <source>it has no closed line that could be a hide</source>
+        <translation>es enthält keine geschlossene Linie, die eine Haut sein könnte</translation>
+    </message>
+    <message>
+        <source>a closed line that begins outside of the hide is left out (layer &quot;%1&quot;)</source>
+        <translation>eine geschlossene Linie, die außerhalb der Haut beginnt, ist weggelassen (Ebene „%1“)</translation>
+    </message>
+    <message>
+        <source>its numbers are taken for %1: %2</source>
+        <translation>die Zahlen gelten als %1: %2</translation>
+    </message>
+    <message>
+        <source>1 hide</source>
+        <translation>1 Haut</translation>
+    </message>
+    <message>
+        <source>%1 hides</source>
+        <translation>%1 Häute</translation>
+    </message>
+    <message>
+        <source>1 sheet</source>
+        <translation>1 Bogen</translation>
+    </message>
+    <message>
+        <source>%1 sheets</source>
+        <translation>%1 Bögen</translation>
+    </message>
+    <message>
+        <source>%1 is not laid: there is no room left for it</source>
+        <translation>%1 ist nicht ausgelegt: dafür ist kein Platz mehr</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
