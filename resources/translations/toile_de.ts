@@ -2,6 +2,25 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE" sourcelanguage="en">
 <context>
+    <name>ClothView</name>
+    <message>
+        <source>selvedge</source>
+        <translation>Webkante</translation>
+    </message>
+    <message>
+        <source>fold of the cloth</source>
+        <translation>Stoffbruch</translation>
+    </message>
+    <message>
+        <source>warp</source>
+        <translation>Kette</translation>
+    </message>
+    <message>
+        <source>grade %1</source>
+        <translation>Güte %1</translation>
+    </message>
+</context>
+<context>
     <name>ColourBar</name>
     <message>
         <source>&lt;1</source>
@@ -223,6 +242,14 @@
     <message>
         <source>The garment&apos;s file stays as it is. Without saving, what you have done is lost.</source>
         <translation>Die Datei des Kleidungsstücks bleibt, wie sie ist. Ohne Speichern geht verloren, was Sie getan haben.</translation>
+    </message>
+    <message>
+        <source>Open hides</source>
+        <translation>Häute öffnen</translation>
+    </message>
+    <message>
+        <source>Drawings (%1);;All files (*)</source>
+        <translation>Zeichnungen (%1);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
@@ -521,6 +548,77 @@ veraltet</translation>
     <message>
         <source>opening</source>
         <translation>Öffnungsschnitt</translation>
+    </message>
+    <message>
+        <source>band</source>
+        <translation>Bundnaht</translation>
+    </message>
+</context>
+<context>
+    <name>ProposedPart</name>
+    <message>
+        <source>body</source>
+        <translation>Rumpf</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>Vorderteil</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Rückenteil</translation>
+    </message>
+    <message>
+        <source>sleeve</source>
+        <translation>Ärmel</translation>
+    </message>
+    <message>
+        <source>leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>Rock</translation>
+    </message>
+    <message>
+        <source>bodice</source>
+        <translation>Oberteil</translation>
+    </message>
+    <message>
+        <source>neck band</source>
+        <translation>Halsbündchen</translation>
+    </message>
+    <message>
+        <source>waistband</source>
+        <translation>Bund</translation>
+    </message>
+    <message>
+        <source>hem band</source>
+        <translation>Saumbündchen</translation>
+    </message>
+    <message>
+        <source>cuff</source>
+        <translation>Bündchen</translation>
+    </message>
+    <message>
+        <source>armhole band</source>
+        <translation>Armlochblende</translation>
+    </message>
+    <message>
+        <source>left %1</source>
+        <translation>%1 links</translation>
+    </message>
+    <message>
+        <source>right %1</source>
+        <translation>%1 rechts</translation>
+    </message>
+    <message>
+        <source>%1 front</source>
+        <translation>%1 vorn</translation>
+    </message>
+    <message>
+        <source>%1 back</source>
+        <translation>%1 hinten</translation>
     </message>
 </context>
 <context>
@@ -5424,6 +5522,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Propose cuts…</source>
         <translation>Schnitte vorschlagen …</translation>
     </message>
+    <message>
+        <source>Lay on clot&amp;h…</source>
+        <translation>Auf Sto&amp;ff legen …</translation>
+    </message>
+    <message>
+        <source>Lay the pieces on their cloth so that little of it is left over: the marker, with its length</source>
+        <translation>Die Teile so auf ihren Stoff legen, dass wenig davon übrig bleibt: das Schnittbild mit seiner Länge</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5623,6 +5729,61 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ClothView</name>
+    <message>
+        <source>Cloth</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Turn %1 on the cloth</source>
+        <translation>%1 auf dem Stoff drehen</translation>
+    </message>
+    <message>
+        <source>All pieces lie one way on this cloth: choose another rule for turning first.</source>
+        <translation>Auf diesem Stoff liegen alle Teile in einer Richtung: Wählen Sie zuerst eine andere Regel fürs Drehen.</translation>
+    </message>
+    <message>
+        <source>Lay %1 on the cloth</source>
+        <translation>%1 auf dem Stoff legen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep it here</source>
+        <translation>&amp;Hier festhalten</translation>
+    </message>
+    <message>
+        <source>Keep %1 on the cloth</source>
+        <translation>%1 auf dem Stoff festhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Release it</source>
+        <translation>&amp;Loslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by a quarter</source>
+        <translation>Um ein &amp;Viertel drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by half</source>
+        <translation>Um &amp;180° drehen</translation>
+    </message>
+    <message>
+        <source>Release &amp;all</source>
+        <translation>&amp;Alle loslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Show all of the cloth</source>
+        <translation>Den &amp;ganzen Stoff zeigen</translation>
+    </message>
+    <message>
+        <source>%1: it lies on another piece or beyond the cloth</source>
+        <translation>%1: liegt auf einem anderen Teil oder außerhalb des Stoffs</translation>
+    </message>
+    <message>
+        <source>%1: kept here; double click to release it</source>
+        <translation>%1: hier festgehalten; Doppelklick lässt es los</translation>
     </message>
 </context>
 <context>
@@ -5877,6 +6038,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>you, as proposed</source>
+        <translation>Sie, wie vorgeschlagen</translation>
     </message>
 </context>
 <context>
@@ -6622,6 +6787,369 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Point at the place with the right button, or mark the worst spots first.</source>
         <translation>Zeigen Sie mit der rechten Taste auf die Stelle, oder lassen Sie zuerst die schlimmsten Stellen markieren.</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::MarkerDesk</name>
+    <message>
+        <source>Nothing is flat that could be laid: flatten the pieces first, with Flatten &gt; Flatten again; what cannot lie flat needs a cut.</source>
+        <translation>Es ist nichts flach, das sich legen ließe: Wickeln Sie die Teile zuerst ab, mit Abwickeln &gt; Neu abwickeln; was nicht flach liegen kann, braucht einen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Open a garment first.</source>
+        <translation>Öffnen Sie zuerst ein Kleidungsstück.</translation>
+    </message>
+    <message>
+        <source>The pattern is on its way…</source>
+        <translation>Das Schnittmuster ist unterwegs …</translation>
+    </message>
+    <message>
+        <source>The pieces are being laid…</source>
+        <translation>Die Teile werden gelegt …</translation>
+    </message>
+    <message>
+        <source>Release %1 on the cloth</source>
+        <translation>%1 auf dem Stoff loslassen</translation>
+    </message>
+    <message>
+        <source>Release all on the cloth</source>
+        <translation>Alle auf dem Stoff loslassen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::MarkerForm</name>
+    <message>
+        <source>F&amp;olded lengthwise</source>
+        <translation>Der Länge nach ge&amp;faltet</translation>
+    </message>
+    <message>
+        <source>%1 of the marker</source>
+        <translation>%1 des Schnittbilds</translation>
+    </message>
+    <message>
+        <source>Cloth</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>Stoff&amp;art</translation>
+    </message>
+    <message>
+        <source>Each material is laid by itself; what a piece is cut from is said in the panel Piece</source>
+        <translation>Jede Stoffart wird für sich gelegt; woraus ein Teil zugeschnitten wird, steht im Bereich Schnittteil</translation>
+    </message>
+    <message>
+        <source>Roll</source>
+        <translation>Rolle</translation>
+    </message>
+    <message>
+        <source>Sheets</source>
+        <translation>Bögen</translation>
+    </message>
+    <message>
+        <source>Hides…</source>
+        <translation>Häute …</translation>
+    </message>
+    <message>
+        <source>&amp;Comes as</source>
+        <translation>&amp;Kommt als</translation>
+    </message>
+    <message>
+        <source>A roll, of which as little as may be is used, sheets of one size, or hides that are read from drawings: DXF or SVG, the largest line the edge, lines within it holes, or zones where their layer is called &quot;grade 2&quot;</source>
+        <translation>Eine Rolle, von der so wenig wie möglich verbraucht wird, Bögen einer Größe, oder Häute, die aus Zeichnungen gelesen werden: DXF oder SVG, die größte Linie der Rand, Linien darin Löcher, oder Zonen, wo ihre Ebene „grade 2“ heißt</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>From selvedge to selvedge; at first as the fabric is sold</source>
+        <translation>Von Webkante zu Webkante; zuerst so, wie der Stoff verkauft wird</translation>
+    </message>
+    <message>
+        <source>Sheet &amp;length</source>
+        <translation>Bogen&amp;länge</translation>
+    </message>
+    <message>
+        <source>Of a sheet, along the warp</source>
+        <translation>Eines Bogens, längs der Kette</translation>
+    </message>
+    <message>
+        <source>Sheet wi&amp;dth</source>
+        <translation>Bogen&amp;breite</translation>
+    </message>
+    <message>
+        <source>Of a sheet, across the warp</source>
+        <translation>Eines Bogens, quer zur Kette</translation>
+    </message>
+    <message>
+        <source>Two layers, right sides together: pairs are cut at once, and what is its own mirror image is cut on the fold</source>
+        <translation>Zwei Lagen, rechts auf rechts: Paare werden auf einmal zugeschnitten, und was sein eigenes Spiegelbild ist, im Bruch</translation>
+    </message>
+    <message>
+        <source>Fold the cloth</source>
+        <translation>Stoff falten</translation>
+    </message>
+    <message>
+        <source>Unfold the cloth</source>
+        <translation>Stoff auffalten</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>&amp;Garments</source>
+        <translation>Kleidun&amp;gsstücke</translation>
+    </message>
+    <message>
+        <source>How many of the garment are cut at once</source>
+        <translation>Wie viele des Kleidungsstücks auf einmal zugeschnitten werden</translation>
+    </message>
+    <message>
+        <source>Garments of the marker</source>
+        <translation>Kleidungsstücke des Schnittbilds</translation>
+    </message>
+    <message>
+        <source>Ga&amp;p</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Between two pieces, at least</source>
+        <translation>Mindestens, zwischen zwei Teilen</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Between the pieces and all edges of the cloth, at least</source>
+        <translation>Mindestens, zwischen den Teilen und allen Kanten des Stoffs</translation>
+    </message>
+    <message>
+        <source>Either way up</source>
+        <translation>In beide Richtungen</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>In einer Richtung</translation>
+    </message>
+    <message>
+        <source>Freely</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>&amp;Turned</source>
+        <translation>Ge&amp;dreht</translation>
+    </message>
+    <message>
+        <source>How pieces may lie: with the grain along the warp either way up, all one way for nap and prints with an up, or freely on cloth without a grain</source>
+        <translation>Wie Teile liegen dürfen: mit dem Fadenlauf längs der Kette in beide Richtungen, alle in einer Richtung bei Strich und bei Mustern mit einem Oben, oder frei auf Stoff ohne Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Turning of pieces</source>
+        <translation>Drehen der Teile</translation>
+    </message>
+    <message>
+        <source>O&amp;ff the grain by</source>
+        <translation>Neben dem &amp;Fadenlauf um</translation>
+    </message>
+    <message>
+        <source>So much more a piece may be turned, to both sides</source>
+        <translation>So viel weiter darf ein Teil gedreht werden, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Stripes and plaids</source>
+        <translation>Streifen und Karos</translation>
+    </message>
+    <message>
+        <source>Repeat a&amp;long</source>
+        <translation>Rapport &amp;längs</translation>
+    </message>
+    <message>
+        <source>From one stripe to the next along the warp; 0: there are none</source>
+        <translation>Von einem Streifen zum nächsten längs der Kette; 0: Es gibt keine</translation>
+    </message>
+    <message>
+        <source>Repeat acro&amp;ss</source>
+        <translation>Rapport q&amp;uer</translation>
+    </message>
+    <message>
+        <source>From one stripe to the next across the warp; 0: there are none</source>
+        <translation>Von einem Streifen zum nächsten quer zur Kette; 0: Es gibt keine</translation>
+    </message>
+    <message>
+        <source>Seams that match</source>
+        <translation>Nähte, an denen der Rapport passt</translation>
+    </message>
+    <message>
+        <source>Along these seams the repeat goes on from one piece to the other; what cannot be kept is named below</source>
+        <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; was sich nicht halten lässt, steht darunter</translation>
+    </message>
+    <message>
+        <source>It &amp;goes on across</source>
+        <translation>Er &amp;geht weiter über</translation>
+    </message>
+    <message>
+        <source>Kind of cloth</source>
+        <translation>Art des Stoffs</translation>
+    </message>
+    <message>
+        <source>Own fabric</source>
+        <translation>Eigener Stoff</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::MarkerWindow</name>
+    <message>
+        <source>Start a&amp;gain</source>
+        <translation>&amp;Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve marker…</source>
+        <translation>Schnittbild &amp;sichern …</translation>
+    </message>
+    <message>
+        <source>Lay on cloth</source>
+        <translation>Auf Stoff legen</translation>
+    </message>
+    <message>
+        <source> min/m</source>
+        <translation> min/m</translation>
+    </message>
+    <message>
+        <source>Minutes that a metre of seam takes you to sew</source>
+        <translation>Minuten, die Sie für einen Meter Naht brauchen</translation>
+    </message>
+    <message>
+        <source>Minutes a metre of seam</source>
+        <translation>Minuten je Meter Naht</translation>
+    </message>
+    <message>
+        <source>Forget what was found and lay everything anew; what you laid stays</source>
+        <translation>Vergessen, was gefunden wurde, und alles neu legen; was Sie gelegt haben, bleibt</translation>
+    </message>
+    <message>
+        <source>Write the marker as a file: PDF, SVG, DXF, PLT or PNG</source>
+        <translation>Das Schnittbild als Datei schreiben: PDF, SVG, DXF, PLT oder PNG</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>An&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Improve</source>
+        <translation>&amp;Verbessern</translation>
+    </message>
+    <message>
+        <source>Keep the best that was found so far</source>
+        <translation>Das Beste behalten, das bis jetzt gefunden wurde</translation>
+    </message>
+    <message>
+        <source>Look for a shorter marker until you stop it</source>
+        <translation>Ein kürzeres Schnittbild suchen, bis Sie anhalten</translation>
+    </message>
+    <message>
+        <source>First lay what is red so that nothing lies on another piece or beyond the cloth</source>
+        <translation>Legen Sie zuerst, was rot ist, so, dass nichts auf einem anderen Teil oder außerhalb des Stoffs liegt</translation>
+    </message>
+    <message>
+        <source>1 piece lies on another or beyond the cloth</source>
+        <translation>1 Teil liegt auf einem anderen oder außerhalb des Stoffs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces lie on others or beyond the cloth</source>
+        <translation>
+            <numerusform>%n Teil liegt auf einem anderen oder außerhalb des Stoffs</numerusform>
+            <numerusform>%n Teile liegen auf anderen oder außerhalb des Stoffs</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 sheet, %1 % used</source>
+        <translation>1 Bogen, %1 % genutzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sheets, %1 % used</source>
+        <translation>
+            <numerusform>%n Bogen, %1 % genutzt</numerusform>
+            <numerusform>%n Bögen, %1 % genutzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 hide, %1 % used</source>
+        <translation>1 Haut, %1 % genutzt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hides, %1 % used</source>
+        <translation>
+            <numerusform>%n Haut, %1 % genutzt</numerusform>
+            <numerusform>%n Häute, %1 % genutzt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of cloth, folded to %2, %3 % used</source>
+        <translation>%1 Stoff, gefaltet auf %2, %3 % genutzt</translation>
+    </message>
+    <message>
+        <source>%1 of cloth, %2 wide, %3 % used</source>
+        <translation>%1 Stoff, %2 breit, %3 % genutzt</translation>
+    </message>
+    <message>
+        <source>1 piece</source>
+        <translation>1 Teil</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces</source>
+        <translation>
+            <numerusform>%n Teil</numerusform>
+            <numerusform>%n Teile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 round of search</source>
+        <translation>1 Runde gesucht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rounds of search</source>
+        <translation>
+            <numerusform>%n Runde gesucht</numerusform>
+            <numerusform>%n Runden gesucht</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 to cut</source>
+        <translation>%1 zuzuschneiden</translation>
+    </message>
+    <message>
+        <source>1 notch</source>
+        <translation>1 Knips</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n notches</source>
+        <translation>
+            <numerusform>%n Knips</numerusform>
+            <numerusform>%n Knipse</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of seams: %2 min at</source>
+        <translation>%1 Nähte: %2 min bei</translation>
+    </message>
+    <message>
+        <source>Hides</source>
+        <translation>Häute</translation>
+    </message>
+    <message>
+        <source>%1-marker</source>
+        <translation>%1-schnittbild</translation>
+    </message>
+    <message>
+        <source>A marker is written as .pdf, .svg, .dxf, .plt or .png.</source>
+        <translation>Ein Schnittbild wird als .pdf, .svg, .dxf, .plt oder .png geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
     </message>
 </context>
 <context>
