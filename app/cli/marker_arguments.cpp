@@ -57,6 +57,19 @@ const char* saidOfGarments(const MarkerArguments& typed) {
 
 }  // namespace
 
+MarkerSettings over(MarkerSettings saved, const MarkerArguments& arguments,
+                    const MarkerSettings& typed) {
+    if (typed.width > 0 || typed.sheet || !typed.hides.empty()) {  // another cloth
+        saved.width = typed.width;
+        saved.sheet = typed.sheet;
+        saved.hides = typed.hides;
+    }
+    for (const auto& take : arguments.stated) {
+        take(typed, saved);
+    }
+    return saved;
+}
+
 bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds) {
     const bool hasRounds = !typed.rounds || rounds < *typed.rounds;
     const double most = typed.seconds.value_or(typed.rounds ? seconds + 1 : kUsualMarkerSeconds);

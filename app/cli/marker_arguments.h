@@ -17,11 +17,18 @@ struct MarkerArguments {
     std::optional<double> seconds;  ///< after the round in which so much time has passed
     int threads = 0;                ///< 0: as the machine has
     MarkerSettings settings{};      ///< but for the hides, which the command reads
+    /// What of them was typed: each takes it over into other settings.
+    std::vector<void (*)(const MarkerSettings& typed, MarkerSettings& settings)> stated;
     std::vector<std::filesystem::path> hides;
     std::optional<std::string> material;  ///< only of this one; empty: of the garment's own fabric
     std::optional<double> minutesPerMetre;
     std::filesystem::path report;
 };
+
+/// The settings of a project, with what was typed in their place.
+/// @param typed  the settings with their hides
+MarkerSettings over(MarkerSettings saved, const MarkerArguments& arguments,
+                    const MarkerSettings& typed);
 
 /// The time that a marker takes where nothing else is said.
 inline constexpr double kUsualMarkerSeconds = 5;

@@ -63,6 +63,18 @@ Result<MarkerSettings> withHides(const MarkerArguments& typed, std::ostream& err
     return settings;
 }
 
+/// What a project says of this material, and what was typed.
+MarkerPlan planOf(const Arguments& arguments, const std::string& material,
+                  const MarkerSettings& typed) {
+    MarkerPlan plan;
+    if (arguments.project) {
+        const auto saved = arguments.project->markers.find(material);
+        plan = saved == arguments.project->markers.end() ? plan : saved->second;
+    }
+    plan.settings = over(std::move(plan.settings), arguments.marker, typed);
+    return plan;
+}
+
 /// What is laid: with the grain and the materials of what is drawn.
 Pattern wholePatternOf(const LaidOutPattern& laid) {
     Pattern whole = laid.wholePattern;
@@ -114,10 +126,11 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
 }
 
 Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
-                         const PieceResults& results, const Pattern& pattern,
-                         const ClothMarker& marker, const MarkerSettings& settings, bool isOne,
+                         const PieceResults& results, const MadeMarker& made, bool isOne,
                          std::ostream& out) {
-    const DrawnMarker drawn = drawMarker(pattern, marker, settings, {clothSentence(marker)});
+    const ClothMarker& marker = made.marker;
+    const DrawnMarker drawn =
+        drawMarker(*made.pattern, marker, made.settings, {clothSentence(marker)});
     const ExportSource source(garment, results, drawn.laid, arguments.exporting, {},
                               arguments.lines, arguments.fabric.value_or(fabricPresets().front()),
                               drawn.drawing);
@@ -144,9 +157,9 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
         return runMarkerOfInstance(arguments, out, err);
     }
     const MarkerArguments& typed = arguments.marker;
-    const auto settings = withHides(typed, err);
-    if (!settings) {
-        return refuseMarker(settings.error(), err);
+    const auto said = withHides(typed, err);
+    if (!said) {
+        return refuseMarker(said.error(), err);
     }
     Progress progress;
     const auto garment = readInput(arguments, progress, err);
@@ -156,9 +169,8 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
     const PieceResults results = flattened(arguments, *garment, progress);
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     status = printFailures(results, err) ? kExitSomeFailed : status;
-    const auto pattern = std::make_shared<const Pattern>(
-        patternOnCloth(wholePatternOf(laidOut(arguments, *garment, results)), *settings));
-    std::vector<std::string> materials = markerMaterials(*pattern);
+    const Pattern whole = wholePatternOf(laidOut(arguments, *garment, results));
+    std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, *said));
     if (typed.material) {
         if (std::ranges::find(materials, *typed.material) == materials.end()) {
             err << "toile: nothing is cut from \"" << *typed.material << "\"; there is "
@@ -171,29 +183,30 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
         err << "toile: no piece lies flat: there is nothing to lay.\n";
         return kExitSomeFailed;
     }
-    std::vector<ClothMarker> markers;
+    std::vector<MadeMarker> markers;
     for (const std::string& material : materials) {
+        const MarkerPlan plan = planOf(arguments, material, *said);
+        const auto pattern = std::make_shared<const Pattern>(patternOnCloth(whole, plan.settings));
         const Fabric fabric = fabricOf(material, pattern->materials,
                                        arguments.fabric.value_or(fabricPresets().front()));
-        auto nester =
-            MarkerNester::make(pattern, material, fabric, *settings, {}, Progress(), typed.threads);
+        auto nester = MarkerNester::make(pattern, material, fabric, plan.settings, plan.kept,
+                                         Progress(), typed.threads);
         if (!nester) {
             return refuseMarker(nester.error(), err);
         }
         search(*nester, typed, progress, err);
-        markers.push_back(nester->best());
-        const ClothMarker& marker = markers.back();
+        markers.push_back({pattern, plan.settings, nester->best()});
+        const ClothMarker& marker = markers.back().marker;
         printMarker(marker, *pattern, typed, out, err);
         status = marker.isWhole ? status : kExitSomeFailed;
-        if (const auto written = writeMarker(arguments, *garment, results, *pattern, marker,
-                                             *settings, materials.size() == 1, out);
+        if (const auto written = writeMarker(arguments, *garment, results, markers.back(),
+                                             materials.size() == 1, out);
             !written) {
             return refuseMarker(written.error(), err);
         }
     }
     if (!typed.report.empty()) {
-        const auto written = writeFile(
-            typed.report, writeMarkers(*pattern, markers, *settings, typed.minutesPerMetre));
+        const auto written = writeFile(typed.report, writeMarkers(markers, typed.minutesPerMetre));
         if (!written) {
             return refuseMarker(written.error(), err);
         }

@@ -30,14 +30,20 @@ Json copiesJson(const Pattern& pattern, const ClothMarker& marker) {
     return copies;
 }
 
-Json markerJson(const Pattern& pattern, const ClothMarker& marker,
-                std::optional<double> minutesPerMetre) {
+Json markerJson(const MadeMarker& made, std::optional<double> minutesPerMetre) {
+    const Pattern& pattern = *made.pattern;
+    const ClothMarker& marker = made.marker;
     const MarkerFigures figures = markerFigures(pattern, marker);
     Json notes = Json::array();
     for (const Wording& note : marker.notes) {
         notes.push_back(text(note));
     }
     Json json{{"material", textOrNull(marker.material)},
+              {"garments", made.settings.garments},
+              {"gap", number(made.settings.gap)},
+              {"border", number(made.settings.border)},
+              {"folded", made.settings.isFolded},
+              {"seed", made.settings.seed},
               {"width", number(marker.width)},
               {"length", number(marker.length)},
               {"sheets", marker.isRoll ? Json(nullptr) : Json(marker.sheets)},
@@ -56,29 +62,25 @@ Json markerJson(const Pattern& pattern, const ClothMarker& marker,
 
 }  // namespace
 
-std::string writeMarkers(const Pattern& pattern, const std::vector<ClothMarker>& markers,
-                         const MarkerSettings& settings, std::optional<double> minutesPerMetre) {
+std::string writeMarkers(const std::vector<MadeMarker>& markers,
+                         std::optional<double> minutesPerMetre) {
     double used = 0, cloth = 0, length = 0;
     int rounds = 0;
     Json all = Json::array();
-    for (const ClothMarker& marker : markers) {
+    for (const MadeMarker& made : markers) {
+        const ClothMarker& marker = made.marker;
         cloth += marker.clothArea;
         used += marker.use * marker.clothArea;
         length += marker.length;
         rounds = std::max(rounds, marker.rounds);
-        all.push_back(markerJson(pattern, marker, minutesPerMetre));
+        all.push_back(markerJson(made, minutesPerMetre));
     }
     const Json json{{"version", kMarkerVersion},
                     {"toile", text(version())},
-                    {"name", text(pattern.name)},
+                    {"name", text(markers.front().pattern->name)},
                     {"use", number(cloth > 0 ? used / cloth : 0)},
                     {"length", number(length)},
                     {"rounds", rounds},
-                    {"garments", settings.garments},
-                    {"gap", number(settings.gap)},
-                    {"border", number(settings.border)},
-                    {"folded", settings.isFolded},
-                    {"seed", settings.seed},
                     {"markers", std::move(all)}};
     return jsonText(json);
 }

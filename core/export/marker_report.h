@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,11 +10,19 @@
 
 namespace toile {
 
+/// A marker and what it is made of.
+struct MadeMarker {
+    std::shared_ptr<const Pattern> pattern;  ///< not null
+    MarkerSettings settings;
+    ClothMarker marker;
+};
+
 /// Markers of a garment, one per material, as JSON: `use`, `length` and `rounds` of all together,
 /// then of each what it says, with the place of every copy (docs/marker.md).
 /// @param minutesPerMetre  of seam, where a person has said it
 /// Cost: linear. Pure.
-std::string writeMarkers(const Pattern& pattern, const std::vector<ClothMarker>& markers,
-                         const MarkerSettings& settings, std::optional<double> minutesPerMetre);
+/// Precondition: there is one.
+std::string writeMarkers(const std::vector<MadeMarker>& markers,
+                         std::optional<double> minutesPerMetre);
 
 }  // namespace toile

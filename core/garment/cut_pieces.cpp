@@ -292,13 +292,8 @@ private:
             }
             areAllOut = false;
             if (opened[c].length > 0) {
-                done_.cuts.push_back({cut.name,
-                                      CutAuthor::User,
-                                      cut.kind,
-                                      piece.name,
-                                      opened[c].length,
-                                      ids[c],
-                                      cut.evidence,
+                done_.cuts.push_back({cut.name, CutAuthor::User, cut.kind, piece.name,
+                                      opened[c].length, ids[c], cut.evidence,
                                       positionsOf(piece.mesh, paths[c])});
             } else {
                 done_.problems.push_back(cutError(

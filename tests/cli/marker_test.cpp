@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `toile marker`, with the built program.
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/shared_data.h"
 
@@ -102,7 +104,7 @@ TEST(MarkerCommand, FollowsTheRulesOfTheCloth) {
     };
     const auto flat = lay({"--garments", "2", "--one-way", "--gap", "2", "--border", "10"});
     EXPECT_EQ(flat["markers"][0]["copies"].size(), 10U);
-    EXPECT_EQ(flat["garments"], 2);
+    EXPECT_EQ(flat["markers"][0]["garments"], 2);
     EXPECT_EQ(lay({"--nap", "--garments", "2", "--gap", "2", "--border", "10"}), flat);
     const auto folded = lay({"--folded", "--mirror", "auto"});
     EXPECT_EQ(folded["markers"][0]["width"], 700);
@@ -113,6 +115,44 @@ TEST(MarkerCommand, FollowsTheRulesOfTheCloth) {
     EXPECT_EQ(lay({"--free-grain", "--turn", "10", "--width", "1500", "--threads", "1"}),
               lay({"--free-grain", "--turn", "10", "--width", "1500", "--threads", "2"}));
     EXPECT_EQ(lay({"--fabric", "jersey"})["markers"][0]["width"], 1600);
+}
+
+TEST(MarkerCommand, FollowsWhatAProjectSays) {
+    const test::TemporaryFolder folder;
+    Project project;
+    project.files = {{test::sourceFile("resources/samples/tshirt.obj")}};
+    project.loading.unit = LengthUnit::Millimetre;
+    MarkerPlan& plan = project.markers[""];
+    plan.settings.gap = 3;
+    plan.settings.garments = 2;
+    Progress progress;
+    const auto garment = loadGarment({project.files[0].path}, project.loading, progress);
+    ASSERT_TRUE(garment);
+    KeptCopy& kept = plan.kept.emplace_back();
+    kept.copy.piece = garment->pieces.front()->id;
+    kept.placement.offset = {5000, 700};  // far from where the others end
+    ASSERT_TRUE(writeProject(folder / "shirt.toile", project));
+    const auto lay = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"marker",   (folder / "shirt.toile").string(),
+                                       "--rounds", "1",
+                                       "--report", (folder / "m.json").string()};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto run = test::toileRun(words);
+        EXPECT_EQ(run.status, 0) << run.err;
+        return reportOf(folder / "m.json")["markers"][0];
+    };
+    const auto saved = lay({});
+    EXPECT_EQ(saved["gap"], 3);
+    EXPECT_EQ(saved["copies"].size(), 10U);
+    const auto copy = std::ranges::find_if(
+        saved["copies"], [](const auto& one) { return one["kept"].template get<bool>(); });
+    ASSERT_NE(copy, saved["copies"].end());
+    EXPECT_EQ((*copy)["x"], 5000);
+    EXPECT_EQ((*copy)["y"], 700);
+    const auto typed = lay({"--gap", "0", "--width", "1600"});
+    EXPECT_EQ(typed["gap"], 0);
+    EXPECT_EQ(typed["width"], 1600);
+    EXPECT_EQ(typed["garments"], 2);
 }
 
 TEST(MarkerCommand, LaysOnHides) {
