@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "core/sew/cloth.h"
+#include "core/sew/space_matrix.h"
+
+namespace toile::sew {
+
+/// The energy of cloth that is bent, flat at rest: the quadratic one of [BWHGZ06], a sum over the
+/// inner edges of each piece,
+///   W = sum_e B / (2 (A0 + A1)) |sum_i K_i x_i|²,
+/// with A0, A1 the two triangles' areas at rest and K_i of the cotangents of their angles
+/// ([BWHGZ06] section 3; |sum K_i x_i| is the edge's length times the angle between the triangles).
+/// There the factor is 3: then a sphere costs what a plate does, and a cylinder, which is how cloth
+/// bends, three times as much; here a cylinder costs B / (2 R²) per area. Exact as long as the
+/// cloth is not strained. A seam is a hinge: it does not resist. N, mm. Immutable; linear cost.
+class Bending {
+public:
+    /// @param bending  B, N·m
+    Bending(const Cloth& cloth, double bending);
+
+    bool empty() const { return hinges_.empty(); }
+    double energy(const Points3& X) const;
+    void addGradient(const Points3& X, Points3& g) const;
+    /// Positive semidefinite, the same everywhere.
+    void addHessian(SpaceMatrix& H) const;
+    void addPairs(std::vector<std::pair<int, int>>& pairs) const;
+
+private:
+    struct Hinge {
+        std::array<int, 4> vertex;  ///< the edge's ends, and the two corners across from it
+        std::array<double, 4> weight;
+        double stiffness;  ///< B / (A0 + A1), N/mm
+
+        Eigen::RowVector3d bend(const Points3& X) const;
+    };
+
+    std::vector<Hinge> hinges_;  ///< none where B is 0
+};
+
+}  // namespace toile::sew

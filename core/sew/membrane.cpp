@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/membrane.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace toile::sew {
+namespace {
+
+constexpr double kMillimetres = 1e-3;  // N/m in N/mm
+
+using Deformation = Eigen::Matrix<double, 3, 2>;
+
+Eigen::Matrix2d greenStrain(const Deformation& F) {
+    return (F.transpose() * F - Eigen::Matrix2d::Identity()) / 2;
+}
+
+/// Its pressures left out.
+Eigen::Matrix2d tensionOf(const Eigen::Matrix2d& stress) {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    solver.computeDirect(stress);
+    return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0.0).asDiagonal() *
+           solver.eigenvectors().transpose();
+}
+
+}  // namespace
+
+Membrane::Membrane(const Cloth& cloth, const ClothStiffness& stiffness)
+    : cloth_(cloth), rest_(restShapes(cloth)) {
+    moduli_ << stiffness.weft, stiffness.coupling, 0,  //
+        stiffness.coupling, stiffness.warp, 0,         //
+        0, 0, stiffness.shear;
+    moduli_ *= kMillimetres;
+}
+
+Eigen::Matrix2d Membrane::stress(const Eigen::Matrix2d& green) const {
+    const Eigen::Vector3d s = moduli_ * Eigen::Vector3d(green(0, 0), green(1, 1), 2 * green(0, 1));
+    Eigen::Matrix2d stress;
+    stress << s[0], s[2], s[2], s[1];
+    return stress;
+}
+
+double Membrane::energy(const Points3& X) const {
+    double sum = 0;
+    for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
+        const Eigen::Matrix2d green = greenStrain(deformation(rest_[f], cloth_.F, f, X));
+        sum += rest_[f].area * stress(green).cwiseProduct(green).sum() / 2;
+    }
+    return sum;
+}
+
+template <class Add>
+void Membrane::forEachForce(const Points3& X, Add add) const {
+    for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
+        const Deformation F = deformation(rest_[f], cloth_.F, f, X);
+        const Deformation pulled = rest_[f].area * F * stress(greenStrain(F));
+        for (int k = 0; k < 3; ++k) {
+            add(cloth_.F(f, k), Eigen::Vector3d(pulled * rest_[f].b[k]));
+        }
+    }
+}
+
+void Membrane::addGradient(const Points3& X, Points3& g) const {
+    forEachForce(X, [&](int v, const Eigen::Vector3d& force) { g.row(v) += force.transpose(); });
+}
+
+void Membrane::addForceSizes(const Points3& X, Eigen::VectorXd& sizes) const {
+    forEachForce(X, [&](int v, const Eigen::Vector3d& force) { sizes[v] += force.norm(); });
+}
+
+void Membrane::addHessian(const Points3& X, SpaceMatrix& H) const {
+    for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
+        const RestShape& rest = rest_[f];
+        const Deformation F = deformation(rest, cloth_.F, f, X);
+        const Eigen::Matrix2d tension = tensionOf(stress(greenStrain(F)));
+        Eigen::Matrix3d byStrain[3];  // derivatives of E11, E22 and 2 E12 by each corner
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector2d& b = rest.b[k];
+            byStrain[k] << F.col(0) * b[0], F.col(1) * b[1], F.col(0) * b[1] + F.col(1) * b[0];
+        }
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Matrix3d pulled = rest.area * byStrain[i] * moduli_;
+            for (int j = 0; j <= i; ++j) {
+                const double along = rest.area * rest.b[i].dot(tension * rest.b[j]);
+                Eigen::Matrix3d block = pulled * byStrain[j].transpose();
+                block.diagonal().array() += along;
+                H.add(cloth_.F(f, i), cloth_.F(f, j), block);
+            }
+        }
+    }
+}
+
+void Membrane::addPairs(std::vector<std::pair<int, int>>& pairs) const {
+    for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            pairs.emplace_back(cloth_.F(f, k), cloth_.F(f, (k + 1) % 3));
+        }
+    }
+}
+
+}  // namespace toile::sew

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "core/sew/cloth.h"
+#include "core/sew/cloth_stiffness.h"
+#include "core/sew/space_matrix.h"
+
+namespace toile::sew {
+
+/// The energy of cloth that is stretched, taken in and sheared: St. Venant and Kirchhoff's, on
+/// linear triangles ([BW98] section 4 has the triangles, [VMF09] the strain). With the deformation
+/// F of a triangle and Green's strain E = (F^T F - 1) / 2, weft 1, warp 2:
+///   W = sum_T A_T (C11 E11² / 2 + C22 E22² / 2 + C12 E11 E22 + 2 G E12²).
+/// It has no opinion of which side of the plane a triangle lies on. Forces in N, lengths in mm,
+/// energy in N·mm. Immutable; keeps a reference to the cloth; linear cost.
+class Membrane {
+public:
+    Membrane(const Cloth& cloth, const ClothStiffness& stiffness);
+
+    double energy(const Points3& X) const;
+    /// Adds the derivative by every coordinate: minus the forces on the vertices, N.
+    void addGradient(const Points3& X, Points3& g) const;
+    /// Adds the second derivative, N/mm, made positive semidefinite triangle by triangle: the part
+    /// of the strain's change is so by itself, of that of the stress only tension is taken.
+    void addHessian(const Points3& X, SpaceMatrix& H) const;
+    /// Adds per vertex the sizes of its triangles' forces, N: what balances there.
+    void addForceSizes(const Points3& X, Eigen::VectorXd& sizes) const;
+    /// The vertices that act on each other.
+    void addPairs(std::vector<std::pair<int, int>>& pairs) const;
+
+private:
+    /// Second Piola-Kirchhoff stress, N/mm.
+    Eigen::Matrix2d stress(const Eigen::Matrix2d& green) const;
+    template <class Add>
+    void forEachForce(const Points3& X, Add add) const;
+
+    const Cloth& cloth_;
+    std::vector<RestShape> rest_;
+    Eigen::Matrix3d moduli_;  ///< from (E11, E22, 2 E12), N/mm
+};
+
+}  // namespace toile::sew

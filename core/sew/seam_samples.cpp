@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/seam_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "core/seam/seam_measure.h"
+
+namespace toile::sew {
+namespace {
+
+/// Of the shorter of two edges: nearer to a vertex a place is the vertex.
+constexpr double kAcross = 0.05;
+
+/// Where a place on a loop is: on which edge, how far along it.
+struct LoopPlace {
+    int edge;
+    double share;   ///< of the edge, in [0, 1]
+    double length;  ///< of the edge, mm
+};
+
+class LoopMeasure {
+public:
+    LoopMeasure(const std::vector<int>& loop, const Points3& V) {
+        arc_.push_back(0);
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            const int head = loop[k + 1 < loop.size() ? k + 1 : 0];
+            arc_.push_back(arc_.back() + (V.row(head) - V.row(loop[k])).norm());
+        }
+    }
+
+    LoopPlace at(double arc) const {
+        const double whole = arc_.back();
+        double s = std::fmod(arc, whole);
+        s = s < 0 ? s + whole : s;
+        const auto above = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, s);
+        const auto edge = static_cast<int>(above - arc_.begin()) - 1;
+        const double length = arc_[edge + 1] - arc_[edge];
+        return {edge, length > 0 ? std::clamp((s - arc_[edge]) / length, 0.0, 1.0) : 0, length};
+    }
+
+private:
+    std::vector<double> arc_;
+};
+
+/// A piece whose rim edges are divided at places to come.
+class DividedPiece {
+public:
+    explicit DividedPiece(const Piece& piece, const Points2& flat)
+        : V(piece.mesh.V), Q(flat), F(piece.mesh.F) {
+        for (int side = 0; side < static_cast<int>(F.size()); ++side) {
+            if (piece.table.isBorder(piece.table.faceEdges.data()[side])) {
+                faceAt_[{tailOf(F, side), headOf(F, side)}] = side / 3;
+            }
+        }
+    }
+
+    /// The vertex at a place of a rim edge of the piece as it was, there already or new.
+    int vertexAt(int tail, int head, double share) {
+        std::vector<std::pair<double, int>>& stops = stops_[{tail, head}];
+        if (stops.empty()) {
+            stops = {{0, tail}, {1, head}};
+        }
+        const auto after =
+            std::ranges::lower_bound(stops, share, {}, &std::pair<double, int>::first);
+        const auto before = after == stops.begin() ? after : after - 1;
+        const auto near = share - before->first < after->first - share ? before : after;
+        if (std::abs(near->first - share) < kAcross * kAcross) {
+            return near->second;
+        }
+        const int made = divide(before->second, after->second,
+                                (share - before->first) / (after->first - before->first));
+        if (made >= 0) {
+            stops.insert(after, {share, made});
+        }
+        return made >= 0 ? made : near->second;
+    }
+
+    Points3 V;
+    Points2 Q;
+    Triangles F;
+
+private:
+    int divide(int tail, int head, double share) {
+        const auto found = faceAt_.find({tail, head});
+        if (found == faceAt_.end()) {
+            return -1;
+        }
+        const int f = found->second, made = static_cast<int>(V.rows());
+        faceAt_.erase(found);
+        V.conservativeResize(made + 1, 3);
+        Q.conservativeResize(made + 1, 2);
+        V.row(made) = (1 - share) * V.row(tail) + share * V.row(head);
+        Q.row(made) = (1 - share) * Q.row(tail) + share * Q.row(head);
+        const auto g = static_cast<int>(F.rows());
+        F.conservativeResize(g + 1, 3);
+        F.row(g) = F.row(f);
+        for (int k = 0; k < 3; ++k) {
+            if (F(f, k) == head) {
+                F(f, k) = made;  // tail, made, apex
+            }
+            if (F(g, k) == tail) {
+                F(g, k) = made;  // made, head, apex
+            }
+        }
+        for (int k = 0; k < 3; ++k) {
+            const auto other = faceAt_.find({F(g, k), F(g, (k + 1) % 3)});
+            if (other != faceAt_.end()) {
+                other->second = g;
+            }
+        }
+        faceAt_[{tail, made}] = f;
+        faceAt_[{made, head}] = g;
+        return made;
+    }
+
+    std::map<std::pair<int, int>, int> faceAt_;  ///< by tail and head of a rim edge
+    /// Per rim edge as it was: the vertices on it and where they are, in order.
+    std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> stops_;
+};
+
+class SeamSewer {
+public:
+    SeamSewer(const Garment& garment, const std::vector<PatternPart>& parts)
+        : garment_(garment), parts_(parts) {
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            divided_.emplace_back(*garment.pieces[p], parts[p].flat);
+        }
+    }
+
+    void sew(const Seam& seam) {
+        if (!isHere(seam.left) || !isHere(seam.right)) {
+            return;
+        }
+        const LoopMeasure left = measureOf(seam.left), right = measureOf(seam.right);
+        for (const SeamMatch& match : seam.matches) {
+            LoopPlace a = left.at(match.left), b = right.at(match.right);
+            const double across = kAcross * std::min(a.length, b.length);
+            const bool atA = snap(a, across), atB = snap(b, across);
+            if (atA || atB) {
+                sewn_.push_back({{seam.left.piece, vertexAt(seam.left, a)},
+                                 {seam.right.piece, vertexAt(seam.right, b)}});
+            }
+        }
+    }
+
+    CutCloth cut() const {
+        CutCloth cut;
+        std::vector<int> first;
+        Eigen::Index points = 0, faces = 0;
+        for (std::size_t p = 0; p < parts_.size(); ++p) {
+            first.push_back(static_cast<int>(points));
+            points += isHere(p) ? divided_[p].V.rows() : 0;
+            faces += isHere(p) ? divided_[p].F.rows() : 0;
+        }
+        cut.Q.resize(points, 2);
+        cut.V.resize(points, 3);
+        cut.F.resize(faces, 3);
+        Eigen::Index f = 0;
+        for (std::size_t p = 0; p < parts_.size(); ++p) {
+            if (!isHere(p)) {
+                continue;
+            }
+            const DividedPiece& piece = divided_[p];
+            const double turn = std::numbers::pi / 2 - parts_[p].warp;
+            Eigen::Matrix2d rotation;  // of rows
+            rotation << std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn);
+            const bool isUpright = turn == 0;  // then to the last bit
+            cut.Q.middleRows(first[p], piece.Q.rows()) =
+                isUpright ? piece.Q : Points2(piece.Q * rotation);
+            cut.V.middleRows(first[p], piece.V.rows()) = piece.V;
+            cut.F.middleRows(f, piece.F.rows()) = piece.F.array() + first[p];
+            f += piece.F.rows();
+            cut.pieceOf.insert(cut.pieceOf.end(), static_cast<std::size_t>(piece.F.rows()),
+                               static_cast<int>(p));
+        }
+        for (const auto& [a, b] : sewn_) {
+            cut.sewn.emplace_back(first[a.first] + a.second, first[b.first] + b.second);
+        }
+        return cut;
+    }
+
+private:
+    bool isHere(std::size_t piece) const { return parts_[piece].flat.rows() > 0; }
+    bool isHere(const SeamSide& side) const {
+        return side.piece >= 0 && isHere(static_cast<std::size_t>(side.piece));
+    }
+    const std::vector<int>& loop(const SeamSide& side) const {
+        return loopOf(side, *garment_.pieces[side.piece]);
+    }
+    LoopMeasure measureOf(const SeamSide& side) const {
+        return {loop(side), garment_.pieces[side.piece]->mesh.V};
+    }
+
+    static bool snap(LoopPlace& place, double across) {
+        const double along = place.share * place.length;
+        if (along <= across) {
+            place.share = 0;
+        } else if (place.length - along <= across) {
+            place.share = 1;
+        }
+        return place.share == 0 || place.share == 1;
+    }
+
+    int vertexAt(const SeamSide& side, const LoopPlace& place) {
+        const std::vector<int>& vertices = loop(side);
+        const int tail = vertices[place.edge];
+        const int head = vertices[(place.edge + 1) % static_cast<int>(vertices.size())];
+        if (place.share == 0 || place.share == 1) {
+            return place.share == 0 ? tail : head;
+        }
+        return divided_[side.piece].vertexAt(tail, head, place.share);
+    }
+
+    const Garment& garment_;
+    const std::vector<PatternPart>& parts_;
+    std::vector<DividedPiece> divided_;
+    using Vertex = std::pair<int, int>;  ///< piece, vertex of it
+    std::vector<std::pair<Vertex, Vertex>> sewn_;
+};
+
+}  // namespace
+
+std::vector<PatternPart> partsOf(const PieceResults& results) {
+    std::vector<PatternPart> parts;
+    for (const auto& result : results) {
+        parts.emplace_back();
+        if (result && result->flat) {
+            parts.back().flat = result->flat->Q;
+        }
+    }
+    return parts;
+}
+
+std::vector<PatternPart> referenceParts(const Garment& garment) {
+    std::vector<PatternPart> parts;
+    for (const auto& piece : garment.pieces) {
+        parts.emplace_back();
+        if (piece->reference) {
+            parts.back().flat = *piece->reference;
+        }
+    }
+    return parts;
+}
+
+Result<CutCloth> cutAlongSeams(const Garment& garment, const std::vector<PatternPart>& parts) {
+    SeamSewer sewer(garment, parts);
+    for (const Seam& seam : garment.seams.seams) {
+        sewer.sew(seam);
+    }
+    CutCloth cut = sewer.cut();
+    if (cut.F.rows() == 0) {
+        return Error{ErrorCode::NoGeometry, {}, "no piece is flat"};
+    }
+    return cut;
+}
+
+}  // namespace toile::sew
