@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/mesh/edge_table.h"
+
+namespace toile::sew {
+namespace {
+
+/// Nearer to an edge or a corner than this part of a triangle's size the direction to it is not
+/// known.
+constexpr double kTouching = 1e-9;
+
+Eigen::Vector3d unit(const Eigen::Vector3d& v) {
+    const double size = v.norm();
+    return size > 0 ? Eigen::Vector3d(v / size) : Eigen::Vector3d::Zero();
+}
+
+double angleAt(const MeshArrays& mesh, Eigen::Index f, int k) {
+    const Eigen::RowVector3d at = mesh.V.row(mesh.F(f, k));
+    const Eigen::RowVector3d u = mesh.V.row(mesh.F(f, (k + 1) % 3)) - at;
+    const Eigen::RowVector3d w = mesh.V.row(mesh.F(f, (k + 2) % 3)) - at;
+    return std::atan2(u.cross(w).norm(), u.dot(w));
+}
+
+}  // namespace
+
+WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), nearest_(mesh_) {
+    const EdgeTable table = buildEdgeTable(mesh_.F, static_cast<int>(mesh_.V.rows()));
+    faceEdges_ = table.faceEdges;
+    faceNormals_.resize(mesh_.F.rows(), 3);
+    edgeNormals_ = Points3::Zero(table.edges.rows(), 3);
+    vertexNormals_ = Points3::Zero(mesh_.V.rows(), 3);
+    isRimEdge_.assign(static_cast<std::size_t>(table.edges.rows()), 0);
+    isRimVertex_.assign(static_cast<std::size_t>(mesh_.V.rows()), 0);
+    for (Eigen::Index f = 0; f < mesh_.F.rows(); ++f) {
+        const Eigen::Vector3d normal = unit(doubleAreaNormal(mesh_, f));
+        faceNormals_.row(f) = normal.transpose();
+        for (int k = 0; k < 3; ++k) {
+            edgeNormals_.row(faceEdges_(f, k)) += normal.transpose();
+            vertexNormals_.row(mesh_.F(f, k)) += angleAt(mesh_, f, k) * normal.transpose();
+        }
+    }
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        edgeNormals_.row(e) = unit(edgeNormals_.row(e).transpose()).transpose();
+        if (table.isBorder(e)) {
+            isRimEdge_[e] = 1;
+            isRimVertex_[table.edges(e, 0)] = isRimVertex_[table.edges(e, 1)] = 1;
+        }
+    }
+    for (Eigen::Index v = 0; v < mesh_.V.rows(); ++v) {
+        vertexNormals_.row(v) = unit(vertexNormals_.row(v).transpose()).transpose();
+    }
+}
+
+WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p) const {
+    const SurfacePoint nearest = nearest_.find(p);
+    const int f = nearest.face;
+    const Eigen::Vector3d offset = p - positionOf(mesh_, nearest);
+    int zeros = 0, zero = 0, other = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (nearest.barycentric[k] <= kOnEdge) {
+            ++zeros;
+            zero = k;
+        } else {
+            other = k;
+        }
+    }
+    if (zeros == 0) {
+        const Eigen::Vector3d normal = faceNormals_.row(f).transpose();
+        return {offset.dot(normal), normal};
+    }
+    // The edge across from corner `zero` begins at the next one.
+    const int edge = faceEdges_(f, (zero + 1) % 3), vertex = mesh_.F(f, other);
+    const bool isRim = zeros == 1 ? isRimEdge_[edge] != 0 : isRimVertex_[vertex] != 0;
+    const Eigen::Vector3d normal =
+        (zeros == 1 ? edgeNormals_.row(edge) : vertexNormals_.row(vertex)).transpose();
+    const double along = offset.dot(normal), distance = offset.norm();
+    const double size = (mesh_.V.row(mesh_.F(f, 1)) - mesh_.V.row(mesh_.F(f, 0))).norm();
+    if (isRim || distance <= kTouching * size) {
+        return {along, normal};
+    }
+    const double sign = along < 0 ? -1 : 1;
+    return {sign * distance, sign / distance * offset};
+}
+
+double WornSurface::distanceTo(const Eigen::Vector3d& p) const {
+    return (p - positionOf(mesh_, nearest_.find(p))).norm();
+}
+
+Contact::Contact(const WornSurface& surface, Eigen::VectorXd areas, double pressure,
+                 double stiffness)
+    : surface_(surface), areas_(std::move(areas)), pressure_(pressure), stiffness_(stiffness) {}
+
+std::vector<WornSurface::Place> Contact::placesOf(const Points3& X) const {
+    std::vector<WornSurface::Place> places;
+    places.reserve(static_cast<std::size_t>(X.rows()));
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        places.push_back(surface_.placeOf(X.row(v).transpose()));
+    }
+    return places;
+}
+
+double Contact::energy(const std::vector<WornSurface::Place>& places) const {
+    double sum = 0;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        const double d = places[v].distance, inside = std::min(d, 0.0);
+        sum += areas_[static_cast<Eigen::Index>(v)] *
+               (pressure_ * d + stiffness_ * inside * inside / 2);
+    }
+    return sum;
+}
+
+void Contact::addGradient(const std::vector<WornSurface::Place>& places, Points3& g) const {
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        const auto row = static_cast<Eigen::Index>(v);
+        const double slope = pressure_ + stiffness_ * std::min(places[v].distance, 0.0);
+        g.row(row) += areas_[row] * slope * places[v].away.transpose();
+    }
+}
+
+void Contact::addHessian(const std::vector<WornSurface::Place>& places, double caution,
+                         SpaceMatrix& H) const {
+    for (std::size_t v = 0; v < places.size(); ++v) {
+        const double d = places[v].distance;
+        const double stiffness =
+            d < 0 ? stiffness_ : caution * pressure_ / (d + pressure_ / stiffness_);
+        const int row = static_cast<int>(v);
+        H.add(row, row, areas_[row] * stiffness * places[v].away * places[v].away.transpose());
+    }
+}
+
+}  // namespace toile::sew

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/contact.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/sew/cloth_shapes.h"
+
+namespace toile::sew {
+namespace {
+
+TEST(Contact, DistancesFromACubeAreSigned) {
+    const WornSurface cube(sewTogether(test::cubeCloth(2, 100)).surface());
+    EXPECT_NEAR(cube.placeOf({0, 3, 60}).distance, 10, 1e-12);
+    EXPECT_NEAR(cube.placeOf({0, 3, 45}).distance, -5, 1e-12);
+    const auto edge = cube.placeOf({53, 4, 54});
+    EXPECT_NEAR(edge.distance, 5, 1e-12);
+    EXPECT_NEAR((edge.away - Eigen::Vector3d(0.6, 0, 0.8)).norm(), 0, 1e-12);
+    EXPECT_NEAR(cube.placeOf({52, -52, 51}).distance, 3, 1e-12);
+    const auto corner = cube.placeOf({50, 50, 50});
+    EXPECT_NEAR(corner.distance, 0, 1e-12);
+    EXPECT_NEAR((corner.away - Eigen::Vector3d::Constant(1 / std::sqrt(3.0))).norm(), 0, 1e-12);
+}
+
+TEST(Contact, GoesOnPastARim) {
+    const WornSurface plane(sewTogether(test::flatCloth(2, 2, 10)).surface());
+    const auto beyond = plane.placeOf({35, 5, 2});
+    EXPECT_NEAR(beyond.distance, 2, 1e-12);
+    EXPECT_NEAR((beyond.away - Eigen::Vector3d::UnitZ()).norm(), 0, 1e-12);
+    EXPECT_NEAR(plane.placeOf({-8, -8, -3}).distance, -3, 1e-12);
+    EXPECT_NEAR(plane.distanceTo({23, 5, 4}), 5, 1e-12);
+}
+
+TEST(Contact, GradientIsTheEnergysDerivativeInsideAndOutside) {
+    const WornSurface cube(sewTogether(test::cubeCloth(2, 100)).surface());
+    Points3 X(4, 3);
+    X << 7, 3, 60, -55, -57, 10, 13, 49, 5, 52, 55, 51;
+    const Contact contact(cube, Eigen::Vector4d(3, 5, 7, 2), 1e-3, 0.2);
+    Points3 g = Points3::Zero(4, 3);
+    contact.addGradient(contact.placesOf(X), g);
+    constexpr double kStep = 1e-5;
+    for (Eigen::Index i = 0; i < X.size(); ++i) {
+        Points3 more = X, less = X;
+        more.data()[i] += kStep;
+        less.data()[i] -= kStep;
+        const double slope =
+            (contact.energy(contact.placesOf(more)) - contact.energy(contact.placesOf(less))) /
+            (2 * kStep);
+        EXPECT_NEAR(g.data()[i], slope, 1e-8) << i;
+    }
+}
+
+TEST(Contact, AStepDownToTheSurfaceEndsWhereAVertexRestsAlone) {
+    const WornSurface plane(sewTogether(test::flatCloth(2, 2, 10)).surface());
+    constexpr double kPressure = 1e-3, kStiffness = 0.2;
+    const Contact contact(plane, Eigen::VectorXd::Constant(1, 4), kPressure, kStiffness);
+    for (const double height : {5.0, 0.01, -0.004}) {
+        const Points3 X = Eigen::RowVector3d(11, 8, height);
+        const auto places = contact.placesOf(X);
+        Points3 g = Points3::Zero(1, 3);
+        contact.addGradient(places, g);
+        SpaceMatrix H({}, 1);
+        contact.addHessian(places, 1, H);
+        const double curvature = H.matrix().value.back();
+        EXPECT_NEAR(height - g(0, 2) / curvature, -kPressure / kStiffness, 1e-12);
+    }
+}
+
+}  // namespace
+}  // namespace toile::sew
