@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/sew/cloth.h"
+#include "core/sew/cloth_stiffness.h"
+#include "core/sew/contact.h"
+
+namespace toile::sew {
+
+struct SettleOptions {
+    ClothStiffness stiffness = kUnstatedStiffness;
+    double pressure = 1e-5;         ///< towards the surface, N/mm² (1e-5: 10 Pa, 1 g on 10 cm²)
+    double contactStiffness = 0.1;  ///< of the surface against what is in it, N/mm³
+    /// It has settled where the rest of force, root mean square over the vertices, is below this
+    /// share of the force at seams.
+    double share = 1e-3;
+    int maxIterations = 100;
+    /// Called after each step with the positions, to show; may be empty.
+    std::function<void(const Points3&)> watch{};
+};
+
+/// Cloth at rest, or nearly.
+struct SettledCloth {
+    Points3 X;               ///< mm
+    int iterations = 0;      ///< factorisations
+    double restForce = 0;    ///< of the vertices, root mean square, N
+    double largestRest = 0;  ///< of one vertex, N
+    /// What balances at sewn vertices, the sizes of the triangles' forces on them and the pressure
+    /// added up, root mean square; of cloth without seams at all vertices. N.
+    double seamForce = 0;
+    bool hasSettled = false;  ///< false: the steps ran out, or none of them helps any more
+};
+
+/// Finds the rest of sewn cloth over a surface: a minimum of its membrane, bending and contact
+/// energies by Newton's method with semidefinite parts of the Hessians, a damping as of Levenberg
+/// and Marquardt ([NW06] section 10.3), and a line search. One pattern and one order of elimination
+/// for all steps. The same bytes for the same input: one thread, sums in order.
+/// On a sharp outward edge of the surface the nearest side, and so the force, changes from one
+/// place to the next: there a few vertices may keep a rest of force, and `hasSettled` stays false,
+/// although nothing moves any more.
+/// @param start  of the cloth's vertices, mm, finite
+/// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled.
+/// Cost: a factorisation of size 3 #V a step, 10 to 60 steps.
+Result<SettledCloth> settle(const Cloth& cloth, const Points3& start, const WornSurface& surface,
+                            const SettleOptions& options, const Progress& progress);
+
+}  // namespace toile::sew
