@@ -1,23 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <climits>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "core/base/field_archive.h"
+#include "core/base/text.h"
+#include "core/garment/fabric.h"
 #include "core/marker/marker_plan.h"
+#include "core/pattern/placement.h"
 #include "core/project/piece_settings.h"
 
 namespace toile::project_fields {
 
 /// What a project file says of laying the pieces on cloth; included in one file.
 
-inline constexpr double kMostOfCloth = 1e6;  ///< mm
+inline constexpr double kMostOfCloth = 1e6;      ///< mm
+inline constexpr double kFarthestOnCloth = 1e7;  ///< mm, either way along and across
 inline constexpr double kMostTurn = 6.283185307179586;
 inline constexpr int kWorstGrade = 1000;
+inline constexpr int kMostGarments = 200;  ///< as the window has it
 
 inline constexpr Word<TurnRule> kTurnRuleWords[] = {
     {TurnRule::HalfTurns, "halfTurns"}, {TurnRule::OneWay, "oneWay"}, {TurnRule::Free, "free"}};
@@ -32,6 +39,11 @@ void closedLine(Fields& at, const char* key, Line& line) {
             auto numbers = numbersOf(json, 2);
             if (!numbers) {
                 at.fields().failAt(place, "must be a list of 2 numbers");
+                return;
+            }
+            if (std::max(std::abs((*numbers)[0]), std::abs((*numbers)[1])) > kFarthestOnCloth) {
+                at.fields().failAt(place, "must be numbers from " + shortest(-kFarthestOnCloth) +
+                                              " to " + shortest(kFarthestOnCloth));
                 return;
             }
             points.push_back(*std::move(numbers));
@@ -131,8 +143,11 @@ inline constexpr auto kKeptCopy = [](auto& at, auto& kept) {
     at.field("number", kept.copy.number, 0, kMaxCopies);
     at.field("sheet", kept.sheet, 0, INT_MAX);
     at.need("offset");
-    at.point("offset", kept.placement.offset, kFarthestOnSheet);
-    at.field("turn", kept.placement.turn, -kMostTurn, kMostTurn);
+    at.point("offset", kept.placement.offset, kFarthestOnCloth);
+    at.field("turn", kept.placement.turn);
+    if constexpr (std::decay_t<decltype(at)>::kReads) {  // any number is a direction
+        kept.placement.turn = wrappedAngle(kept.placement.turn);
+    }
     at.field("mirrored", kept.placement.mirrored);
 };
 
@@ -147,6 +162,8 @@ inline constexpr auto kMarker = [](auto& at, auto& marker) {
     if constexpr (std::decay_t<decltype(at)>::kReads) {
         if (settings.sheet && !(settings.sheet->minCoeff() > 0)) {
             at.fail("sheet", "must be more than 0");
+        } else if (settings.sheet && settings.sheet->maxCoeff() > kMaxClothWidth) {
+            at.fail("sheet", "must be at most " + shortest(kMaxClothWidth));
         }
     }
     hideList(at, settings.hides);
@@ -160,7 +177,7 @@ inline constexpr auto kMarker = [](auto& at, auto& marker) {
     }
     nameList(at, "matched", settings.matched);
     gradeList(at, settings.grades);
-    at.field("garments", settings.garments, 1, kMaxCopies);
+    at.field("garments", settings.garments, 1, kMostGarments);
     if (at.kReads || !marker.second.kept.empty()) {
         at.list("kept", marker.second.kept, kKeptCopy);
     }

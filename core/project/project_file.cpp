@@ -83,7 +83,9 @@ Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults
         project.labels[piece] = std::move(label);
     }
     for (auto& [material, plan] : markers) {
-        project.markers[std::move(material)] = std::move(plan);
+        if (!project.markers.emplace(std::move(material), std::move(plan)).second) {
+            fields.fail("markers", "must have each material once");
+        }
     }
     if (fields.find("recoveryOf")) {
         project.recoveryOf = readPath(fields, "recoveryOf");

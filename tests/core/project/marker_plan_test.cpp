@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/json_fields.h"
+#include "core/base/units.h"
 #include "core/project/project_file.h"
 
 namespace toile {
@@ -56,6 +57,15 @@ TEST(MarkerOfAProject, HidesComeBackAsTheyWere) {
     EXPECT_EQ(projectText(read->project, kMarkerFolder), text);
 }
 
+TEST(MarkerOfAProject, AnyTurnIsADirection) {
+    Project project = markedProject();
+    Placement& placement = project.markers["Leather"].kept.front().placement;
+    placement.turn = 0.25 + 6 * kPi;
+    const auto read = parseProject(projectText(project, kMarkerFolder), "p.toile", kMarkerFolder);
+    ASSERT_TRUE(read) << sentence(read.error());
+    EXPECT_NEAR(read->project.markers.at("Leather").kept.front().placement.turn, 0.25, 1e-9);
+}
+
 TEST(MarkerOfAProject, NothingIsWrittenWhereNothingIsSaid) {
     Project project = markedProject();
     project.markers.clear();
@@ -65,11 +75,28 @@ TEST(MarkerOfAProject, NothingIsWrittenWhereNothingIsSaid) {
 TEST(MarkerOfAProject, AFaultNamesItsPlace) {
     EXPECT_EQ(faultOf([](JsonDocument&) {}), "");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["garments"] = 0; }),
-              R"("markers[0].garments" must be a whole number from 1 to 1000000)");
+              R"("markers[0].garments" must be a whole number from 1 to 200)");
     EXPECT_EQ(faultOf([](JsonDocument& d) {
                   d["markers"][0]["sheet"] = {0, 5};
               }),
               R"("markers[0].sheet" must be more than 0)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) {
+                  d["markers"][0]["sheet"] = {5, 2e5};
+              }),
+              R"("markers[0].sheet" must be at most 1e+05)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) {
+                  d["markers"][0]["hides"][0]["outline"][1] = {1, 1e200};
+              }),
+              R"("markers[0].hides[0].outline[1]" must be numbers from -1e+07 to 1e+07)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) {
+                  d["markers"][0]["kept"][0]["offset"] = {1, 2e7};
+              }),
+              R"("markers[0].kept[0].offset" must be numbers from -1e+07 to 1e+07)");
+    EXPECT_EQ(faultOf([](JsonDocument& d) {
+                  const JsonDocument first = d["markers"][0];
+                  d["markers"].push_back(first);
+              }),
+              R"("markers" must have each material once)");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["turns"] = "up"; }),
               R"("markers[0].turns" must be "halfTurns", "oneWay" or "free")");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["hides"][0]["outline"][1] = {1}; }),
