@@ -73,9 +73,8 @@ void ClothView::refresh() {
         shape.label = copy.placement.applied(labels_.of(desk_.pattern(), copy.piece));
         const double grain = grainOf(piece);
         shape.grain = copy.placement.linear() * Eigen::Vector2d(std::cos(grain), std::sin(grain));
-        const Document& document = desk_.document();
-        const int number =
-            copy.piece < document.pieceCount() ? document.colourOf(copy.piece) : copy.piece;
+        const int garmentPiece = pieceOf(copy);
+        const int number = garmentPiece < 0 ? copy.piece : desk_.document().colourOf(garmentPiece);
         const Rgb colour = pieceColour(number);
         shape.colour = QColor(colour.r, colour.g, colour.b);
         shape.name = QString::fromStdString(piece.name);
@@ -152,11 +151,22 @@ void ClothView::select(int copy) {
     if (copy >= 0) {
         const LaidCopy& laid = desk_.marker()->copies[static_cast<std::size_t>(copy)];
         selected_ = laid.key;
-        if (laid.piece < desk_.document().pieceCount()) {
-            desk_.document().setSelection({laid.piece});
+        if (const int piece = pieceOf(laid); piece >= 0) {
+            desk_.document().setSelection({piece});
         }
     }
     refresh();
+}
+
+/// In the garment as it is now, of which the marker may not be yet; -1: it is no more there.
+int ClothView::pieceOf(const LaidCopy& copy) const {
+    const auto& garment = desk_.document().garment();
+    if (!garment) {
+        return -1;
+    }
+    const auto found = std::ranges::find(garment->pieces, copy.key.piece,
+                                         [](const auto& piece) { return piece->id; });
+    return found == garment->pieces.end() ? -1 : static_cast<int>(found - garment->pieces.begin());
 }
 
 void ClothView::turnSelected(bool clockwise) {
@@ -216,10 +226,13 @@ void ClothView::cancelDrag() {
 }
 
 void ClothView::mousePressEvent(QMouseEvent* event) {
+    if (isHeld_ || isDragging() || panning_ != Qt::NoButton) {
+        return;  // one thing at a time
+    }
     pressed_ = last_ = event->position();
     emit said({});
     if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hasSpace_)) {
-        isPanning_ = true;
+        panning_ = event->button();
         setCursor(Qt::ClosedHandCursor);
         return;
     }
@@ -241,7 +254,7 @@ void ClothView::mousePressEvent(QMouseEvent* event) {
 
 void ClothView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
-    if (isPanning_) {
+    if (panning_ != Qt::NoButton) {
         followsAll_ = false;
         camera_.pan(at.x() - last_.x(), at.y() - last_.y());
         last_ = at;
@@ -261,8 +274,8 @@ void ClothView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ClothView::mouseReleaseEvent(QMouseEvent* event) {
-    if (isPanning_ && event->button() != Qt::RightButton) {
-        isPanning_ = false;
+    if (panning_ != Qt::NoButton) {
+        panning_ = event->button() == panning_ ? Qt::NoButton : panning_;
     } else if (event->button() == Qt::LeftButton) {
         isHeld_ = false;
         endDrag();
@@ -351,7 +364,7 @@ void ClothView::focusOutEvent(QFocusEvent* event) {
 }
 
 void ClothView::contextMenuEvent(QContextMenuEvent* event) {
-    if (!desk_.marker() || isDragging()) {
+    if (isHeld_ || isDragging()) {
         return;
     }
     const int copy =
@@ -412,7 +425,7 @@ bool ClothView::event(QEvent* event) {
 void ClothView::updateCursor(const QPointF& at) {
     const auto hand = handle();
     const bool onHandle = hand && QLineF(*hand, at).length() <= 2 * kHandle;
-    setCursor(isPanning_        ? Qt::ClosedHandCursor
+    setCursor(panning_          ? Qt::ClosedHandCursor
               : hasSpace_       ? Qt::OpenHandCursor
               : onHandle        ? Qt::CrossCursor
               : copyAt(at) >= 0 ? Qt::SizeAllCursor

@@ -66,6 +66,7 @@ private:
     Eigen::Vector2d onCloth(const QPointF& at) const;
     int copyAt(const QPointF& at) const;
     void select(int copy);
+    int pieceOf(const LaidCopy& copy) const;
     void turnSelected(bool clockwise);
     void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers);
     void endDrag();
@@ -80,7 +81,8 @@ private:
     std::vector<ClothShape> shapes_;   ///< as the desk's copies
     std::optional<CopyKey> selected_;  ///< which is the one that is dragged, too
     QPointF pressed_, last_;
-    bool isPanning_ = false, hasSpace_ = false, isHeld_ = false;
+    Qt::MouseButton panning_ = Qt::NoButton;  ///< by which the picture is moved
+    bool hasSpace_ = false, isHeld_ = false;
     std::optional<ClothDrag> drag_;
     std::optional<Turning> turning_;
     std::optional<Placement> dragged_;

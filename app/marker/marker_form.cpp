@@ -213,21 +213,25 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     const int row = grid.rowCount();
     grid.addWidget(matchedTitle_, row, 0, 1, 2);
     grid.addWidget(matched_, row + 1, 0, 1, 2);
-    // Once the list has done with it: it is filled anew.
-    connect(
-        matched_, &QListWidget::itemChanged, this, [this] { matchChecked(); },
-        Qt::QueuedConnection);
+    connect(matched_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
+        // Once the list has done with it: it is filled anew.
+        QMetaObject::invokeMethod(
+            this,
+            [this, seam = item->text().toStdString(),
+             isMatched = item->checkState() == Qt::Checked] { match(seam, isMatched); },
+            Qt::QueuedConnection);
+    });
 }
 
-void MarkerForm::matchChecked() {
-    std::vector<std::string> names;
-    for (int k = 0; k < matched_->count(); ++k) {
-        if (matched_->item(k)->checkState() == Qt::Checked) {
-            names.push_back(matched_->item(k)->text().toStdString());
+/// Others stay, those too that are not in sight.
+void MarkerForm::match(const std::string& seam, bool isMatched) {
+    change(tr("Seams that match"), [&](MarkerSettings& settings) {
+        std::erase(settings.matched, seam);
+        if (isMatched) {
+            settings.matched.push_back(seam);
+            std::ranges::sort(settings.matched);
         }
-    }
-    change(tr("Seams that match"),
-           [&names](MarkerSettings& settings) { settings.matched = names; });
+    });
 }
 
 bool MarkerForm::eventFilter(QObject* watched, QEvent* event) {
@@ -247,6 +251,9 @@ void MarkerForm::chooseKind(int kind) {
     if (kind == Hides) {
         emit hidesWanted();
         return;
+    }
+    if (kind == kindOf(desk_.settings())) {
+        return;  // and has the size that was typed
     }
     change(tr("Kind of cloth"), [kind](MarkerSettings& settings) {
         settings.hides.clear();
@@ -287,6 +294,7 @@ std::vector<std::string> MarkerForm::seamNames() const {
 
 void MarkerForm::showSeams() {
     const QSignalBlocker quiet(matched_);
+    const int row = matched_->currentRow();  // the keys go on from there
     matched_->clear();
     const std::vector<std::string>& matched = shown_->settings.matched;
     for (const std::string& name : shown_->seams) {
@@ -295,6 +303,7 @@ void MarkerForm::showSeams() {
         const bool isMatched = std::ranges::find(matched, name) != matched.end();
         item->setCheckState(isMatched ? Qt::Checked : Qt::Unchecked);
     }
+    matched_->setCurrentRow(row);
     const bool isShown = !(shown_->settings.repeat == ClothRepeat{}) && !shown_->seams.empty();
     matched_->setVisible(isShown);
     matchedTitle_->setVisible(isShown);

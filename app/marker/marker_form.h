@@ -54,7 +54,7 @@ private:
     void addHeading(QGridLayout& grid, const QString& text);
     void change(const QString& text, const Change& change, bool isTyped = false);
     void chooseKind(int kind);
-    void matchChecked();
+    void match(const std::string& seam, bool isMatched);
     /// What is typed and not taken yet is not touched by a marker that gets better.
     void refresh();
     void showMaterials();
