@@ -112,6 +112,7 @@ void MarkerSearch::fetch() {
     const std::lock_guard lock(tray_->mutex);
     if (tray_->found && tray_->found != best_) {
         best_ = tray_->found;
+        bestOf_ = begun_;  // each order has a tray of its own
         emit changed();
     }
 }

@@ -71,8 +71,10 @@ public:
     void clear();
 
     bool isRunning() const { return isWanted_; }
-    /// Of what was begun last; null as long as there is none.
+    /// Of what was begun last, or before that as long as there is none; null: none yet.
     const std::shared_ptr<const ClothMarker>& best() const { return best_; }
+    /// Whether the best is of the order, and not of one before it that is shown meanwhile.
+    bool isOfOrder() const { return best_ && bestOf_ == begun_; }
     const MarkerOrder& order() const { return order_; }
     /// Why nothing can be laid.
     const std::optional<Error>& problem() const { return problem_; }
@@ -108,6 +110,7 @@ private:
     std::optional<int> rounds_;
     bool isWanted_ = false;
     int begun_ = 0, working_ = 0;  ///< which order is wanted, and which is worked on
+    int bestOf_ = 0;               ///< which order `best_` is of
     QTimer poll_;
     Worker<Outcome> worker_;
 };

@@ -2,12 +2,16 @@
 #include "app/marker/marker_desk.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "app/actions/workspace.h"
 #include "app/jobs/pattern_now.h"
 #include "app/marker/cloth_drag.h"
 #include "app/text/error_text.h"
+#include "core/geometry/polygon.h"
+#include "core/marker/cloth_parts.h"
 
 namespace toile::app {
 
@@ -34,10 +38,36 @@ bool liesAlike(const ClothGround& one, const ClothGround& other) {
            pattern.facings.size() == otherPattern.facings.size();
 }
 
+/// On sheets or hides: how many are used now.
+void layOnParts(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
+    std::vector<ClothPart> parts = cloth::clothParts(settings, marker.copies.size());
+    int last = -1;
+    double area = 0;
+    marker.length = 0;
+    for (LaidCopy& copy : marker.copies) {
+        const Points2 line = laidOutline(pattern, copy);
+        copy.sheet = cloth::partAt(parts, line.col(0).minCoeff());
+        last = std::max(last, copy.sheet);
+        area += std::abs(geometry::signedAreaOf(line));
+        marker.length = std::max(marker.length, line.col(0).maxCoeff());
+    }
+    parts.resize(static_cast<std::size_t>(last + 1));
+    marker.parts = std::move(parts);
+    marker.sheets = last + 1;
+    marker.clothArea = 0;
+    for (const ClothPart& part : marker.parts) {
+        marker.clothArea += cloth::areaOf(part);
+    }
+    marker.use = marker.clothArea > 0 ? area / marker.clothArea : 0;
+}
+
 /// A marker in which copies lie where they are to: how long it is then, and how well used.
 void lay(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
-    if (!marker.isRoll || !(marker.length > 0)) {
-        return;  // the cloth is as large as it is
+    if (!marker.isRoll) {
+        return layOnParts(marker, pattern, settings);
+    }
+    if (!(marker.length > 0)) {
+        return;
     }
     double end = 0;
     for (const LaidCopy& copy : marker.copies) {
@@ -45,6 +75,7 @@ void lay(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& sett
     }
     const double length = std::max(end + settings.border, 1.0);
     marker.use *= marker.length / length;
+    marker.clothArea *= length / marker.length;
     marker.length = length;
     for (ClothPart& part : marker.parts) {
         part.outline.col(0) = (part.outline.col(0).array() > 0).select(length, part.outline.col(0));
@@ -63,6 +94,21 @@ int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
         }
     }
     return copy.sheet;
+}
+
+/// Those among some copies of a marker.
+std::vector<int> misplacedAmong(const Pattern& pattern, const ClothMarker& marker,
+                                const MarkerSettings& settings, const std::vector<int>& copies) {
+    ClothMarker some = marker;
+    some.copies.clear();
+    for (const int copy : copies) {
+        some.copies.push_back(marker.copies[static_cast<std::size_t>(copy)]);
+    }
+    std::vector<int> misplaced;
+    for (const int copy : misplacedCopies(pattern, some, settings)) {
+        misplaced.push_back(copies[static_cast<std::size_t>(copy)]);
+    }
+    return misplaced;
 }
 
 /// No file is to blame for what a person asks for here.
@@ -115,12 +161,18 @@ MarkerDesk::Stage MarkerDesk::stage() const {
     if (ground_) {
         return materials_.empty() ? Stage::Nothing : Stage::Laid;
     }
-    return workspace_.canExport() || workspace_.jobs().isBusy() ? Stage::Waiting : Stage::Nothing;
+    const bool isComing =
+        workspace_.canExport() && workspace_.patternAge() != PatternAge::OutOfDate;
+    return isComing || workspace_.jobs().isBusy() ? Stage::Waiting : Stage::Nothing;
 }
 
 QString MarkerDesk::problem() const {
     switch (stage()) {
         case Stage::Nothing:
+            if (workspace_.canExport()) {
+                return tr(
+                    "The pattern is out of date: flatten it first, with Flatten > Flatten again.");
+            }
             return document_.garment()
                        ? tr("Nothing is flat that could be laid: flatten the pieces first, with "
                             "Flatten > Flatten again; what cannot lie flat needs a cut.")
@@ -131,6 +183,14 @@ QString MarkerDesk::problem() const {
             return groundProblem_ ? errorText(*groundProblem_) : searchProblem(*search_.problem());
         case Stage::Laid:
             break;
+    }
+    if (isCurrent()) {
+        return {};
+    }
+    if (!isRunning()) {
+        return tr(
+            "The search was stopped before the pieces were laid as you asked: Start again lays "
+            "them.");
     }
     return marker_ ? QString() : tr("The pieces are being laid…");
 }
@@ -162,6 +222,10 @@ void MarkerDesk::setSettings(const QString& text, const MarkerSettings& settings
     }
 }
 
+bool MarkerDesk::canImprove() const {
+    return stage() == Stage::Laid && isCurrent() && (!marker_->isOptimal || !plan_.kept.empty());
+}
+
 void MarkerDesk::improve() {
     isImproving_ = true;
     if (search_.order().plan.kept != plan_.kept) {
@@ -185,7 +249,8 @@ void MarkerDesk::takeBack() {
     compose();
 }
 
-void MarkerDesk::keep(int copy, const Placement& placement, const QString& text) {
+void MarkerDesk::keep(int copy, Placement placement, const QString& text) {
+    placement.turn = wrappedAngle(placement.turn);
     const LaidCopy& laid = marker_->copies[static_cast<std::size_t>(copy)];
     MarkerPlan said = plan();
     std::erase_if(said.kept, [&](const KeptCopy& kept) { return kept.copy == laid.key; });
@@ -222,7 +287,12 @@ QString MarkerDesk::nameOf(int copy) const {
 }
 
 void MarkerDesk::onDocumentChanged(DocumentChanges what) {
-    if (!isActive_) {
+    constexpr DocumentChanges kOfThePattern = DocumentChange::Opened | DocumentChange::Garment |
+                                              DocumentChange::Results | DocumentChange::Settings |
+                                              DocumentChange::Fabric | DocumentChange::Options |
+                                              DocumentChange::Seams;
+    if (!isActive_ ||
+        !(what & (kOfThePattern | DocumentChange::Loading | DocumentChange::Marker))) {
         return;
     }
     if (what.testFlag(DocumentChange::Opened)) {
@@ -231,9 +301,7 @@ void MarkerDesk::onDocumentChanged(DocumentChanges what) {
         plan_ = {};
         search_.clear();
     }
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                DocumentChange::Settings | DocumentChange::Fabric | DocumentChange::Options |
-                DocumentChange::Seams)) {
+    if (what & kOfThePattern) {
         pause_.start();
     }
     if (what.testFlag(DocumentChange::Marker) && ground_) {
@@ -338,10 +406,45 @@ void MarkerDesk::beginSearch(std::optional<int> rounds) {
     }
 }
 
+/// While one is dragged over a roll or hides only what is near it is looked at; how many sheets
+/// there are follows from how many copies.
+void MarkerDesk::findMisplaced() {
+    const MarkerSettings& settings = plan_.settings;
+    if (!tried_ || (settings.sheet && settings.hides.empty())) {
+        othersOf_.reset();
+        misplaced_ = misplacedCopies(*pattern(), *marker_, settings);
+        return;
+    }
+    std::vector<Eigen::AlignedBox2d> boxes;
+    std::size_t dragged = 0;
+    for (const LaidCopy& copy : marker_->copies) {
+        dragged = copy.key == tried_->first ? boxes.size() : dragged;
+        boxes.push_back(boxAround(laidOutline(*pattern(), copy)));
+    }
+    std::vector<int> others, near;
+    for (std::size_t copy = 0; copy < boxes.size(); ++copy) {
+        if (copy != dragged) {
+            others.push_back(static_cast<int>(copy));
+        }
+        if (boxes[copy].intersects(boxes[dragged])) {
+            near.push_back(static_cast<int>(copy));
+        }
+    }
+    if (othersOf_ != search_.best()) {
+        othersOf_ = search_.best();
+        misplacedOthers_ = misplacedAmong(*pattern(), *marker_, settings, others);
+    }
+    const std::vector<int> here = misplacedAmong(*pattern(), *marker_, settings, near);
+    std::ranges::set_union(here, misplacedOthers_, std::back_inserter(misplaced_));
+}
+
 /// What was laid by hand lies over what was found.
 void MarkerDesk::compose() {
     marker_.reset();
     misplaced_.clear();
+    if (!tried_) {
+        othersOf_.reset();
+    }
     figures_ = {};
     if (search_.best() && pattern()) {
         marker_ = *search_.best();
@@ -361,7 +464,7 @@ void MarkerDesk::compose() {
             lay(*marker_, *pattern(), plan_.settings);
         }
         if (isByHand || isMoved) {  // else it is known to be well
-            misplaced_ = misplacedCopies(*pattern(), *marker_, plan_.settings);
+            findMisplaced();
         }
         figures_ = markerFigures(*pattern(), *marker_);
     }

@@ -57,6 +57,10 @@ public:
 
     /// As it lies, with what was laid by hand; null where there is none yet.
     const ClothMarker* marker() const { return marker_ ? &*marker_ : nullptr; }
+    /// Whether it is laid as the settings ask, and not as they asked before.
+    bool isCurrent() const { return marker_ && search_.isOfOrder(); }
+    /// Whether there is something to look for.
+    bool canImprove() const;
     /// Of the marker.
     const std::shared_ptr<const Pattern>& pattern() const { return search_.order().pattern; }
     /// What a file of the marker is made of.
@@ -76,7 +80,7 @@ public:
     /// It is where it was before it was tried.
     void takeBack();
     /// The copy stays there, a step of the history.
-    void keep(int copy, const Placement& placement, const QString& text);
+    void keep(int copy, Placement placement, const QString& text);
     void release(int copy);
     void releaseAll();
     /// What a copy is called.
@@ -97,6 +101,7 @@ private:
     void beginSearch(std::optional<int> rounds);
     MarkerOrder orderNow() const;
     void compose();
+    void findMisplaced();
 
     Workspace& workspace_;
     Document& document_;
@@ -110,6 +115,9 @@ private:
     std::optional<std::pair<CopyKey, Placement>> tried_;
     std::optional<ClothMarker> marker_;
     std::vector<int> misplaced_;
+    /// While one is dragged: those among the others, and in which marker.
+    std::vector<int> misplacedOthers_;
+    std::shared_ptr<const ClothMarker> othersOf_;
     MarkerFigures figures_;
     MarkerSearch search_;
     QTimer pause_;

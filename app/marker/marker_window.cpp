@@ -108,7 +108,11 @@ MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileD
 }
 
 MarkerWindow::~MarkerWindow() {
+    hide();  // what is half typed is taken as long as there is a desk to take it
     desk_.disconnect();
+    delete form_;
+    delete view_;
+    delete rate_;
 }
 
 QLayout* MarkerWindow::makeFigures() {
@@ -197,23 +201,26 @@ void MarkerWindow::keyPressEvent(QKeyEvent* event) {
 
 void MarkerWindow::refresh() {
     const ClothMarker* marker = desk_.marker();
-    figures_->setText(marker ? figuresText() : QString());
-    details_->setText(marker ? detailsText() : QString());
-    rate_->setVisible(marker != nullptr);
+    // What cannot be laid as it is asked for has none, whatever was laid before.
+    const bool hasFigures = marker && desk_.stage() != MarkerDesk::Stage::Failed;
+    figures_->setText(hasFigures ? figuresText() : QString());
+    details_->setText(hasFigures ? detailsText() : QString());
+    rate_->setVisible(hasFigures);
     const QString notes = notesText();
     notes_->setText(notes);
     notes_->setVisible(!notes.isEmpty());
     improve_->setText(desk_.isRunning() ? tr("&Stop") : tr("&Improve"));
     improve_->setToolTip(desk_.isRunning() ? tr("Keep the best that was found so far")
                                            : tr("Look for a shorter marker until you stop it"));
-    improve_->setEnabled(desk_.isRunning() ||
-                         (marker && (!marker->isOptimal || !desk_.plan().kept.empty())));
-    again_->setEnabled(marker != nullptr || desk_.stage() == MarkerDesk::Stage::Failed);
-    save_->setEnabled(marker && desk_.misplaced().empty());
-    save_->setToolTip(marker && !desk_.misplaced().empty()
-                          ? tr("First lay what is red so that nothing lies on another piece or "
-                               "beyond the cloth")
-                          : tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG"));
+    improve_->setEnabled(desk_.isRunning() || desk_.canImprove());
+    again_->setEnabled(desk_.stage() == MarkerDesk::Stage::Laid ||
+                       desk_.stage() == MarkerDesk::Stage::Failed);
+    save_->setEnabled(desk_.isCurrent() && desk_.misplaced().empty());
+    save_->setToolTip(
+        !marker || save_->isEnabled() ? tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG")
+        : desk_.isCurrent() ? tr("First lay what is red so that nothing lies on another piece or "
+                                 "beyond the cloth")
+                            : tr("The pieces are not laid yet as you asked"));
 }
 
 void MarkerWindow::say(const QString& sentence) {
@@ -301,8 +308,7 @@ void MarkerWindow::chooseHides() {
 }
 
 void MarkerWindow::save() {
-    const ClothMarker* marker = desk_.marker();
-    if (!marker || !desk_.ground()) {
+    if (!desk_.isCurrent() || !desk_.ground()) {
         return;
     }
     const auto& source = desk_.document().garment()->files.front()->path;
@@ -319,6 +325,13 @@ void MarkerWindow::save() {
     }
     if (!holdsMarkers(pathOf(path))) {
         say(tr("A marker is written as .pdf, .svg, .dxf, .plt or .png."));
+        return;
+    }
+    // Much may have come of it while the name was chosen.
+    const ClothMarker* marker = desk_.marker();
+    if (!desk_.isCurrent() || !desk_.ground() || !desk_.misplaced().empty()) {
+        say(tr(
+            "Nothing is written: the marker became another meanwhile. Save it once it is laid."));
         return;
     }
     preferences_.setExportFolder(QFileInfo(path).absolutePath());

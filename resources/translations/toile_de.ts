@@ -6815,6 +6815,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Release all on the cloth</source>
         <translation>Alle auf dem Stoff loslassen</translation>
     </message>
+    <message>
+        <source>The pattern is out of date: flatten it first, with Flatten &gt; Flatten again.</source>
+        <translation>Der Schnitt ist nicht auf dem neuesten Stand: Wickeln Sie ihn zuerst ab, mit Abwickeln &gt; Neu abwickeln.</translation>
+    </message>
+    <message>
+        <source>The search was stopped before the pieces were laid as you asked: Start again lays them.</source>
+        <translation>Die Suche wurde angehalten, bevor die Teile so lagen wie gewünscht: „Neu beginnen“ legt sie.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::MarkerForm</name>
@@ -7150,6 +7158,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The pieces are not laid yet as you asked</source>
+        <translation>Die Teile liegen noch nicht so wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Nothing is written: the marker became another meanwhile. Save it once it is laid.</source>
+        <translation>Nichts wurde geschrieben: Das Schnittbild ist inzwischen ein anderes. Sichern Sie es, sobald es gelegt ist.</translation>
     </message>
 </context>
 <context>
