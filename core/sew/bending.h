@@ -13,11 +13,11 @@ namespace toile::sew {
 /// The energy of cloth that is bent, flat at rest: the quadratic one of [BWHGZ06], a sum over the
 /// inner edges of each piece,
 ///   W = sum_e B / (2 (A0 + A1)) |sum_i K_i x_i|²,
-/// with A0, A1 the two triangles' areas at rest and K_i of the cotangents of their angles
-/// ([BWHGZ06] section 3; |sum K_i x_i| is the edge's length times the angle between the triangles).
-/// There the factor is 3: then a sphere costs what a plate does, and a cylinder, which is how cloth
-/// bends, three times as much; here a cylinder costs B / (2 R²) per area. Exact as long as the
-/// cloth is not strained. A seam is a hinge: it does not resist. N, mm. Immutable; linear cost.
+/// with A0, A1 the two triangles' areas at rest and K_i of the cotangents of their angles; for
+/// small angles |sum K_i x_i| is the edge's length times the angle between the triangles. In
+/// [BWHGZ06] a factor of 3 stands before; here a cylinder, which is how cloth bends, costs B / (2
+/// R²) per area. Meant for cloth that is not strained. A seam is a hinge: it does not resist. N,
+/// mm. Immutable; linear cost.
 class Bending {
 public:
     /// @param bending  B, N·m

@@ -20,10 +20,8 @@ constexpr ClothStiffness isotropicStiffness(double stretch, double poisson, doub
     return {along, along, poisson * along, stretch / (2 * (1 + poisson)), bending};
 }
 
-/// What stands in where nothing is known of the fabric: the order of size of a light woven one. At
-/// small forces these are stretched by 0.5 to 5 kN/m, and bent by 2e-6 to 2e-5 N·m ([Kaw80]: 0.02
-/// to 0.2 gf cm²/cm). Real ones shear far more easily than this (0.3 to 3 gf/cm per degree, 17 to
-/// 170 N/m); a sheet alike in all directions favours no grain.
+/// What stands in where nothing is known of the fabric; not measured. Woven ones shear far more
+/// easily than this; a sheet alike in all directions favours no grain.
 inline constexpr ClothStiffness kUnstatedStiffness = isotropicStiffness(1000, 0.3, 1e-5);
 
 }  // namespace toile::sew

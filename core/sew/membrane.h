@@ -11,7 +11,7 @@
 namespace toile::sew {
 
 /// The energy of cloth that is stretched, taken in and sheared: St. Venant and Kirchhoff's, on
-/// linear triangles ([BW98] section 4 has the triangles, [VMF09] the strain). With the deformation
+/// linear triangles ([BW98] has the triangles, [VMF09] the strain). With the deformation
 /// F of a triangle and Green's strain E = (F^T F - 1) / 2, weft 1, warp 2:
 ///   W = sum_T A_T (C11 E11² / 2 + C22 E22² / 2 + C12 E11 E22 + 2 G E12²).
 /// It has no opinion of which side of the plane a triangle lies on. Forces in N, lengths in mm,
