@@ -14,6 +14,9 @@ namespace {
 /// known.
 constexpr double kTouching = 1e-9;
 
+/// Of the squared sine: directions closer than this are one.
+constexpr double kParallel = 1e-12;
+
 Eigen::Vector3d unit(const Eigen::Vector3d& v) {
     const double size = v.norm();
     return size > 0 ? Eigen::Vector3d(v / size) : Eigen::Vector3d::Zero();
@@ -26,6 +29,22 @@ double angleAt(const MeshArrays& mesh, Eigen::Index f, int k) {
     return std::atan2(u.cross(w).norm(), u.dot(w));
 }
 
+/// Projects onto the directions in which a point at `offset` from a corner of the rim is past it:
+/// those of the nearest point to it in the cone of what leads past either edge of the rim there.
+Eigen::Matrix3d pastCorner(const Eigen::Vector3d& offset, const Eigen::Vector3d& one,
+                           const Eigen::Vector3d& other) {
+    const double a = offset.dot(one), b = offset.dot(other), c = one.dot(other);
+    const Eigen::Matrix3d alongOne = one * one.transpose();
+    if (a > c * b && b > c * a && c * c < 1 - kParallel) {
+        const Eigen::Vector3d beside = (other - c * one).normalized();
+        return alongOne + beside * beside.transpose();
+    }
+    if (std::max(a, b) <= 0) {
+        return Eigen::Matrix3d::Zero();
+    }
+    return a >= b ? alongOne : Eigen::Matrix3d(other * other.transpose());
+}
+
 }  // namespace
 
 WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), nearest_(mesh_) {
@@ -34,6 +53,7 @@ WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), nearest_(mes
     faceNormals_.resize(mesh_.F.rows(), 3);
     edgeNormals_ = Points3::Zero(table.edges.rows(), 3);
     vertexNormals_ = Points3::Zero(mesh_.V.rows(), 3);
+    past_ = Points3::Zero(2 * mesh_.V.rows(), 3);
     isRimEdge_.assign(static_cast<std::size_t>(table.edges.rows()), 0);
     isRimVertex_.assign(static_cast<std::size_t>(mesh_.V.rows()), 0);
     for (Eigen::Index f = 0; f < mesh_.F.rows(); ++f) {
@@ -48,7 +68,12 @@ WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), nearest_(mes
         edgeNormals_.row(e) = unit(edgeNormals_.row(e).transpose()).transpose();
         if (table.isBorder(e)) {
             isRimEdge_[e] = 1;
-            isRimVertex_[table.edges(e, 0)] = isRimVertex_[table.edges(e, 1)] = 1;
+            const int side = table.usesOf(e)[0], tail = tailOf(mesh_.F, side);
+            const int head = headOf(mesh_.F, side);
+            const Eigen::Vector3d along = (mesh_.V.row(head) - mesh_.V.row(tail)).transpose();
+            const Eigen::Vector3d normal = faceNormals_.row(side / 3).transpose();
+            past_.row(2 * tail) = past_.row(2 * head + 1) = unit(along.cross(normal)).transpose();
+            isRimVertex_[tail] = isRimVertex_[head] = 1;
         }
     }
     for (Eigen::Index v = 0; v < mesh_.V.rows(); ++v) {
@@ -71,20 +96,35 @@ WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p) const {
     }
     if (zeros == 0) {
         const Eigen::Vector3d normal = faceNormals_.row(f).transpose();
-        return {offset.dot(normal), normal};
+        return {offset.dot(normal), normal, Eigen::Matrix3d::Zero()};
     }
     // The edge across from corner `zero` begins at the next one.
     const int edge = faceEdges_(f, (zero + 1) % 3), vertex = mesh_.F(f, other);
-    const bool isRim = zeros == 1 ? isRimEdge_[edge] != 0 : isRimVertex_[vertex] != 0;
     const Eigen::Vector3d normal =
         (zeros == 1 ? edgeNormals_.row(edge) : vertexNormals_.row(vertex)).transpose();
-    const double along = offset.dot(normal), distance = offset.norm();
-    const double size = (mesh_.V.row(mesh_.F(f, 1)) - mesh_.V.row(mesh_.F(f, 0))).norm();
-    if (isRim || distance <= kTouching * size) {
-        return {along, normal};
+    // What is left to turn about the edge or the corner.
+    Eigen::Matrix3d turns = Eigen::Matrix3d::Identity();
+    if (zeros == 1) {
+        const Eigen::Vector3d ridge =
+            unit((mesh_.V.row(mesh_.F(f, (zero + 1) % 3)) - mesh_.V.row(mesh_.F(f, (zero + 2) % 3)))
+                     .transpose());
+        turns -= ridge * ridge.transpose();
+        if (isRimEdge_[edge] != 0) {
+            return {offset.dot(normal), normal, Eigen::Matrix3d::Zero()};
+        }
+    } else if (isRimVertex_[vertex] != 0) {
+        turns -= pastCorner(offset, past_.row(2 * vertex).transpose(),
+                            past_.row(2 * vertex + 1).transpose());
     }
-    const double sign = along < 0 ? -1 : 1;
-    return {sign * distance, sign / distance * offset};
+    const Eigen::Vector3d across = zeros == 1 ? offset : Eigen::Vector3d(turns * offset);
+    const double along = across.dot(normal), distance = across.norm();
+    const double size = (mesh_.V.row(mesh_.F(f, 1)) - mesh_.V.row(mesh_.F(f, 0))).norm();
+    if (distance <= kTouching * size) {
+        return {along, normal, Eigen::Matrix3d::Zero()};
+    }
+    const double signedDistance = along < 0 ? -distance : distance;
+    const Eigen::Vector3d away = across / signedDistance;
+    return {signedDistance, away, (turns - away * away.transpose()) / signedDistance};
 }
 
 double WornSurface::distanceTo(const Eigen::Vector3d& p) const {
@@ -93,7 +133,15 @@ double WornSurface::distanceTo(const Eigen::Vector3d& p) const {
 
 Contact::Contact(const WornSurface& surface, Eigen::VectorXd areas, double pressure,
                  double stiffness)
-    : surface_(surface), areas_(std::move(areas)), pressure_(pressure), stiffness_(stiffness) {}
+    : surface_(surface),
+      areas_(std::move(areas)),
+      pressure_(pressure),
+      stiffness_(stiffness),
+      reach_(2 * pressure / stiffness) {}
+
+double Contact::slopeAt(double distance) const {
+    return pressure_ + stiffness_ * std::min(distance - reach_, 0.0);
+}
 
 std::vector<WornSurface::Place> Contact::placesOf(const Points3& X) const {
     std::vector<WornSurface::Place> places;
@@ -107,7 +155,7 @@ std::vector<WornSurface::Place> Contact::placesOf(const Points3& X) const {
 double Contact::energy(const std::vector<WornSurface::Place>& places) const {
     double sum = 0;
     for (std::size_t v = 0; v < places.size(); ++v) {
-        const double d = places[v].distance, inside = std::min(d, 0.0);
+        const double d = places[v].distance, inside = std::min(d - reach_, 0.0);
         sum += areas_[static_cast<Eigen::Index>(v)] *
                (pressure_ * d + stiffness_ * inside * inside / 2);
     }
@@ -117,7 +165,7 @@ double Contact::energy(const std::vector<WornSurface::Place>& places) const {
 void Contact::addGradient(const std::vector<WornSurface::Place>& places, Points3& g) const {
     for (std::size_t v = 0; v < places.size(); ++v) {
         const auto row = static_cast<Eigen::Index>(v);
-        const double slope = pressure_ + stiffness_ * std::min(places[v].distance, 0.0);
+        const double slope = slopeAt(places[v].distance);
         g.row(row) += areas_[row] * slope * places[v].away.transpose();
     }
 }
@@ -127,9 +175,13 @@ void Contact::addHessian(const std::vector<WornSurface::Place>& places, double c
     for (std::size_t v = 0; v < places.size(); ++v) {
         const double d = places[v].distance;
         const double stiffness =
-            d < 0 ? stiffness_ : caution * pressure_ / (d + pressure_ / stiffness_);
+            d < reach_ ? stiffness_ : caution * pressure_ / (d - pressure_ / stiffness_);
+        Eigen::Matrix3d block = stiffness * places[v].away * places[v].away.transpose();
+        if (d > 0) {
+            block += std::max(slopeAt(d), 0.0) * places[v].bend;
+        }
         const int row = static_cast<int>(v);
-        H.add(row, row, areas_[row] * stiffness * places[v].away * places[v].away.transpose());
+        H.add(row, row, areas_[row] * block);
     }
 }
 

@@ -12,7 +12,8 @@ namespace toile::sew {
 /// The surface that cloth is put over: the design, or a body. Signed distances by the nearest point
 /// and the angle-weighted normal there ([BA05]): above 0 on the side from which triangles run
 /// anti-clockwise. Past a rim the distance is that from the plane that goes on from it, so that
-/// cloth that reaches further than the surface neither falls round its edge nor sticks to it.
+/// cloth that reaches further than the surface neither falls round its edge nor sticks to it; past
+/// a corner of the rim what leads past its two edges does not count.
 /// Immutable; thread-safe. One question costs about log #F.
 class WornSurface {
 public:
@@ -25,6 +26,7 @@ public:
     struct Place {
         double distance;       ///< signed, mm
         Eigen::Vector3d away;  ///< unit vector along which it grows
+        Eigen::Matrix3d bend;  ///< how that turns: the distance's second derivative, 1/mm
     };
 
     Place placeOf(const Eigen::Vector3d& p) const;
@@ -38,13 +40,16 @@ private:
     Triangles faceEdges_;
     Points3 faceNormals_, edgeNormals_, vertexNormals_;
     std::vector<char> isRimEdge_, isRimVertex_;
+    /// Per vertex of the rim two directions, past the edge that begins there and past the other.
+    Points3 past_;
 };
 
-/// How cloth lies on a surface: a light pressure p towards it, and a stiff one k d away from it
-/// where it is d inside,
-///   W = sum_v A_v (p d + k min(d, 0)² / 2),
-/// d the vertex's signed distance and A_v its share of the cloth. At rest it lies p / k inside
-/// where nothing else pulls. Vertices alone are held off: an edge of the cloth may cut a corner.
+/// How cloth lies on a surface: a light pressure p towards it, and a stiff one k away from it where
+/// it is nearer than h = 2 p / k,
+///   W = sum_v A_v (p d + k min(d - h, 0)² / 2),
+/// d the vertex's signed distance and A_v its share of the cloth. Where nothing else pulls it rests
+/// p / k outside: there the distance from a sharp outward edge is smooth, inside it has a crease at
+/// which no force vanishes. Vertices alone are held off: an edge of the cloth may cut a corner.
 /// N, mm.
 class Contact {
 public:
@@ -55,9 +60,10 @@ public:
     std::vector<WornSurface::Place> placesOf(const Points3& X) const;
     double energy(const std::vector<WornSurface::Place>& places) const;
     void addGradient(const std::vector<WornSurface::Place>& places, Points3& g) const;
-    /// The second derivative along `away`; the surface's own curvature is left out. Off the surface
-    /// it is zero, and there a step would be one through it: instead a part of the stiffness with
-    /// which a vertex would come down to where it rests alone.
+    /// The second derivative; of the surface's own curvature what is left of it about outward edges
+    /// and corners, where the pressure prevails. Further than h it is zero along `away`, and there
+    /// a step would be one through the surface: instead a part of the stiffness with which a vertex
+    /// would come down to where it rests alone.
     /// @param caution  that part, in [0, 1]
     void addHessian(const std::vector<WornSurface::Place>& places, double caution,
                     SpaceMatrix& H) const;
@@ -65,7 +71,10 @@ public:
 private:
     const WornSurface& surface_;
     Eigen::VectorXd areas_;
-    double pressure_, stiffness_;
+    double pressure_, stiffness_, reach_;  ///< p, k, h
+
+    /// Of a vertex's energy per area, N/mm².
+    double slopeAt(double distance) const;
 };
 
 }  // namespace toile::sew

@@ -37,11 +37,11 @@ struct SettledCloth {
 
 /// Finds the rest of sewn cloth over a surface: a minimum of its membrane, bending and contact
 /// energies by Newton's method with semidefinite parts of the Hessians, a damping as of Levenberg
-/// and Marquardt ([NW06] section 10.3), and a line search. One pattern and one order of elimination
-/// for all steps. The same bytes for the same input: one thread, sums in order.
-/// On a sharp outward edge of the surface the nearest side, and so the force, changes from one
-/// place to the next: there a few vertices may keep a rest of force, and `hasSettled` stays false,
-/// although nothing moves any more.
+/// and Marquardt ([NW06]), and a line search. One pattern and one order of elimination for all
+/// steps. The same bytes for the same input: one thread, sums in order.
+/// Cloth that is pressed into a sharp inward edge of the surface lies in a crease of the distance:
+/// there a few vertices may keep a rest of force, and `hasSettled` stays false, although nothing
+/// moves any more.
 /// @param start  of the cloth's vertices, mm, finite
 /// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled.
 /// Cost: a factorisation of size 3 #V a step, 10 to 60 steps.

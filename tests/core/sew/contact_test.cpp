@@ -2,6 +2,7 @@
 #include "core/sew/contact.h"
 
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +33,35 @@ TEST(Contact, GoesOnPastARim) {
     EXPECT_NEAR(plane.distanceTo({23, 5, 4}), 5, 1e-12);
 }
 
+TEST(Contact, PastACornerOfTheRimTheRoundingGoesOn) {
+    const WornSurface tube(sewTogether(test::tubeCloth(8, 2, 50, 80)).surface());
+    for (const double turn : {0.0, 0.1, std::numbers::pi / 8}) {
+        for (const double past : {0.0, 7.0}) {
+            const Eigen::Vector3d radial(std::sin(turn), 0, std::cos(turn));
+            const Eigen::Vector3d p(50 * Eigen::Vector3d::UnitZ() + 5 * radial +
+                                    (80 + past) * Eigen::Vector3d::UnitY());
+            const auto place = tube.placeOf(p);
+            EXPECT_NEAR(place.distance, 5, 1e-9) << turn << " " << past;
+            EXPECT_NEAR((place.away - radial).norm(), 0, 1e-9) << turn << " " << past;
+        }
+    }
+}
+
+TEST(Contact, TurnsAboutEdgesAndCornersAsItsGradientDoes) {
+    const WornSurface cube(sewTogether(test::cubeCloth(2, 100)).surface());
+    constexpr double kStep = 1e-5;
+    for (const Eigen::Vector3d& p :
+         {Eigen::Vector3d(53, 4, 54), Eigen::Vector3d(52, -52, 51), Eigen::Vector3d(7, 4, 60)}) {
+        const auto place = cube.placeOf(p);
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector3d step = kStep * Eigen::Vector3d::Unit(k);
+            const Eigen::Vector3d turned =
+                (cube.placeOf(p + step).away - cube.placeOf(p - step).away) / (2 * kStep);
+            EXPECT_NEAR((place.bend.col(k) - turned).norm(), 0, 1e-8);
+        }
+    }
+}
+
 TEST(Contact, GradientIsTheEnergysDerivativeInsideAndOutside) {
     const WornSurface cube(sewTogether(test::cubeCloth(2, 100)).surface());
     Points3 X(4, 3);
@@ -55,7 +85,7 @@ TEST(Contact, AStepDownToTheSurfaceEndsWhereAVertexRestsAlone) {
     const WornSurface plane(sewTogether(test::flatCloth(2, 2, 10)).surface());
     constexpr double kPressure = 1e-3, kStiffness = 0.2;
     const Contact contact(plane, Eigen::VectorXd::Constant(1, 4), kPressure, kStiffness);
-    for (const double height : {5.0, 0.01, -0.004}) {
+    for (const double height : {5.0, 0.011, 0.004, -0.004}) {
         const Points3 X = Eigen::RowVector3d(11, 8, height);
         const auto places = contact.placesOf(X);
         Points3 g = Points3::Zero(1, 3);
@@ -63,7 +93,7 @@ TEST(Contact, AStepDownToTheSurfaceEndsWhereAVertexRestsAlone) {
         SpaceMatrix H({}, 1);
         contact.addHessian(places, 1, H);
         const double curvature = H.matrix().value.back();
-        EXPECT_NEAR(height - g(0, 2) / curvature, -kPressure / kStiffness, 1e-12);
+        EXPECT_NEAR(height - g(0, 2) / curvature, kPressure / kStiffness, 1e-12);
     }
 }
 
