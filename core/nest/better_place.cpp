@@ -138,7 +138,7 @@ public:
 private:
     double limited(double turned) const {
         return item_.tolerance < kPi ? std::clamp(turned, -item_.tolerance, item_.tolerance)
-                                     : turned;
+                                     : std::remainder(turned, 2 * kPi);
     }
 
     Tried evaluate(const Shape& shape, Pose pose, double enough) {

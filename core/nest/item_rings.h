@@ -5,7 +5,7 @@
 #include "core/nest/exact_overlap.h"
 #include "core/nest/nest.h"
 
-// For the sources of this folder only.
+// For the sources of this folder, of core/marker and core/reading.
 namespace toile::nest {
 
 constexpr double kMostSize = 1e7;  ///< mm: of coordinates, so that Clipper's grid holds them

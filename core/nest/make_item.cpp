@@ -99,7 +99,7 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
             const double width = item.touchesEdge
                                      ? problem.high - (variant.rest + variant.shape.box.bottom)
                                      : problem.width();
-            if (!(sides.across <= width)) {
+            if (!item.isFixed && !(sides.across <= width)) {
                 continue;
             }
             fitsAcross = true;

@@ -17,17 +17,24 @@ constexpr const char* kTooManyCopies =
 constexpr const char* kKeptOutside =
     translatable("it is kept where it lies, which is outside the cloth");
 constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+constexpr int kMostCopies = 4000;
 constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
 
 }  // namespace
+
+std::optional<Error> wrongCopies(const std::string& name, std::int64_t copies) {
+    return copies > kMostCopies
+               ? std::optional(Error{ErrorCode::MalformedFile, Subject::file(name),
+                                     worded(kTooManyCopies, {figure(kMostCopies, 0)})})
+               : std::nullopt;
+}
+
 }  // namespace toile
 
 namespace toile::nest {
 namespace {
 
 using geometry::Polygon;
-
-constexpr int kMostCopies = 4000;
 
 /// Of the copy added last: it lies outside, or on another fixed one.
 std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
@@ -107,7 +114,7 @@ std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance
         if (!rings) {
             return rings.error();
         }
-        auto grown = grownRings(subject, *rings, border);
+        auto grown = grownRings(subject, *rings, asked.apart.value_or(border));
         if (!grown) {
             return grown.error();
         }
@@ -140,9 +147,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     for (const NestItem& asked : instance.items) {
         copies += std::max(asked.demand, 0);
     }
-    if (copies > kMostCopies) {
-        return Error{ErrorCode::MalformedFile, Subject::file(instance.name),
-                     worded(kTooManyCopies, {figure(kMostCopies, 0)})};
+    if (auto fault = wrongCopies(instance.name, copies)) {
+        return *std::move(fault);
     }
     if (auto fault = addStretches(problem, instance)) {
         return *std::move(fault);

@@ -53,12 +53,13 @@ struct NestItem {
 };
 
 /// Where copies may not lie: a hole of the cloth, or a rectangle with a hide as its hole. The
-/// border is kept from it, but no gap. Obstacles may lie on each other and beyond the strip, and
-/// count as cloth in what is used.
+/// border is kept from it where nothing else is said, but no gap. Obstacles may lie on each other
+/// and beyond the strip, and count as cloth in what is used.
 struct NestObstacle {
     std::string name;
     std::vector<geometry::Polygon> rings;  ///< as those of an item
     std::vector<int> items;                ///< that may not lie there; empty: none may
+    std::optional<double> apart{};         ///< kept from it instead of the border
 };
 
 /// A stretch of the strip where nothing lies, between sheets laid one after the other: from <= to,
@@ -98,6 +99,9 @@ struct NestResult {
 
 /// The rings of an item as they lie; whole quarter turns without rounding.
 std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlacement& placement);
+
+/// The error of Nester::make where more copies are asked for than are laid at once.
+std::optional<Error> wrongCopies(const std::string& name, std::int64_t copies);
 
 /// Improves a nest round by round, for as long as one lets it. After round k the nest depends on
 /// instance and options alone, and of these not on `threads`. The best so far is valid from the

@@ -186,7 +186,7 @@ private:
         const Item& item = problem_.itemOf(copy);
         const Track track = tracksOf(item, row).x;
         double x = nextAlong(problem_, track, shape, from);
-        while (x + shape.box.right < enough) {
+        while (x + shape.box.right < enough && !progress_.isCancelled()) {
             double next = HUGE_VAL;
             laid_.forEach(x + shape.box.left, x + shape.box.right, [&](const Laid& laid) {
                 const double after = laid.right() - shape.box.left + (byBoxes_ ? kApart : 0);
@@ -207,7 +207,10 @@ private:
             if (obstacle && x + shape.box.left > obstacle->shape.box.right + problem_.width()) {
                 return HUGE_VAL;
             }
-            x = nextAlong(problem_, track, shape, after > x ? after : std::nextafter(x, HUGE_VAL));
+            const double further =
+                nextAlong(problem_, track, shape, after > x ? after : std::nextafter(x, HUGE_VAL));
+            // On a track the nearest place may be this one again.
+            x = further > x ? further : nextAlong(problem_, track, shape, x + 2 * kApart);
         }
         return HUGE_VAL;
     }
@@ -276,14 +279,16 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
                 break;
             }
         }
-        if (failed) {  // what found no room goes first
-            const auto first = std::ranges::find_if(order, isMovable);
-            const auto at = std::ranges::find(order, *failed);
-            if (first == at) {
-                break;
-            }
-            std::rotate(first, at, at + 1);
+        if (!failed) {
+            break;
         }
+        // What found no room goes first.
+        const auto first = std::ranges::find_if(order, isMovable);
+        const auto at = std::ranges::find(order, *failed);
+        if (first == at) {
+            break;
+        }
+        std::rotate(first, at, at + 1);
     }
     if (!poses.empty()) {
         if (auto found = crowdedNest(problem, poses, progress)) {
@@ -293,7 +298,8 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
             return Error{ErrorCode::Cancelled};
         }
     }
-    const std::size_t copy = failed.value_or(order.front());
+    const auto movable = std::ranges::find_if(order, isMovable);
+    const std::size_t copy = failed.value_or(movable == order.end() ? order.front() : *movable);
     const auto item = static_cast<std::size_t>(problem.copies[copy].item);
     return Error{ErrorCode::PageTooSmall, Subject::piece(instance.items[item].name), kNoRoom};
 }

@@ -113,6 +113,13 @@ TEST(NestRules, WhatHasItsPlaceInTheRepeatLiesThere) {
     EXPECT_EQ(laid(instance).length, 13.5);
 }
 
+/// Its neighbour ends where the next place on the track is, but for less than counts as off it.
+TEST(NestRules, APlaceOnTheTrackIsTriedOnce) {
+    NestInstance instance{"stripes", 60, {nestItem("front", nestRectangle(10.0000003, 60), 3)}};
+    instance.items[0].lattice = NestLattice{{0, 0}, {0, 0}, {10, 0}};
+    EXPECT_NEAR(laid(instance).length, 50, 1e-3);
+}
+
 TEST(NestRules, OnTheFoldNoBorderIsKept) {
     NestInstance instance{
         "fold",
