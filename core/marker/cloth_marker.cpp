@@ -113,6 +113,9 @@ Marker pageOf(const ClothMarker& marker) {
     }
     page.width = marker.length;
     page.height = marker.width;
+    for (const ClothPart& part : marker.parts) {
+        page.width = std::max(page.width, part.outline.col(0).maxCoeff());
+    }
     return page;
 }
 

@@ -103,7 +103,8 @@ std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& mark
 /// "Own fabric: 1400 mm wide, 2310 mm long, 82.4 % used".
 Wording clothSentence(const ClothMarker& marker);
 
-/// For the exports: the copies of a marker as one page, the warp along x.
+/// For the exports: the copies of a marker as one page, the warp along x, with all of the sheets or
+/// hides that are used.
 Marker pageOf(const ClothMarker& marker);
 
 /// What a cutter asks of a marker.

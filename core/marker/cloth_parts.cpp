@@ -12,6 +12,7 @@ using geometry::Polygon;
 
 constexpr double kBetweenParts = 50;  // mm
 constexpr double kBeyondHide = 10;    // mm: by how much its surroundings are larger than its box
+constexpr double kMostAlong = 9e6;    // mm: what a nest's numbers hold, sheets and hides together
 
 Polygon movedAlong(Polygon line, double x) {
     line.col(0).array() += x;
@@ -50,6 +51,9 @@ std::vector<ClothPart> clothParts(const MarkerSettings& settings, std::size_t co
     }
     for (std::size_t k = 0; settings.hides.empty() && settings.sheet && k < copies; ++k) {
         const double along = settings.sheet->x();
+        if (k > 0 && x + along > kMostAlong) {
+            break;
+        }
         parts.push_back({rectangleOf(x, 0, x + along, settings.sheet->y())});
         x += along + kBetweenParts;
     }
@@ -78,7 +82,8 @@ void addParts(const std::vector<ClothPart>& parts, const std::vector<int>& grade
         instance.bands.push_back({right, k + 1 < parts.size()
                                              ? parts[k + 1].outline.col(0).minCoeff()
                                              : std::numeric_limits<double>::infinity()});
-        if (!isRectangle(parts[k])) {
+        // A lower one leaves room beside it, which is none.
+        if (!isRectangle(parts[k]) || outline.col(1).maxCoeff() < instance.width) {
             const double top = std::max(instance.width, outline.col(1).maxCoeff());
             instance.obstacles.push_back({"the edge of the hide",
                                           {rectangleOf(left - kBeyondHide, -kBeyondHide,

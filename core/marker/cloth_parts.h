@@ -9,7 +9,8 @@
 // For the sources of this folder only.
 namespace toile::cloth {
 
-/// Sheets or hides as they lie, one after the other along x; none: a roll.
+/// Sheets or hides as they lie, one after the other along x; none: a roll. Sheets one for each
+/// copy, but no more than a nest's numbers hold.
 std::vector<ClothPart> clothParts(const MarkerSettings& settings, std::size_t copies);
 
 /// Across all of them, or of the roll; of folded cloth half of it.

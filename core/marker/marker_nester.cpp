@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <utility>
@@ -11,7 +12,7 @@
 #include "core/marker/cloth_parts.h"
 #include "core/marker/laid_pieces.h"
 #include "core/marker/stripes.h"
-#include "core/nest/exact_overlap.h"
+#include "core/nest/item_rings.h"
 #include "core/nest/nest.h"
 #include "core/pattern/line_settings.h"
 
@@ -29,34 +30,33 @@ constexpr const char* kNoRoom =
 constexpr const char* kFitsNowhere = translatable("%1 is not laid: it fits on no sheet or hide");
 constexpr const char* kNoLine = translatable("%1 is not laid: its outline crosses itself");
 
-Polygon withoutRepeats(const Polygon& line) {
-    Polygon kept(line.rows(), 2);
-    Eigen::Index count = 0;
-    for (Eigen::Index k = 0; k < line.rows(); ++k) {
-        if (line.row(k) != line.row((k + 1) % line.rows())) {
-            kept.row(count++) = line.row(k);
-        }
-    }
-    return kept.topRows(count);
-}
+constexpr double kGapRounding = 0.002;  // mm: by which shapes with a gap may come out larger
 
-bool isLayable(const Polygon& line) {
-    return line.rows() > 2 && line.allFinite() && std::abs(geometry::signedAreaOf(line)) > 0 &&
-           !nest::doRingsCross({line});
-}
-
-/// How wide it is across the cloth at the best of its angles.
-double leastAcross(const NestItem& item) {
+/// How long and how wide it is on the cloth, each at the best of its angles.
+Eigen::Vector2d leastSides(const NestItem& item) {
     constexpr int kSteps = 180;
-    double least = HUGE_VAL;
+    Eigen::Vector2d least(HUGE_VAL, HUGE_VAL);
     for (const double angle : item.angles) {
         for (int k = -kSteps; k <= kSteps; ++k) {
             const double turn = angle + std::min(item.tolerance, kPi) * k / kSteps;
-            const Eigen::VectorXd y = placedRings(item, {0, turn, false, 0, 0}).front().col(1);
-            least = std::min(least, y.maxCoeff() - y.minCoeff());
+            const Polygon line = placedRings(item, {0, turn, false, 0, 0}).front();
+            const Eigen::RowVector2d sides = line.colwise().maxCoeff() - line.colwise().minCoeff();
+            least = least.cwiseMin(sides.transpose());
         }
     }
     return least;
+}
+
+/// No fewer are laid: of folded cloth two come of each.
+std::int64_t leastCopies(const Pattern& pattern, const std::string& material,
+                         const MarkerSettings& settings) {
+    std::int64_t cut = 0;
+    for (const PatternPiece& piece : pattern.pieces) {
+        if (cloth::materialOnCloth(pattern, piece) == material && piece.outline.rows() > 2) {
+            cut += std::int64_t{std::max(piece.quantity, 0)} * std::max(settings.garments, 0);
+        }
+    }
+    return settings.isFolded ? cut / 2 : cut;
 }
 
 }  // namespace
@@ -67,6 +67,7 @@ struct MarkerNester::State {
     std::vector<LaidPiece> laid;     ///< one per item of the instance
     std::vector<LaidCopy> onTop{};   ///< kept where others are, or where no cloth is
     std::vector<ClothPart> parts{};  ///< sheets or hides; none: a roll
+    std::size_t copies = 0;          ///< that are to be laid
     std::optional<Nester> nester;
     ClothMarker best;
 
@@ -118,44 +119,102 @@ struct MarkerNester::State {
         best.isWhole = false;
     }
 
-    /// What is too large for the cloth is not laid, and named; where sheets or hides have no room
-    /// left, one copy less is.
-    /// @return whether that could be the reason for the error
-    bool leaveOut(const std::string& name, NestInstance& instance) {
-        const double room = instance.width - 2 * settings.border;
+    bool areSheets() const { return !best.isRoll && !best.areHides; }
+
+    /// What is too large for the cloth of itself: not laid, and named.
+    bool leaveOutTooLarge(const std::string& name, NestInstance& instance) {
+        const double rounding = settings.gap > 0 ? kGapRounding : 0;
         bool isAny = false;
         for (std::size_t i = instance.items.size(); i-- > 0;) {
-            NestItem& item = instance.items[i];
+            const NestItem& item = instance.items[i];
             if (item.fixed || item.name != name) {
                 continue;
             }
-            if (parts.empty() || !settings.hides.empty()) {
-                const double across = leastAcross(item);
-                if (parts.empty() || across > room) {
-                    const double splice = std::max(room - AllowanceWidths{}.seam, 0.0);
-                    note(worded(kSplice,
-                                {name, figure(across), figure(instance.width), figure(splice)}));
-                    erase(i, instance);
-                    isAny = true;
-                    continue;
-                }
-            }
-            if (!settings.hides.empty() && item.demand > 1) {
-                --item.demand;
-                laid[i].numbers.pop_back();
-                best.isWhole = false;
-                ++missing[name];
-                return true;
-            }
-            if (!settings.hides.empty()) {
-                ++missing[name];
-            } else {
+            const Eigen::Vector2d sides = leastSides(item);
+            // No border is kept from a fold.
+            const double room = instance.width - (item.touchesEdge ? 1 : 2) * settings.border;
+            const bool isTooWide = sides.y() > room - rounding;
+            if (areSheets() &&
+                (isTooWide || sides.x() > settings.sheet->x() - 2 * settings.border - rounding)) {
                 note(worded(kFitsNowhere, {name}));
+            } else if (!areSheets() && isTooWide) {
+                const double splice = std::max(room - AllowanceWidths{}.seam, 0.0);
+                note(worded(kSplice,
+                            {name, figure(sides.y()), figure(instance.width), figure(splice)}));
+            } else {
+                continue;
             }
             erase(i, instance);
-            return true;
+            isAny = true;
         }
         return isAny;
+    }
+
+    /// A copy less.
+    void leaveOutOne(std::size_t item, NestInstance& instance) {
+        ++missing[instance.items[item].name];
+        best.isWhole = false;
+        laid[item].numbers.pop_back();
+        if (--instance.items[item].demand == 0) {
+            erase(item, instance);
+        }
+    }
+
+    /// Of a piece that finds no place: where sheets or hides are full one copy, else all.
+    /// @return whether that could be the reason for the error
+    bool leaveOut(const std::string& name, NestInstance& instance) {
+        if (leaveOutTooLarge(name, instance)) {
+            return true;
+        }
+        for (std::size_t i = instance.items.size(); i-- > 0;) {
+            if (!instance.items[i].fixed && instance.items[i].name == name) {
+                const bool isFull = best.areHides || (areSheets() && parts.size() < copies);
+                if (areSheets() && !isFull) {
+                    note(worded(kFitsNowhere, {name}));
+                    erase(i, instance);
+                    return true;
+                }
+                for (int k = isFull ? 1 : instance.items[i].demand; k > 0; --k) {
+                    leaveOutOne(i, instance);
+                }
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /// Of copies that together are larger than all hides some are left out before anything is laid,
+    /// of what is cut most often first, so that as many whole garments as can be remain.
+    void leaveOutBeyondArea(NestInstance& instance) {
+        for (std::size_t i = instance.items.size(); i-- > 0;) {
+            if (i < instance.items.size()) {
+                leaveOutTooLarge(std::string(instance.items[i].name), instance);
+            }
+        }
+        double area = 0;
+        for (const ClothPart& part : parts) {
+            area += cloth::areaOf(part);
+        }
+        std::vector<double> areas;
+        for (const NestItem& item : instance.items) {
+            areas.push_back(std::abs(geometry::signedAreaOf(item.rings.front())));
+            area -= item.fixed ? 0 : areas.back() * item.demand;
+        }
+        while (area < 0) {
+            std::optional<std::size_t> most;
+            for (std::size_t i = 0; i < instance.items.size(); ++i) {
+                const NestItem& item = instance.items[i];
+                if (!item.fixed && item.demand > 1 &&
+                    (!most || item.demand >= instance.items[*most].demand)) {
+                    most = i;
+                }
+            }
+            if (!most) {
+                return;
+            }
+            area += areas[*most];
+            leaveOutOne(*most, instance);
+        }
     }
 
     /// Of a piece and its image once.
@@ -174,7 +233,8 @@ struct MarkerNester::State {
                 const LaidPiece& piece = laid[i];
                 const cloth::NestForm form = cloth::nestFormOf(pieceOf(piece.piece), piece.isImage);
                 onTop.push_back(copyOf(piece, piece.numbers.front(), form.placement(*item.fixed)));
-                instance.obstacles.push_back({name, placedRings(item, *item.fixed), {}});
+                instance.obstacles.push_back(
+                    {name, placedRings(item, *item.fixed), {}, settings.gap});
                 const bool wasWhole = best.isWhole;
                 erase(i, instance);
                 best.isWhole = wasWhole;
@@ -204,6 +264,9 @@ struct MarkerNester::State {
         options.border = settings.border;
         options.seed = settings.seed;
         options.threads = threads;
+        if (best.areHides) {
+            leaveOutBeyondArea(instance);
+        }
         while (!nester) {
             NestInstance onParts = instance;
             cloth::addParts(parts, grades(), onParts);
@@ -289,19 +352,21 @@ Result<MarkerNester> MarkerNester::make(std::shared_ptr<const Pattern> pattern,
     NestInstance instance;
     instance.name = material.empty() ? state->pattern->name : material;
     instance.width = best.width;
-    std::size_t copies = 0;
+    if (auto error = wrongCopies(instance.name, leastCopies(*state->pattern, material, settings))) {
+        return *std::move(error);
+    }
     for (const LaidPiece& piece :
          cloth::laidPieces(*state->pattern, material, settings, best.notes)) {
         const PatternPiece& of = state->pieceOf(piece.piece);
-        if (isLayable(withoutRepeats(edgeOf(of)))) {
+        if (nest::usableRings(cloth::itemOf(of, piece.isImage, settings))) {
             state->addItems(piece, kept, instance);
-            copies += piece.numbers.size();
+            state->copies += piece.numbers.size();
         } else {
             best.isWhole = false;
             state->note(worded(kNoLine, {of.name}));
         }
     }
-    state->parts = cloth::clothParts(settings, copies);
+    state->parts = cloth::clothParts(settings, state->copies);
     if (auto error = state->begin(std::move(instance), threads, progress)) {
         return *std::move(error);
     }

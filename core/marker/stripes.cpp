@@ -35,10 +35,25 @@ struct MatchedPair {
     MatchedSide left, right;
 };
 
-Eigen::Vector2d turnedPoint(const NestItem& item, const Eigen::Vector2d& point) {
+/// Turned as the item is, or where a person has laid it as that says, but not moved.
+geometry::Polygon turnedAs(const NestItem& item, const geometry::Polygon& line) {
     NestItem turned;
-    turned.rings = {geometry::Polygon(point.transpose())};
-    return placedRings(turned, {0, item.angles.front(), false, 0, 0}).front().row(0).transpose();
+    turned.rings = {line};
+    const double angle = item.fixed ? item.fixed->angle : item.angles.front();
+    return placedRings(turned, {0, angle, item.fixed && item.fixed->mirrored, 0, 0}).front();
+}
+
+Eigen::Vector2d turnedPoint(const NestItem& item, const Eigen::Vector2d& point) {
+    return turnedAs(item, point.transpose()).row(0).transpose();
+}
+
+/// Where the repeat has no say: an item that is kept lies there, and one on the fold across it.
+void keepKnown(const NestItem& item, std::optional<Eigen::Vector2d>& place) {
+    if (item.fixed) {
+        place = {item.fixed->x, item.fixed->y};
+    } else if (item.touchesEdge && place) {
+        place->y() = -turnedAs(item, item.rings.front()).col(1).minCoeff();
+    }
 }
 
 MatchedSide sideOf(const Pattern& pattern, const LaidPiece& laid, int index, const NestItem& item,
@@ -54,7 +69,8 @@ MatchedSide sideOf(const Pattern& pattern, const LaidPiece& laid, int index, con
     return side;
 }
 
-/// The two sides of a seam, of originals and of images.
+/// The two sides of a seam, of originals and of images; of copies that are kept, too, each with the
+/// first of the other side.
 std::vector<MatchedPair> pairsOf(const Pattern& pattern, const std::vector<LaidPiece>& laid,
                                  const std::vector<NestItem>& items, const std::string& name) {
     std::vector<MatchedPair> pairs;
@@ -64,14 +80,17 @@ std::vector<MatchedPair> pairsOf(const Pattern& pattern, const std::vector<LaidP
             const LaidPiece& piece = laid[i];
             for (const SeamLine& seam :
                  pattern.pieces[static_cast<std::size_t>(piece.piece)].seams) {
-                if (seam.name == name && !laid[i].isKept && piece.isImage == isImage) {
+                if (seam.name == name && piece.isImage == isImage) {
                     (seam.isRight ? right : left)
                         .push_back(sideOf(pattern, piece, static_cast<int>(i), items[i], seam));
                 }
             }
         }
-        if (!left.empty() && !right.empty()) {
-            pairs.push_back({name, left.front(), right.front()});
+        for (std::size_t k = 0; !left.empty() && k < right.size(); ++k) {
+            pairs.push_back({name, left.front(), right[k]});
+        }
+        for (std::size_t k = 1; !right.empty() && k < left.size(); ++k) {
+            pairs.push_back({name, left[k], right.front()});
         }
     }
     return pairs;
@@ -99,18 +118,31 @@ void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
         pairs.insert(pairs.end(), found.begin(), found.end());
     }
     const ClothRepeat& repeat = settings.repeat;
-    // Where the origin of each item would lie in the repeat; of the first of each tree such that
-    // its seam begins where a repeat does.
+    // Where the origin of each item would lie in the repeat: first of those of which it is known,
+    // then of the first of each tree, on the fold if there is such a one, such that its seam begins
+    // where a repeat does.
     std::vector<std::optional<Eigen::Vector2d>> places(items.size());
-    std::vector<bool> isKept(pairs.size());
-    for (std::size_t root = 0; root < pairs.size(); ++root) {
-        const auto at = [&](int item) -> auto& {
-            return places[static_cast<std::size_t>(item)];
-        };
-        if (at(pairs[root].left.item) || at(pairs[root].right.item)) {
-            continue;
+    const auto at = [&](int item) -> auto& {
+        return places[static_cast<std::size_t>(item)];
+    };
+    const auto itemAt = [&](int item) -> const NestItem& {
+        return items[static_cast<std::size_t>(item)];
+    };
+    std::vector<const MatchedSide*> roots;
+    for (const MatchedPair& pair : pairs) {
+        roots.insert(roots.end(), {&pair.left, &pair.right});
+        for (const int item : {pair.left.item, pair.right.item}) {
+            keepKnown(itemAt(item), at(item));
         }
-        at(pairs[root].left.item) = repeat.origin - pairs[root].left.turnedFirst;
+    }
+    std::ranges::stable_sort(roots, std::ranges::greater{}, [&](const MatchedSide* side) {
+        return itemAt(side->item).fixed ? 2 : itemAt(side->item).touchesEdge ? 1 : 0;
+    });
+    for (const MatchedSide* root : roots) {
+        if (!at(root->item)) {
+            at(root->item) = repeat.origin - root->turnedFirst;
+            keepKnown(itemAt(root->item), at(root->item));
+        }
         for (bool isMore = true; isMore;) {
             isMore = false;
             for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -119,11 +151,17 @@ void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
                     const MatchedSide& known = at(left.item) ? left : right;
                     const MatchedSide& other = at(left.item) ? right : left;
                     at(other.item) = *at(known.item) + known.turnedFirst - other.turnedFirst;
+                    keepKnown(itemAt(other.item), at(other.item));
                     isMore = true;
                 }
             }
         }
     }
+    const auto note = [&](const Wording& said) {
+        if (std::ranges::find(notes, said) == notes.end()) {
+            notes.push_back(said);
+        }
+    };
     for (const MatchedPair& pair : pairs) {
         const auto apartAt = [&](const Eigen::Vector2d& left, const Eigen::Vector2d& right) {
             return apartIn(repeat, *places[static_cast<std::size_t>(pair.left.item)] + left -
@@ -132,9 +170,9 @@ void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
         const double first = apartAt(pair.left.turnedFirst, pair.right.turnedFirst);
         const double last = apartAt(pair.left.turnedLast, pair.right.turnedLast);
         if (first > kMatchedWithin) {
-            notes.push_back(worded(kSeamNotMatched, {pair.name, figure(first, 1)}));
+            note(worded(kSeamNotMatched, {pair.name, figure(first, 1)}));
         } else if (last > kMatchedWithin) {
-            notes.push_back(worded(kMatchedAtOneEnd, {pair.name, figure(last, 1)}));
+            note(worded(kMatchedAtOneEnd, {pair.name, figure(last, 1)}));
         }
     }
     for (std::size_t i = 0; i < items.size(); ++i) {

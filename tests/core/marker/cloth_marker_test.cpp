@@ -226,5 +226,88 @@ TEST(ClothMarker, NothingToLayIsAnEmptyMarker) {
     EXPECT_EQ(marker.length, 0);
 }
 
+TEST(ClothMarker, WhatIsKeptAndWiderThanTheClothStays) {
+    Pattern pattern =
+        clothPattern({clothPiece("back", 500, 300, 1), clothPiece("sleeve", 100, 100, 2)});
+    const KeptCopy kept{{{1}, 0}, 0, {{100, 10}, 0, false}};
+    Fabric fabric;
+    fabric.width = 400;
+    MarkerSettings settings;
+    settings.gap = 20;
+    const auto nester = MarkerNester::make(std::make_shared<const Pattern>(pattern), "", fabric,
+                                           settings, {kept}, Progress());
+    ASSERT_TRUE(nester) << sentence(nester.error());
+    EXPECT_EQ(nester->best().copies.size(), 2U);
+    const KeptCopy upright{{{1}, 0}, 0, {{600, -50}, kPi / 2, false}};
+    const auto wide = MarkerNester::make(std::make_shared<const Pattern>(pattern), "", fabric,
+                                         settings, {upright}, Progress());
+    ASSERT_TRUE(wide) << sentence(wide.error());
+    EXPECT_TRUE(wide->best().isWhole);
+}
+
+TEST(ClothMarker, KeepsTheGapFromWhatIsKeptOnOthers) {
+    Pattern pattern =
+        clothPattern({clothPiece("back", 300, 500, 1), clothPiece("front", 200, 300, 2)});
+    pattern.pieces[0].quantity = 2;
+    const std::vector<KeptCopy> kept{{{{1}, 0}, 0, {{10, 10}, 0, false}},
+                                     {{{1}, 1}, 0, {{20, 20}, 0, false}}};
+    Fabric fabric;
+    fabric.width = 530;
+    MarkerSettings settings;
+    settings.gap = 25;
+    const auto nester = MarkerNester::make(std::make_shared<const Pattern>(pattern), "", fabric,
+                                           settings, kept, Progress());
+    ASSERT_TRUE(nester) << sentence(nester.error());
+    const auto front = std::ranges::find(nester->best().copies, 1, &LaidCopy::piece);
+    ASSERT_NE(front, nester->best().copies.end());
+    const Points2 line = laidOutline(pattern, *front);
+    EXPECT_GE(line.col(0).minCoeff(), 160 + 25);
+    for (const LaidCopy& copy : nester->best().copies) {
+        if (copy.piece == 0) {
+            const Points2 other = laidOutline(pattern, copy);
+            for (Eigen::Index k = 0; k < line.rows(); ++k) {
+                EXPECT_GE((other.rowwise() - line.row(k)).rowwise().norm().minCoeff(), 25 - 1e-3);
+            }
+        }
+    }
+}
+
+TEST(ClothMarker, NamesOnlyWhatIsTooWideOfPiecesOfOneName) {
+    const Pattern pattern =
+        clothPattern({clothPiece("strip", 1620, 700, 1), clothPiece("strip", 700, 600, 2)});
+    const ClothMarker marker = laidOn(1400, pattern);
+    ASSERT_EQ(marker.copies.size(), 1U);
+    EXPECT_EQ(marker.copies[0].piece, 1);
+    EXPECT_EQ(marker.notes.size(), 1U);
+}
+
+TEST(ClothMarker, AnOutlineThatGoesRoundTwiceIsNamed) {
+    Pattern pattern =
+        clothPattern({clothPiece("loop", 100, 100, 1), clothPiece("Front", 70, 60, 2)});
+    pattern.pieces[0].outline.resize(8, 2);
+    pattern.pieces[0].outline << 0, 0, 90, 0, 90, 90, 0, 90, 0, 0, 90, 0, 90, 90, 0, 90;
+    const ClothMarker marker = laidOn(1400, pattern);
+    EXPECT_EQ(marker.copies.size(), 1U);
+    EXPECT_EQ(marker.notes.size(), 1U);
+}
+
+TEST(ClothMarker, TurnsStayWithinTwoWholeOnes) {
+    Pattern pattern = clothPattern({clothPiece("panel", 150, 180, 1)});
+    pattern.pieces[0].quantity = 8;
+    MarkerSettings settings;
+    settings.turns = TurnRule::Free;
+    for (const LaidCopy& copy : laidOn(500, pattern, settings, {}, 6).copies) {
+        EXPECT_LE(std::abs(copy.placement.turn), 2 * kPi);
+    }
+}
+
+TEST(PageOf, HoldsAllOfTheSheetsThatAreUsed) {
+    MarkerSettings settings;
+    settings.sheet = Eigen::Vector2d(900, 400);
+    const ClothMarker marker = laidOn(0, clothPattern({clothPiece("p", 90, 80, 1)}), settings);
+    EXPECT_EQ(pageOf(marker).width, 900);
+    EXPECT_LT(marker.length, 900);
+}
+
 }  // namespace
 }  // namespace toile

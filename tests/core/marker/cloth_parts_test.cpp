@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sheets and hides.
-#include <set>
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +92,44 @@ TEST(ClothHides, SayWhatHasNoRoomLeft) {
     EXPECT_FALSE(marker.isWhole);
     ASSERT_EQ(marker.notes.size(), 1U);
     EXPECT_NE(marker.notes[0].find("panel is not laid"), std::string::npos) << marker.notes[0];
+}
+
+TEST(ClothHides, NothingLiesBesideALowerRectangle) {
+    Pattern pattern = clothPattern({clothPiece("panel", 380, 180, 1)});
+    pattern.pieces[0].quantity = 4;
+    MarkerSettings settings;
+    for (const double height : {400.0, 900.0}) {
+        Hide hide;
+        hide.outline = clothBox(0, 0, 400, height);
+        settings.hides.push_back(std::make_shared<const Hide>(hide));
+    }
+    EXPECT_EQ(laidOn(0, pattern, settings, {}, 2).copies.size(), 4U);  // none misplaced
+}
+
+TEST(ClothHides, WhatExceedsThemIsLeftOutOfWhatIsCutMostOften) {
+    Pattern pattern =
+        clothPattern({clothPiece("panel", 150, 180, 1), clothPiece("lining", 120, 150, 2)});
+    pattern.pieces[0].quantity = 400;
+    pattern.pieces[1].quantity = 2;
+    MarkerSettings settings;
+    settings.hides = {testHide()};
+    const ClothMarker marker = laidOn(0, pattern, settings);
+    EXPECT_FALSE(marker.isWhole);
+    EXPECT_EQ(std::ranges::count(marker.copies, 1, &LaidCopy::piece), 2);
+    EXPECT_GT(marker.copies.size(), 6U);
+}
+
+TEST(ClothSheets, TooManyCopiesAreRefusedAtOnce) {
+    Pattern pattern = clothPattern({clothPiece("pocket", 100, 140, 1)});
+    pattern.pieces[0].quantity = 1500;
+    MarkerSettings settings;
+    settings.sheet = Eigen::Vector2d(305, 305);
+    settings.garments = 100'000'000;  // and no list is made for so many
+    const auto nester = MarkerNester::make(std::make_shared<const Pattern>(pattern), "", Fabric{},
+                                           settings, {}, Progress());
+    ASSERT_FALSE(nester);
+    EXPECT_EQ(nester.error().code, ErrorCode::MalformedFile);
+    EXPECT_EQ(nester.error().subject.name, "shirt");
 }
 
 }  // namespace

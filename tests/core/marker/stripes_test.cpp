@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/units.h"
 #include "core/marker/cloth_marker.h"
 #include "tests/core/marker/marker_fixtures.h"
 
@@ -82,6 +83,54 @@ TEST(Stripes, AreKeptInOneDirectionOnly) {
     for (const LaidCopy& copy : laidOn(900, pattern, settings).copies) {
         EXPECT_NEAR(directionOnSheet(copy.placement, kGrainUpwards), 0, 1e-12);
     }
+}
+
+TEST(Stripes, GoOnFromWhatIsKept) {
+    const Pattern pattern = sidesOf(35);
+    MarkerSettings settings;
+    settings.repeat.warp = 80;
+    settings.repeat.weft = 60;
+    settings.matched = {"side"};
+    const KeptCopy kept{{{1}, 0}, 0, {{523, 411}, -kPi / 2, false}};
+    const ClothMarker marker = laidOn(900, pattern, settings, {kept}, 2);
+    ASSERT_EQ(marker.copies.size(), 2U);
+    EXPECT_TRUE(marker.notes.empty());
+    std::vector<Eigen::Vector2d> begins(2);
+    for (const LaidCopy& copy : marker.copies) {
+        begins[static_cast<std::size_t>(copy.piece)] = copy.placement.applied(
+            copy.piece == 0 ? Eigen::Vector2d(230, 35) : Eigen::Vector2d(0, 35));
+    }
+    EXPECT_NEAR(std::remainder(begins[0].x() - begins[1].x(), 80), 0, 1e-5);
+    EXPECT_NEAR(std::remainder(begins[0].y() - begins[1].y(), 60), 0, 1e-5);
+}
+
+TEST(Stripes, GoOnFromTheFold) {
+    Pattern pattern =
+        clothPattern({test::clothPiece("front", 1, 1, 1), stripedPiece("back", 2, 170, 0)});
+    PatternPiece& front = pattern.pieces[0];
+    front.outline.resize(6, 2);
+    front.outline << 0, 400, -130, 350, -130, 0, 0, 20, 130, 0, 130, 350;
+    front.mirror.isSymmetric = true;
+    MarkerSettings settings;
+    settings.isFolded = true;
+    settings.repeat.weft = 60;
+    settings.repeat.origin = {7, 3};
+    settings.matched = {"side"};
+    pattern = patternOnCloth(pattern, settings);
+    ASSERT_EQ(pattern.pieces[0].cutAs, CutAs::OnFold);
+    const bool isLeft = pattern.pieces[0].outline.col(0).minCoeff() < -1;
+    const double at = isLeft ? -130 : 130;
+    pattern.pieces[0].seams = {side("side", false, {at, 0}, {at, 350})};
+    pattern.pieces[1].seams = {side("side", true, {0, 350}, {0, 0})};
+    const ClothMarker marker = laidOn(900, pattern, settings);
+    ASSERT_EQ(marker.copies.size(), 2U);
+    std::vector<double> begins(2);
+    for (const LaidCopy& copy : marker.copies) {
+        const Eigen::Vector2d point =
+            copy.piece == 0 ? Eigen::Vector2d(at, 0) : Eigen::Vector2d(0, 0);
+        begins[static_cast<std::size_t>(copy.piece)] = copy.placement.applied(point).y();
+    }
+    EXPECT_NEAR(std::remainder(begins[0] - begins[1], 60), 0, 1e-5);
 }
 
 }  // namespace
