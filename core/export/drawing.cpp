@@ -188,16 +188,25 @@ void addEdges(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     }
 }
 
-/// Names the other side of each seam, where both are drawn.
+/// Names the other side of each seam, where both are drawn, each once. Of two copies of a piece
+/// both would be the same side.
 void pairEdges(Drawing& drawing) {
-    std::map<int, std::vector<DrawnEdge*>> bySeam;
-    for (DrawnEdge& edge : drawing.edges) {
-        bySeam[edge.number].push_back(&edge);
+    struct Side {
+        DrawnEdge* edge;
+        std::size_t block;
+    };
+    std::map<int, std::vector<Side>> bySeam;
+    for (std::size_t k = 0; k < drawing.blocks.size(); ++k) {
+        const DrawnBlock& block = drawing.blocks[k];
+        for (std::size_t e = block.edge; e < block.edge + block.edgeCount; ++e) {
+            bySeam[drawing.edges[e].number].push_back({&drawing.edges[e], k});
+        }
     }
-    for (auto& [number, edges] : bySeam) {
-        if (edges.size() == 2) {
-            edges[0]->pair = edges[1]->id;
-            edges[1]->pair = edges[0]->id;
+    for (auto& [number, sides] : bySeam) {
+        const auto pieceOf = [&](std::size_t k) { return drawing.blocks[sides[k].block].piece; };
+        if (sides.size() == 2 && (sides[0].block == sides[1].block || pieceOf(0) != pieceOf(1))) {
+            sides[0].edge->pair = sides[1].edge->id;
+            sides[1].edge->pair = sides[0].edge->id;
         }
     }
 }

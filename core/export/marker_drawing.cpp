@@ -33,6 +33,11 @@ DrawnMarker drawMarker(const Pattern& pattern, const ClothMarker& marker,
     words.mirrored.clear();
     drawn.drawing = draw(drawn.laid.pattern, drawn.laid.marker, words);
     Drawing& drawing = drawn.drawing;
+    // A person may lay a copy beyond the cloth.
+    for (const LaidCopy& copy : marker.copies) {
+        const double top = laidOutline(pattern, copy).col(1).maxCoeff();
+        drawing.height = std::max(drawing.height, std::ceil(top + 2 * kDrawingMargin));
+    }
     for (std::size_t k = 0; k < marker.parts.size(); ++k) {
         const ClothPart& part = marker.parts[k];
         const std::string id = "cloth-" + std::to_string(k + 1);

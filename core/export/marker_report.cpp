@@ -18,7 +18,7 @@ Json copiesJson(const Pattern& pattern, const ClothMarker& marker) {
         const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(copy.piece)];
         copies.push_back({{"piece", text(piece.name)},
                           {"number", copy.key.number},
-                          {"mirrored", copy.isImage},
+                          {"mirrored", copy.placement.mirrored},
                           {"on_fold", piece.cutAs == CutAs::OnFold},
                           {"kept", copy.isKept},
                           {"sheet", copy.sheet},

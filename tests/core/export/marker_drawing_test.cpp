@@ -65,5 +65,30 @@ TEST(DrawMarker, GoesIntoFormatsThatHoldAPage) {
                  holdsMarkers("m"));
 }
 
+TEST(DrawMarker, TwoCopiesOfAPieceAreNoTwoSidesOfASeam) {
+    Pattern pattern = test::clothPattern({test::clothPiece("back", 300, 500, 1)});
+    pattern.pieces[0].quantity = 2;
+    SeamLine seam;
+    seam.number = 1;
+    seam.from = 0;
+    seam.to = 300;
+    seam.line.resize(2, 2);
+    seam.line << 0, 0, 300, 0;
+    pattern.pieces[0].seams = {seam};
+    const Drawing drawing = drawMarker(pattern, test::laidOn(1000, pattern), {}, {}).drawing;
+    ASSERT_EQ(drawing.edges.size(), 2U);
+    EXPECT_TRUE(drawing.edges[0].pair.empty() && drawing.edges[1].pair.empty());
+}
+
+TEST(DrawMarker, TheReportSaysMirroredOfWhatLiesThatWay) {
+    const auto pattern = std::make_shared<const Pattern>(drawnCloth());
+    ClothMarker marker;
+    LaidCopy copy;
+    copy.placement.mirrored = true;
+    marker.copies = {copy};
+    const std::string report = writeMarkers({{pattern, {}, marker}}, std::nullopt);
+    EXPECT_NE(report.find("\"mirrored\": true"), std::string::npos) << report;
+}
+
 }  // namespace
 }  // namespace toile
