@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/polygon.h"
+#include "core/nest/item_rings.h"
 #include "core/reading/dxf_document.h"
 #include "core/reading/dxf_drawing.h"
 #include "core/reading/dxf_unit.h"
@@ -143,6 +144,11 @@ Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind) {
     const std::vector<HideLine> closed = closedLines(*layers);
     if (closed.empty()) {
         return Error{ErrorCode::NoGeometry, {}, worded(kNoHide)};
+    }
+    for (const HideLine& line : closed) {
+        if (const auto usable = nest::usableRings(Subject{}, {line.points}); !usable) {
+            return usable.error();
+        }
     }
     const geometry::Polygon& edge = closed.front().points;
     const Eigen::RowVector2d corner = edge.colwise().minCoeff();

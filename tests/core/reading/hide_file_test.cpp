@@ -69,5 +69,12 @@ TEST(HideFile, GradesAreNumbersAfterTheWord) {
     EXPECT_EQ(gradeOfLayer("2"), 0);
 }
 
+TEST(HideFile, LinesThatCrossThemselvesAreRefused) {
+    EXPECT_FALSE(
+        readHide("<svg xmlns='http://www.w3.org/2000/svg' width='900mm' height='800mm' "
+                 "viewBox='0 0 900 800'><path d='M0 0L800 700L800 0L100 300Z'/></svg>",
+                 PatternFileKind::Svg));
+}
+
 }  // namespace
 }  // namespace toile
