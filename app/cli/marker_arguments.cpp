@@ -94,7 +94,8 @@ std::string readRepeat(const std::string& typed, MarkerSettings& settings) {
     const std::vector<double> numbers = numbersOf(typed, "x@,");
     const bool hasOrigin = numbers.size() == 4;
     if ((numbers.size() != 2 && !hasOrigin) || std::min(numbers[0], numbers[1]) < 0 ||
-        std::max(numbers[0], numbers[1]) > kMaxClothWidth) {
+        std::max(numbers[0], numbers[1]) > kMaxClothWidth ||
+        (hasOrigin && std::max(std::abs(numbers[2]), std::abs(numbers[3])) > kMaxClothWidth)) {
         return "--repeat takes the repeat along the warp and across it, 0 where there is none, and "
                "where one begins, as in 80x60 or 80x0@10,5, not \"" +
                typed + "\"";
@@ -111,13 +112,29 @@ std::string readGrade(const std::string& typed, MarkerSettings& settings) {
     const std::size_t at = typed.rfind('=');
     int grade = 0;
     if (at != std::string::npos && at > 0) {
-        std::from_chars(typed.data() + at + 1, typed.data() + typed.size(), grade);
+        const char* const end = typed.data() + typed.size();
+        const auto read = std::from_chars(typed.data() + at + 1, end, grade);
+        grade = read.ec == std::errc() && read.ptr == end ? grade : 0;
     }
     if (grade < 1) {
         return "--grade takes a piece and the worst grade that it may have, as in front=2, not \"" +
                typed + "\"";
     }
     settings.grades[typed.substr(0, at)] = grade;
+    return {};
+}
+
+std::string wrongTogether(const MarkerSettings& typed, const MarkerSettings& settings) {
+    if (settings.isFolded && (settings.sheet || !settings.hides.empty()) &&
+        (typed.isFolded || typed.sheet || !typed.hides.empty())) {
+        return "--folded goes with a roll: leave out --sheet and --hide";
+    }
+    if (!typed.grades.empty() && settings.hides.empty()) {
+        return "--grade goes with --hide, whose zones have grades";
+    }
+    if (!typed.matched.empty() && settings.repeat == ClothRepeat{}) {
+        return "--match keeps stripes: give their --repeat";
+    }
     return {};
 }
 
@@ -153,15 +170,6 @@ std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,
         (settings.width > 0 ? 1 : 0) + (settings.sheet ? 1 : 0) + (typed.hides.empty() ? 0 : 1);
     if (cloths > 1) {
         return "--width, --sheet and --hide are three kinds of cloth: give one of them";
-    }
-    if (settings.isFolded && (settings.sheet || !typed.hides.empty())) {
-        return "--folded goes with a roll: leave out --sheet and --hide";
-    }
-    if (!settings.grades.empty() && typed.hides.empty()) {
-        return "--grade goes with --hide, whose zones have grades";
-    }
-    if (!settings.matched.empty() && settings.repeat == ClothRepeat{}) {
-        return "--match keeps stripes: give their --repeat";
     }
     return {};
 }

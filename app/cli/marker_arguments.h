@@ -46,6 +46,11 @@ std::string readRepeat(const std::string& typed, MarkerSettings& settings);
 /// "front=2". @return what is wrong, or nothing
 std::string readGrade(const std::string& typed, MarkerSettings& settings);
 
+/// What was typed against what it goes with, typed or said by the project.
+/// @param typed  with its hides  @param settings  that hold (`over`)  @return what is wrong, or
+/// nothing
+std::string wrongTogether(const MarkerSettings& typed, const MarkerSettings& settings);
+
 /// What goes only with garments, or only with instances; which files can be written.
 /// @return what is wrong, or nothing
 std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,

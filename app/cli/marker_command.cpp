@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <csignal>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -9,10 +8,12 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/marker_interruptible.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
+#include "core/base/unique_names.h"
 #include "core/export/export_file.h"
 #include "core/export/formats.h"
 #include "core/export/marker_drawing.h"
@@ -29,23 +30,6 @@ int refuseMarker(const Error& error, std::ostream& err) {
     err << "toile: " << sentence(error) << '\n';
     return kExitUnreadable;
 }
-
-Progress* searched = nullptr;  // for the signal, which knows nobody
-
-/// While there is one, Ctrl-C ends the search and not the program.
-class Interruptible {
-public:
-    explicit Interruptible(Progress& progress) {
-        searched = &progress;
-        before_ = std::signal(SIGINT, [](int) { searched->cancel(); });
-    }
-    ~Interruptible() { std::signal(SIGINT, before_); }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-
-private:
-    void (*before_)(int);
-};
 
 /// The settings with their hides.
 Result<MarkerSettings> withHides(const MarkerArguments& typed, std::ostream& err) {
@@ -85,6 +69,16 @@ Pattern wholePatternOf(const LaidOutPattern& laid) {
     return whole;
 }
 
+/// With a first nest. Ctrl-C gives that up, where it ends a search only.
+Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
+                           const std::string& material, const Fabric& fabric,
+                           const MarkerPlan& plan, int threads) {
+    Progress progress;
+    const Interruptible interruptible(progress);
+    return MarkerNester::make(pattern, material, fabric, plan.settings, plan.kept, progress,
+                              threads);
+}
+
 void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progress,
             std::ostream& err) {
     const Interruptible interruptible(progress);
@@ -101,11 +95,68 @@ void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progre
     }
 }
 
-/// "marker-silk.pdf" where there are several.
-std::filesystem::path pathOf(const std::filesystem::path& output, const std::string& material,
-                             bool isOne) {
-    const std::string ending(endingOf(output));
-    return isOne || material.empty() ? output : exportedPath(output, "-" + slug(material) + ending);
+/// "marker-silk.pdf" where there are several. @param ending  "-silk", or nothing
+std::filesystem::path pathOf(const std::filesystem::path& output, const std::string& ending) {
+    return ending.empty() ? output : exportedPath(output, ending + std::string(endingOf(output)));
+}
+
+/// What is put to the outputs' names for each material, so that no two are the same.
+std::vector<std::string> endingsOf(const std::vector<std::string>& materials,
+                                   const std::vector<std::filesystem::path>& outputs) {
+    std::vector<std::string> endings(materials.size());
+    UniqueNames taken;
+    for (const auto& output : outputs) {
+        taken.take(output.string());
+    }
+    for (std::size_t k = 0; materials.size() > 1 && k < materials.size(); ++k) {
+        const std::string wanted = materials[k].empty() ? "" : "-" + slug(materials[k]);
+        endings[k] = wanted;
+        const auto isTaken = [&](const auto& output) {
+            return !wanted.empty() && !taken.isFree(pathOf(output, endings[k]).string());
+        };
+        for (int number = 2; std::ranges::any_of(outputs, isTaken); ++number) {
+            endings[k] = wanted + "-" + std::to_string(number);
+        }
+        for (const auto& output : outputs) {
+            taken.take(pathOf(output, endings[k]).string());
+        }
+    }
+    return endings;
+}
+
+/// What was read must not be written over, or nothing.
+std::optional<std::filesystem::path> lostInput(const Arguments& arguments,
+                                               const std::vector<std::string>& endings) {
+    std::vector<std::filesystem::path> inputs = arguments.inputs;
+    inputs.insert(inputs.end(), arguments.marker.hides.begin(), arguments.marker.hides.end());
+    for (const auto& output : arguments.outputs) {
+        for (const std::string& ending : endings) {
+            for (const auto& input : inputs) {
+                std::error_code ignored;
+                if (std::filesystem::equivalent(input, pathOf(output, ending), ignored)) {
+                    return input;
+                }
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// What cannot be laid as it was typed, or nothing.
+std::string wrongInPlans(const Arguments& arguments, const std::vector<std::string>& materials,
+                         const Pattern& pattern, const MarkerSettings& typed) {
+    for (const std::string& material : materials) {
+        const MarkerPlan plan = planOf(arguments, material, typed);
+        if (std::string wrong = wrongTogether(typed, plan.settings); !wrong.empty()) {
+            return wrong;
+        }
+    }
+    for (const auto& [name, grade] : typed.grades) {
+        if (std::ranges::find(pattern.pieces, name, &PatternPiece::name) == pattern.pieces.end()) {
+            return "--grade names no piece: \"" + name + "\"";
+        }
+    }
+    return {};
 }
 
 void printMarker(const ClothMarker& marker, const Pattern& pattern, const MarkerArguments& typed,
@@ -126,8 +177,8 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
 }
 
 Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
-                         const PieceResults& results, const MadeMarker& made, bool isOne,
-                         std::ostream& out) {
+                         const PieceResults& results, const MadeMarker& made,
+                         const std::string& ending, std::ostream& out) {
     const ClothMarker& marker = made.marker;
     const DrawnMarker drawn =
         drawMarker(*made.pattern, marker, made.settings, {clothSentence(marker)});
@@ -135,7 +186,7 @@ Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
                               arguments.lines, arguments.fabric.value_or(fabricPresets().front()),
                               drawn.drawing);
     for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(pathOf(output, marker.material, isOne), source);
+        const auto written = exportFile(pathOf(output, ending), source);
         if (!written) {
             return written.error();
         }
@@ -183,14 +234,23 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
         err << "toile: no piece lies flat: there is nothing to lay.\n";
         return kExitSomeFailed;
     }
+    const std::vector<std::string> endings = endingsOf(materials, arguments.outputs);
+    std::string wrong = wrongInPlans(arguments, materials, whole, *said);
+    if (const auto lost = lostInput(arguments, endings); lost && wrong.empty()) {
+        wrong = "\"" + lost->string() + "\" is an input and would be overwritten";
+    }
+    if (!wrong.empty()) {
+        err << "toile: " << wrong << ".\n";
+        return kExitUsage;
+    }
     std::vector<MadeMarker> markers;
-    for (const std::string& material : materials) {
+    for (std::size_t k = 0; k < materials.size(); ++k) {
+        const std::string& material = materials[k];
         const MarkerPlan plan = planOf(arguments, material, *said);
         const auto pattern = std::make_shared<const Pattern>(patternOnCloth(whole, plan.settings));
         const Fabric fabric = fabricOf(material, pattern->materials,
                                        arguments.fabric.value_or(fabricPresets().front()));
-        auto nester = MarkerNester::make(pattern, material, fabric, plan.settings, plan.kept,
-                                         Progress(), typed.threads);
+        auto nester = begun(pattern, material, fabric, plan, typed.threads);
         if (!nester) {
             return refuseMarker(nester.error(), err);
         }
@@ -199,8 +259,8 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
         const ClothMarker& marker = markers.back().marker;
         printMarker(marker, *pattern, typed, out, err);
         status = marker.isWhole ? status : kExitSomeFailed;
-        if (const auto written = writeMarker(arguments, *garment, results, markers.back(),
-                                             materials.size() == 1, out);
+        if (const auto written =
+                writeMarker(arguments, *garment, results, markers.back(), endings[k], out);
             !written) {
             return refuseMarker(written.error(), err);
         }

@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
+#include "app/cli/marker_interruptible.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
@@ -35,13 +36,15 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
     options.border = typed.settings.border;
     options.threads = typed.threads;
     const Stopwatch watch;
-    const Progress progress;
+    Progress progress;
+    const Interruptible interruptible(progress);
     auto nester = Nester::make(std::move(*instance), options, progress);
     if (!nester) {
         return refuseInstance(nester.error(), err);
     }
     const NestResult& best = nester->best();
-    while (!best.optimal && isToGoOn(typed, best.rounds, watch.seconds())) {
+    while (!best.optimal && !progress.isCancelled() &&
+           isToGoOn(typed, best.rounds, watch.seconds())) {
         nester->step(progress);
     }
     out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "

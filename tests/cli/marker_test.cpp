@@ -197,6 +197,8 @@ TEST(MarkerCommand, RefusesWhatDoesNotGoTogether) {
         {{garment, "--folded", "--sheet", "305x610"}, "--folded goes with a roll"},
         {{garment, "--repeat", "80"}, "--repeat takes"},
         {{garment, "--repeat", "80x60@5"}, "--repeat takes"},
+        {{garment, "--repeat", "80x60@5,1e9"}, "--repeat takes"},
+        {{garment, "--grade", "front=2abc"}, "--grade takes"},
         {{garment, "--match", "side"}, "give their --repeat"},
         {{garment, "--grade", "front"}, "--grade takes"},
         {{garment, "--grade", "front=2"}, "goes with --hide"},
