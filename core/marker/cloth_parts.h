@@ -6,7 +6,7 @@
 #include "core/marker/cloth_marker.h"
 #include "core/nest/nest.h"
 
-// For the sources of this folder only.
+// For the sources of this folder and the marker in the window.
 namespace toile::cloth {
 
 /// Sheets or hides as they lie, one after the other along x; none: a roll. Sheets one for each
