@@ -250,7 +250,7 @@ void FaceParts::relaxFace(int face, std::vector<Part>& list,
     std::size_t turns = 0;
     for (std::size_t round = 1; !open.empty() && turns < limit; ++round) {
         std::ranges::sort(open);
-        open.erase(std::ranges::unique(open).begin(), open.end());
+        open.erase(std::unique(open.begin(), open.end()), open.end());
         for (const auto& [a, b] : std::exchange(open, {})) {
             const auto left = partLeftOf.find(keyOf(a, b));
             const auto right = partLeftOf.find(keyOf(b, a));

@@ -203,8 +203,11 @@ void pairEdges(Drawing& drawing) {
         }
     }
     for (auto& [number, sides] : bySeam) {
-        const auto pieceOf = [&](std::size_t k) { return drawing.blocks[sides[k].block].piece; };
-        if (sides.size() == 2 && (sides[0].block == sides[1].block || pieceOf(0) != pieceOf(1))) {
+        const auto pieceOf = [&drawing](const Side& side) {
+            return drawing.blocks[side.block].piece;
+        };
+        if (sides.size() == 2 &&
+            (sides[0].block == sides[1].block || pieceOf(sides[0]) != pieceOf(sides[1]))) {
             sides[0].edge->pair = sides[1].edge->id;
             sides[1].edge->pair = sides[0].edge->id;
         }

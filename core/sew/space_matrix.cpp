@@ -16,8 +16,7 @@ SpaceMatrix::SpaceMatrix(std::vector<std::pair<int, int>> pairs, int vertexCount
         }
     }
     std::ranges::sort(pairs);
-    const auto same = std::ranges::unique(pairs);
-    pairs.erase(same.begin(), same.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     for (const auto& [v, w] : pairs) {
         ++firstPair_[v + 1];
         larger_.push_back(w);
