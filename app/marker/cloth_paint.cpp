@@ -44,10 +44,10 @@ void paintStripes(QPainter& painter, const SheetMap& onScreen, const Eigen::Alig
         return;
     }
     const double first = std::ceil((box.min()[axis] - origin) / step);
-    const double last = std::floor((box.max()[axis] - origin) / step);
-    for (double k = first; k <= last; ++k) {
+    const auto count = static_cast<int>(std::floor((box.max()[axis] - origin) / step) - first) + 1;
+    for (int k = 0; k < count; ++k) {
         Eigen::Vector2d from = box.min(), to = box.max();
-        from[axis] = to[axis] = origin + k * step;
+        from[axis] = to[axis] = origin + (first + k) * step;
         painter.drawLine(onScreen(from), onScreen(to));
     }
 }
@@ -231,6 +231,7 @@ void paintCopies(QPainter& painter, const RenderStyle& style, const SheetMap& on
                  const std::vector<ClothShape>& shapes) {
     painter.save();
     std::vector<const ClothShape*> order;
+    order.reserve(shapes.size());
     for (const ClothShape& shape : shapes) {
         order.push_back(&shape);
     }

@@ -51,7 +51,7 @@ void layOnParts(ClothMarker& marker, const Pattern& pattern, const MarkerSetting
         area += std::abs(geometry::signedAreaOf(line));
         marker.length = std::max(marker.length, line.col(0).maxCoeff());
     }
-    parts.resize(static_cast<std::size_t>(last + 1));
+    parts.resize(static_cast<std::size_t>(last) + 1);
     marker.parts = std::move(parts);
     marker.sheets = last + 1;
     marker.clothArea = 0;

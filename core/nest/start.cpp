@@ -156,8 +156,8 @@ private:
             rows.insert(low + (most - low) * k / kEvenRows);
         }
         if (track.step > 0 && (most - low) / track.step < static_cast<double>(kMostRows)) {
-            for (double y = low; y <= most; y += track.step) {
-                rows.insert(y);
+            for (int k = 0; low + k * track.step <= most; ++k) {
+                rows.insert(low + k * track.step);
             }
         }
         std::set<double> places;

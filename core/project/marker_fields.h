@@ -87,6 +87,7 @@ void hideList(Fields& at, Hides& hides) {
         }
     } else if (!hides.empty()) {
         std::vector<Hide> written;
+        written.reserve(hides.size());
         for (const auto& hide : hides) {
             written.push_back(*hide);
         }

@@ -72,7 +72,8 @@ WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), nearest_(mes
             const int head = headOf(mesh_.F, side);
             const Eigen::Vector3d along = (mesh_.V.row(head) - mesh_.V.row(tail)).transpose();
             const Eigen::Vector3d normal = faceNormals_.row(side / 3).transpose();
-            past_.row(2 * tail) = past_.row(2 * head + 1) = unit(along.cross(normal)).transpose();
+            past_.row(2 * Eigen::Index{tail}) = past_.row(2 * Eigen::Index{head} + 1) =
+                unit(along.cross(normal)).transpose();
             isRimVertex_[tail] = isRimVertex_[head] = 1;
         }
     }
@@ -113,8 +114,8 @@ WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p) const {
             return {offset.dot(normal), normal, Eigen::Matrix3d::Zero()};
         }
     } else if (isRimVertex_[vertex] != 0) {
-        turns -= pastCorner(offset, past_.row(2 * vertex).transpose(),
-                            past_.row(2 * vertex + 1).transpose());
+        turns -= pastCorner(offset, past_.row(2 * Eigen::Index{vertex}).transpose(),
+                            past_.row(2 * Eigen::Index{vertex} + 1).transpose());
     }
     const Eigen::Vector3d across = zeros == 1 ? offset : Eigen::Vector3d(turns * offset);
     const double along = across.dot(normal), distance = across.norm();
