@@ -6,6 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include <cholmod.h>
+
 #include "core/geometry/buckets.h"
 
 namespace toile::linalg {
@@ -71,6 +73,48 @@ std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& 
         left.emplace_back(range.begin(), middle);
         left.emplace_back(middle, between);
     }
+    return order;
+}
+
+std::vector<int> dissectedOrder(const SymmetricMatrix& pattern, int together) {
+    std::vector<int> start{0}, row;  // of the first unknown of those that stay together
+    for (int j = 0; j < pattern.size; j += together) {
+        for (int k = pattern.columnStart[j]; k < pattern.columnStart[j + 1]; ++k) {
+            if (pattern.row[k] % together == 0) {
+                row.push_back(pattern.row[k] / together);
+            }
+        }
+        start.push_back(static_cast<int>(row.size()));
+    }
+    cholmod_common common{};
+    cholmod_start(&common);
+    common.print = 0;
+    common.error_handler = nullptr;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NESDIS;
+    cholmod_sparse view{};
+    view.nrow = view.ncol = start.size() - 1;
+    view.nzmax = row.size();
+    view.p = start.data();
+    view.i = row.data();
+    view.stype = -1;  // lower triangle stored
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_PATTERN;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    std::vector<int> order;
+    cholmod_factor* factor = cholmod_analyze(&view, &common);
+    if (factor != nullptr) {
+        const int* const first = static_cast<const int*>(factor->Perm);
+        for (std::size_t v = 0; v < view.nrow; ++v) {
+            for (int k = 0; k < together; ++k) {
+                order.push_back(together * first[v] + k);
+            }
+        }
+    }
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
     return order;
 }
 
