@@ -18,16 +18,17 @@ double cotangentAt(const Points2& Q, int corner, int a, int b) {
 
 }  // namespace
 
-Bending::Bending(const Cloth& cloth, double bending) {
-    if (bending <= 0) {
-        return;
-    }
+Bending::Bending(const Cloth& cloth, const PieceStiffness& stiffness) {
     const Triangles& F = cloth.patternF;
     const EdgeTable table = buildEdgeTable(F, static_cast<int>(cloth.Q.rows()));
     const Eigen::VectorXd areas = restAreas(cloth);
     for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
         const auto uses = table.usesOf(e);
         if (uses.size() != 2) {
+            continue;
+        }
+        const double bending = stiffnessOf(stiffness, cloth.pieceOf[uses[0] / 3]).bending;
+        if (bending <= 0) {
             continue;
         }
         const int a = table.edges(e, 0), b = table.edges(e, 1);

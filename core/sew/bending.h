@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/sew/cloth.h"
+#include "core/sew/cloth_stiffness.h"
 #include "core/sew/space_matrix.h"
 
 namespace toile::sew {
@@ -20,8 +21,7 @@ namespace toile::sew {
 /// mm. Immutable; linear cost.
 class Bending {
 public:
-    /// @param bending  B, N·m
-    Bending(const Cloth& cloth, double bending);
+    Bending(const Cloth& cloth, const PieceStiffness& stiffness);
 
     bool empty() const { return hinges_.empty(); }
     double energy(const Points3& X) const;
@@ -39,7 +39,7 @@ private:
         Eigen::RowVector3d bend(const Points3& X) const;
     };
 
-    std::vector<Hinge> hinges_;  ///< none where B is 0
+    std::vector<Hinge> hinges_;  ///< of pieces whose B is above 0
 };
 
 }  // namespace toile::sew

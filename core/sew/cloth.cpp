@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sew/cloth.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/LU>
@@ -35,52 +36,66 @@ Cloth sewTogether(const CutCloth& cut) {
     }
     Cloth cloth;
     cloth.Q = cut.Q;
-    cloth.clothVertex.assign(static_cast<std::size_t>(points), -1);
-    std::vector<int> vertexOfRoot(static_cast<std::size_t>(points), -1), members;
-    for (int p = 0; p < points; ++p) {
-        int& vertex = vertexOfRoot[sets.root(p)];
-        if (vertex < 0) {
-            vertex = static_cast<int>(members.size());
-            members.push_back(0);
-        }
-        cloth.clothVertex[p] = vertex;
-        ++members[vertex];
-    }
-    cloth.X = Points3::Zero(static_cast<Eigen::Index>(members.size()), 3);
-    for (int p = 0; p < points; ++p) {
-        const int v = cloth.clothVertex[p];
-        cloth.X.row(v) += cut.V.row(p) / members[v];
-    }
     const Eigen::Index count = cut.F.rows();
     cloth.patternF.resize(count, 3);
     cloth.F.resize(count, 3);
     Eigen::Index kept = 0;
+    std::vector<char> isUsed(static_cast<std::size_t>(points), 0);  // of roots
     for (Eigen::Index f = 0; f < count; ++f) {
-        Eigen::RowVector3i corners;
-        for (int k = 0; k < 3; ++k) {
-            corners[k] = cloth.clothVertex[cut.F(f, k)];
-        }
-        if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0] ||
+        const Eigen::RowVector3i roots(sets.root(cut.F(f, 0)), sets.root(cut.F(f, 1)),
+                                       sets.root(cut.F(f, 2)));
+        if (roots[0] == roots[1] || roots[1] == roots[2] || roots[2] == roots[0] ||
             !hasRestArea(cut.Q, cut.F, f)) {
             ++cloth.collapsed;
             continue;
         }
         cloth.patternF.row(kept) = cut.F.row(f);
-        cloth.F.row(kept++) = corners;
+        cloth.F.row(kept++) = roots;
         cloth.pieceOf.push_back(cut.pieceOf[f]);
+        isUsed[roots[0]] = isUsed[roots[1]] = isUsed[roots[2]] = 1;
     }
     cloth.patternF.conservativeResize(kept, 3);
     cloth.F.conservativeResize(kept, 3);
+    cloth.clothVertex.assign(static_cast<std::size_t>(points), -1);
+    std::vector<int> members;
+    for (int p = 0; p < points; ++p) {
+        const int root = sets.root(p);  // the least of its set
+        if (isUsed[root] && root == p) {
+            cloth.clothVertex[p] = static_cast<int>(members.size());
+            members.push_back(0);
+        } else if (isUsed[root]) {
+            cloth.clothVertex[p] = cloth.clothVertex[root];
+        }
+        if (isUsed[root]) {
+            ++members[cloth.clothVertex[p]];
+        }
+    }
+    cloth.X = Points3::Zero(static_cast<Eigen::Index>(members.size()), 3);
+    for (int p = 0; p < points; ++p) {
+        if (const int v = cloth.clothVertex[p]; v >= 0) {
+            cloth.X.row(v) += cut.V.row(p) / members[v];
+        }
+    }
+    for (int& corner : cloth.F.reshaped()) {
+        corner = cloth.clothVertex[corner];
+    }
     return cloth;
 }
 
 std::vector<char> sewnVertices(const Cloth& cloth) {
     std::vector<char> seen(static_cast<std::size_t>(cloth.X.rows()), 0), sewn = seen;
     for (const int v : cloth.clothVertex) {
-        sewn[v] = seen[v];
-        seen[v] = 1;
+        if (v >= 0) {
+            sewn[v] = seen[v];
+            seen[v] = 1;
+        }
     }
     return sewn;
+}
+
+std::size_t pieceCount(const Cloth& cloth) {
+    const auto last = std::ranges::max_element(cloth.pieceOf);
+    return last == cloth.pieceOf.end() ? 0 : static_cast<std::size_t>(*last) + 1;
 }
 
 Eigen::VectorXd restAreas(const Cloth& cloth) {

@@ -15,9 +15,11 @@ struct Cloth {
     Points2 Q;                 ///< pattern points at rest, mm: x along the weft, y along the warp
     Triangles patternF;        ///< of pattern points; a piece may lie mirrored
     std::vector<int> pieceOf;  ///< per triangle: whose it is
-    std::vector<int> clothVertex;  ///< per pattern point
-    Points3 X;                     ///< of the vertices, mm
-    Triangles F;                   ///< of vertices; the same triangles
+    /// Per pattern point; -1: it is in no triangle, as the tip of a piece whose two sides there are
+    /// sewn to each other.
+    std::vector<int> clothVertex;
+    Points3 X;          ///< of the vertices, mm
+    Triangles F;        ///< of vertices; the same triangles
     int collapsed = 0;  ///< triangles left out: two of their corners are sewn to each other, or
                         ///< they have no area
 
@@ -39,6 +41,9 @@ Cloth sewTogether(const CutCloth& cut);
 
 /// Per vertex: whether several pattern points are sewn to each other there. Linear. Pure.
 std::vector<char> sewnVertices(const Cloth& cloth);
+
+/// One more than the largest piece number. Linear. Pure.
+std::size_t pieceCount(const Cloth& cloth);
 
 /// Areas of the triangles at rest, mm². Linear. Pure.
 Eigen::VectorXd restAreas(const Cloth& cloth);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 namespace toile::sew {
 
-/// How cloth resists being deformed: the tangent moduli at rest of an orthotropic sheet.
+/// How cloth resists being deformed, the tangent moduli at rest of an orthotropic sheet, and what
+/// it weighs.
 struct ClothStiffness {
     double weft = 1000;     ///< force per width and strain along the weft, N/m
     double warp = 1000;     ///< along the warp, N/m
     double coupling = 300;  ///< of one in the other (C12), N/m; below the mean of the two
     double shear = 350;     ///< force per width and shear angle, N/m
     double bending = 1e-5;  ///< moment per width and curvature, N·m
+    double weight = 150;    ///< g/m²; it has no part in resisting, and counts under gravity
 
     bool operator==(const ClothStiffness&) const = default;
 };
@@ -23,5 +28,13 @@ constexpr ClothStiffness isotropicStiffness(double stretch, double poisson, doub
 /// What stands in where nothing is known of the fabric; not measured. Woven ones shear far more
 /// easily than this; a sheet alike in all directions favours no grain.
 inline constexpr ClothStiffness kUnstatedStiffness = isotropicStiffness(1000, 0.3, 1e-5);
+
+/// By piece number, as in `Cloth::pieceOf`; those past the end are not stated.
+using PieceStiffness = std::vector<ClothStiffness>;
+
+inline const ClothStiffness& stiffnessOf(const PieceStiffness& pieces, int piece) {
+    const auto number = static_cast<std::size_t>(piece);
+    return number < pieces.size() ? pieces[number] : kUnstatedStiffness;
+}
 
 }  // namespace toile::sew

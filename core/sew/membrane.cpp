@@ -24,16 +24,20 @@ Eigen::Matrix2d tensionOf(const Eigen::Matrix2d& stress) {
 
 }  // namespace
 
-Membrane::Membrane(const Cloth& cloth, const ClothStiffness& stiffness)
-    : cloth_(cloth), rest_(restShapes(cloth)) {
-    moduli_ << stiffness.weft, stiffness.coupling, 0,  //
-        stiffness.coupling, stiffness.warp, 0,         //
-        0, 0, stiffness.shear;
-    moduli_ *= kMillimetres;
+Membrane::Membrane(const Cloth& cloth, const PieceStiffness& stiffness)
+    : cloth_(cloth), rest_(restShapes(cloth)), moduli_(pieceCount(cloth)) {
+    for (std::size_t piece = 0; piece < moduli_.size(); ++piece) {
+        const ClothStiffness& of = stiffnessOf(stiffness, static_cast<int>(piece));
+        moduli_[piece] << of.weft, of.coupling, 0,  //
+            of.coupling, of.warp, 0,                //
+            0, 0, of.shear;
+        moduli_[piece] *= kMillimetres;
+    }
 }
 
-Eigen::Matrix2d Membrane::stress(const Eigen::Matrix2d& green) const {
-    const Eigen::Vector3d s = moduli_ * Eigen::Vector3d(green(0, 0), green(1, 1), 2 * green(0, 1));
+Eigen::Matrix2d Membrane::stress(Eigen::Index f, const Eigen::Matrix2d& green) const {
+    const Eigen::Vector3d s =
+        moduliOf(f) * Eigen::Vector3d(green(0, 0), green(1, 1), 2 * green(0, 1));
     Eigen::Matrix2d stress;
     stress << s[0], s[2], s[2], s[1];
     return stress;
@@ -43,7 +47,7 @@ double Membrane::energy(const Points3& X) const {
     double sum = 0;
     for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
         const Eigen::Matrix2d green = greenStrain(deformation(rest_[f], cloth_.F, f, X));
-        sum += rest_[f].area * stress(green).cwiseProduct(green).sum() / 2;
+        sum += rest_[f].area * stress(f, green).cwiseProduct(green).sum() / 2;
     }
     return sum;
 }
@@ -52,7 +56,7 @@ template <class Add>
 void Membrane::forEachForce(const Points3& X, Add add) const {
     for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
         const Deformation F = deformation(rest_[f], cloth_.F, f, X);
-        const Deformation pulled = rest_[f].area * F * stress(greenStrain(F));
+        const Deformation pulled = rest_[f].area * F * stress(f, greenStrain(F));
         for (int k = 0; k < 3; ++k) {
             add(cloth_.F(f, k), Eigen::Vector3d(pulled * rest_[f].b[k]));
         }
@@ -71,14 +75,14 @@ void Membrane::addHessian(const Points3& X, SpaceMatrix& H) const {
     for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
         const RestShape& rest = rest_[f];
         const Deformation F = deformation(rest, cloth_.F, f, X);
-        const Eigen::Matrix2d tension = tensionOf(stress(greenStrain(F)));
+        const Eigen::Matrix2d tension = tensionOf(stress(f, greenStrain(F)));
         Eigen::Matrix3d byStrain[3];  // derivatives of E11, E22 and 2 E12 by each corner
         for (int k = 0; k < 3; ++k) {
             const Eigen::Vector2d& b = rest.b[k];
             byStrain[k] << F.col(0) * b[0], F.col(1) * b[1], F.col(0) * b[1] + F.col(1) * b[0];
         }
         for (int i = 0; i < 3; ++i) {
-            const Eigen::Matrix3d pulled = rest.area * byStrain[i] * moduli_;
+            const Eigen::Matrix3d pulled = rest.area * byStrain[i] * moduliOf(f);
             for (int j = 0; j <= i; ++j) {
                 const double along = rest.area * rest.b[i].dot(tension * rest.b[j]);
                 Eigen::Matrix3d block = pulled * byStrain[j].transpose();

@@ -18,7 +18,7 @@ namespace toile::sew {
 /// energy in N·mm. Immutable; keeps a reference to the cloth; linear cost.
 class Membrane {
 public:
-    Membrane(const Cloth& cloth, const ClothStiffness& stiffness);
+    Membrane(const Cloth& cloth, const PieceStiffness& stiffness);
 
     double energy(const Points3& X) const;
     /// Adds the derivative by every coordinate: minus the forces on the vertices, N.
@@ -32,14 +32,15 @@ public:
     void addPairs(std::vector<std::pair<int, int>>& pairs) const;
 
 private:
-    /// Second Piola-Kirchhoff stress, N/mm.
-    Eigen::Matrix2d stress(const Eigen::Matrix2d& green) const;
+    /// Second Piola-Kirchhoff stress in a triangle, N/mm.
+    Eigen::Matrix2d stress(Eigen::Index f, const Eigen::Matrix2d& green) const;
+    const Eigen::Matrix3d& moduliOf(Eigen::Index f) const { return moduli_[cloth_.pieceOf[f]]; }
     template <class Add>
     void forEachForce(const Points3& X, Add add) const;
 
     const Cloth& cloth_;
     std::vector<RestShape> rest_;
-    Eigen::Matrix3d moduli_;  ///< from (E11, E22, 2 E12), N/mm
+    std::vector<Eigen::Matrix3d> moduli_;  ///< per piece: from (E11, E22, 2 E12), N/mm
 };
 
 }  // namespace toile::sew

@@ -31,6 +31,9 @@ public:
         }
     }
 
+    bool hasLength() const { return arc_.back() > 0; }
+
+    /// Precondition: it has a length.
     LoopPlace at(double arc) const {
         const double whole = arc_.back();
         double s = std::fmod(arc, whole);
@@ -135,6 +138,9 @@ public:
             return;
         }
         const LoopMeasure left = measureOf(seam.left), right = measureOf(seam.right);
+        if (!left.hasLength() || !right.hasLength()) {
+            return;
+        }
         for (const SeamMatch& match : seam.matches) {
             LoopPlace a = left.at(match.left), b = right.at(match.right);
             const double across = kAcross * std::min(a.length, b.length);

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/linalg/elimination_order.h"
 #include "core/linalg/sparse_cholesky.h"
-#include "core/sew/bending.h"
-#include "core/sew/membrane.h"
+#include "core/sew/cloth_forces.h"
 
 namespace toile::sew {
 namespace {
@@ -21,70 +21,111 @@ constexpr double kMostCaution = 1e4;
 constexpr double kBolder = 0.2;  // times the caution after a step that kept its promise
 constexpr double kTimider = 10;  // and after one that had to be cut
 constexpr double kKept = 0.5;    // of the promised fall
-/// At caution 1, damping in parts of the membrane's stiffness against the largest bend that cloth
-/// of this size can have: N/mm³.
-constexpr double kDamping = 1e-4;
+/// Where less is held than before.
+constexpr double kLetGoCaution = 0.01;
 /// A fall below this part of the energy's terms is rounding.
 constexpr double kRounding = 1e-14;
+/// N: below this a rest of force is rounding.
+constexpr double kNoForce = 1e-12;
+/// So many unknowns are worth the longer search for an order.
+constexpr int kDissected = 6000;
+/// mm: a step below this leads nowhere.
+constexpr double kNoMove = 1e-9;
+
+// Pins are let go by and by, and the surface hardens: a step in which vertices cross many of its
+// edges is as good as any while it is soft, and has to be cut where it is hard.
+constexpr ClothHold kPinned{1, 0, 0};
+constexpr ClothHold kHeldLoosely[] = {{1e-3, 0.1, 0.05}, {1e-4, 0.1, 0.05}, {1e-5, 0.1, 0.05}};
+/// Where it is pinned, positions are taken in parts of a millimetre of which the last digits of the
+/// start are no longer seen.
+constexpr double kParts = 65536;
+constexpr ClothHold kLetGo{0, 0.3, 0.02};
+
+std::vector<ClothHold> holdsOf(const SettleOptions& options) {
+    std::vector<ClothHold> holds;
+    if (options.heldFirst) {
+        holds.push_back(kPinned);
+        holds.insert(holds.end(), std::begin(kHeldLoosely), std::end(kHeldLoosely));
+    }
+    holds.push_back(kLetGo);
+    holds.push_back({0, 1, options.share});
+    return holds;
+}
+
+bool isAtRest(const SettledCloth& cloth, double share) {
+    return cloth.restForce <= std::max(share * cloth.seamForce, kNoForce);
+}
 
 class Settling {
 public:
     Settling(const Cloth& cloth, const WornSurface& surface, const SettleOptions& options)
-        : options_(options),
-          areas_(vertexAreas(cloth)),
-          sewn_(sewnVertices(cloth)),
-          membrane_(cloth, options.stiffness),
-          bending_(cloth, options.stiffness.bending),
-          contact_(surface, areas_, options.pressure, options.contactStiffness),
-          H_(pairs(), static_cast<int>(cloth.X.rows())) {
-        if (std::ranges::count(sewn_, 1) == 0) {
-            std::ranges::fill(sewn_, 1);
+        : forces_(cloth, surface, options) {}
+
+    /// Goes on until the cloth is at rest as the hold wants it, or nothing helps any more.
+    Result<void> settle(const ClothHold& hold, const SettleOptions& options,
+                        const Progress& progress) {
+        forces_.hold(hold);
+        point_ = isTouching_ ? forces_.at(point_.X, point_) : forces_.at(result.X);
+        isTouching_ = hold.contact > 0;
+        caution_ = std::max(caution_, kLetGoCaution);
+        while (!progress.isCancelled()) {
+            const Points3 g = forces_.gradient(point_);
+            forces_.judge(point_, g, result);
+            if (isAtRest(result, hold.share) || result.iterations >= options.maxIterations) {
+                keep();
+                return {};
+            }
+            const auto P = step(g);
+            if (!P) {
+                return P.error();
+            }
+            ++result.iterations;
+            const bool isStill = P->size() > 0 && P->cwiseAbs().maxCoeff() < kNoMove;
+            if (isStill) {
+                keep();
+                return {};
+            }
+            if (P->size() == 0 || !take(*P, g)) {
+                if (caution_ >= kMostCaution) {
+                    keep();
+                    return {};
+                }
+                caution_ = std::min(kTimider * caution_, kMostCaution);
+            }
+            if (options.watch) {
+                options.watch(point_.X);
+            }
+            progress.step();
+        }
+        return Error{ErrorCode::Cancelled};
+    }
+
+    /// Starts from its X.
+    SettledCloth result;
+
+private:
+    void keep() {
+        result.X = point_.X;
+        if (!isTouching_) {
+            result.X = (kParts * result.X).array().round() / kParts;
         }
     }
 
-    struct Point {
-        Points3 X;
-        std::vector<WornSurface::Place> places;
-        double energy = 0;
-        double scale = 0;  ///< of its terms, for what rounding makes of their sum
-    };
-
-    Point at(Points3 X) const {
-        Point point{std::move(X), {}, 0, 0};
-        point.places = contact_.placesOf(point.X);
-        const double parts[] = {membrane_.energy(point.X), bending_.energy(point.X),
-                                contact_.energy(point.places)};
-        for (const double part : parts) {
-            point.energy += part;
-            point.scale += std::abs(part);
-        }
-        return point;
-    }
-
-    Points3 gradient(const Point& point) const {
-        Points3 g = Points3::Zero(point.X.rows(), 3);
-        membrane_.addGradient(point.X, g);
-        bending_.addGradient(point.X, g);
-        contact_.addGradient(point.places, g);
-        return g;
-    }
-
-    /// The step that the quadratic model finds best.
-    Result<Points3> step(const Point& point, const Points3& g, double caution) {
-        H_.setZero();
-        membrane_.addHessian(point.X, H_);
-        bending_.addHessian(H_);
-        contact_.addHessian(point.places, std::min(caution, 1.0), H_);
-        for (Eigen::Index v = 0; v < areas_.size(); ++v) {
-            H_.addToDiagonal(static_cast<int>(v), caution * kDamping * areas_[v]);
-        }
+    /// The step that the quadratic model finds best; none where that has no best.
+    Result<Points3> step(const Points3& g) {
+        const linalg::SymmetricMatrix& H = forces_.hessian(point_, caution_);
         if (!isLaidOut_) {
-            if (const auto done = factor_.analyse(H_.matrix()); !done) {
+            std::vector<int> order =
+                H.size >= kDissected ? linalg::dissectedOrder(H, 3) : std::vector<int>{};
+            if (const auto done = factor_.analyse(H, std::move(order)); !done) {
                 return done.error();
             }
             isLaidOut_ = true;
         }
-        if (const auto done = factor_.refactorise(H_.matrix()); !done) {
+        if (const auto done = factor_.refactorise(H); !done) {
+            if (done.error().code == ErrorCode::FactorisationFailed && caution_ < kMostCaution) {
+                return Points3(0, 3);
+            }
             return done.error();
         }
         const Eigen::MatrixXd right =
@@ -93,105 +134,61 @@ public:
         if (!solved) {
             return solved.error();
         }
+        if (!solved->allFinite()) {
+            return Error{ErrorCode::NotFinite, {}, "the cloth's step"};
+        }
         return Points3(Eigen::Map<const Points3>(solved->data(), g.rows(), 3));
     }
 
-    /// Says of a result how far from rest it is.
-    void judge(const Point& point, const Points3& g, SettledCloth& result) const {
-        const Eigen::VectorXd rests = g.rowwise().norm();
-        result.largestRest = rests.maxCoeff();
-        result.restForce = rests.norm() / std::sqrt(static_cast<double>(rests.size()));
-        Eigen::VectorXd sizes = options_.pressure * areas_;
-        membrane_.addForceSizes(point.X, sizes);
-        double sum = 0;
-        int count = 0;
-        for (Eigen::Index v = 0; v < sizes.size(); ++v) {
-            if (sewn_[v] != 0) {
-                sum += sizes[v] * sizes[v];
-                ++count;
+    /// Moves along a step as far as it helps. @return whether it does
+    bool take(const Points3& P, const Points3& g) {
+        const double slope = g.cwiseProduct(P).sum();
+        double t = 1;
+        for (int k = 0; k < kMaxHalvings; ++k, t /= 2) {
+            ClothForces::Point next = forces_.at(point_.X + t * P, point_);
+            const double fall = point_.energy - next.energy;
+            // A fall that rounding hides is no reason to stay.
+            const double hidden = kRounding * (point_.scale + next.scale);
+            if (fall >= -kSufficientDecrease * t * slope - hidden) {
+                if (k == 0 && fall >= -kKept * slope / 2 - hidden) {
+                    caution_ = std::max(kBolder * caution_, kLeastCaution);
+                } else if (k > 1) {
+                    caution_ = std::min(kTimider * caution_, kMostCaution);
+                }
+                point_ = std::move(next);
+                return true;
             }
         }
-        result.seamForce = std::sqrt(sum / count);
-        result.hasSettled = result.restForce <= options_.share * result.seamForce;
+        return false;
     }
 
-private:
-    std::vector<std::pair<int, int>> pairs() const {
-        std::vector<std::pair<int, int>> all;
-        membrane_.addPairs(all);
-        bending_.addPairs(all);
-        return all;
-    }
-
-    const SettleOptions& options_;
-    Eigen::VectorXd areas_;
-    std::vector<char> sewn_;
-    Membrane membrane_;
-    Bending bending_;
-    Contact contact_;
-    SpaceMatrix H_;
+    ClothForces forces_;
+    ClothForces::Point point_;
     linalg::SparseCholesky factor_;
+    double caution_ = kFirstCaution;
     bool isLaidOut_ = false;
+    bool isTouching_ = false;  ///< the point knows which sheet of the surface each vertex is on
 };
 
 }  // namespace
 
 Result<SettledCloth> settle(const Cloth& cloth, const Points3& start, const WornSurface& surface,
                             const SettleOptions& options, const Progress& progress) {
-    Settling settling(cloth, surface, options);
-    SettledCloth result;
-    Settling::Point point = settling.at(start);
-    if (!std::isfinite(point.energy)) {
+    if (cloth.F.rows() == 0) {
+        return Error{ErrorCode::NoGeometry, {}, "the cloth has no triangles"};
+    }
+    if (!start.allFinite() || !cloth.X.allFinite()) {
         return Error{ErrorCode::NotFinite, {}, "the cloth's start"};
     }
-    double caution = kFirstCaution;
-    while (!progress.isCancelled()) {
-        const Points3 g = settling.gradient(point);
-        settling.judge(point, g, result);
-        if (result.hasSettled || result.iterations >= options.maxIterations) {
-            result.X = std::move(point.X);
-            return result;
+    Settling settling(cloth, surface, options);
+    settling.result.X = start;
+    for (const ClothHold& hold : holdsOf(options)) {
+        if (const auto done = settling.settle(hold, options, progress); !done) {
+            return done.error();
         }
-        const auto P = settling.step(point, g, caution);
-        if (!P) {
-            return P.error();
-        }
-        ++result.iterations;
-        const double slope = g.cwiseProduct(*P).sum();
-        if (!std::isfinite(slope)) {
-            return Error{ErrorCode::NotFinite, {}, "the cloth's step"};
-        }
-        double t = 1;
-        bool hasMoved = false;
-        for (int k = 0; k < kMaxHalvings && !hasMoved; ++k) {
-            Settling::Point next = settling.at(point.X + t * *P);
-            const double fall = point.energy - next.energy;
-            // A fall that rounding hides is no reason to stay.
-            const double hidden = kRounding * (point.scale + next.scale);
-            hasMoved = fall >= -kSufficientDecrease * t * slope - hidden;
-            if (hasMoved) {
-                if (k == 0 && fall >= -kKept * slope / 2 - hidden) {
-                    caution = std::max(kBolder * caution, kLeastCaution);
-                } else if (k > 1) {
-                    caution = std::min(kTimider * caution, kMostCaution);
-                }
-                point = std::move(next);
-            }
-            t /= 2;
-        }
-        if (!hasMoved) {
-            if (caution >= kMostCaution) {
-                result.X = std::move(point.X);
-                return result;
-            }
-            caution = std::min(kTimider * caution, kMostCaution);
-        }
-        if (options.watch) {
-            options.watch(point.X);
-        }
-        progress.step();
     }
-    return Error{ErrorCode::Cancelled};
+    settling.result.hasSettled = isAtRest(settling.result, options.share);
+    return std::move(settling.result);
 }
 
 }  // namespace toile::sew

@@ -104,6 +104,32 @@ TEST(Cloth, TriangleWhoseCornersAreSewnToEachOtherIsLeftOut) {
     EXPECT_EQ(cloth.F.rows(), 1);
 }
 
+TEST(Cloth, APointThatNoTriangleUsesIsNoVertex) {
+    CutCloth cut = test::flatCloth(1, 1, 10);
+    const Eigen::RowVector3i ear = cut.F.row(0), other = cut.F.row(1);
+    int tip = -1;
+    std::vector<int> sides;
+    for (const int corner : ear) {
+        if ((other.array() == corner).any()) {
+            sides.push_back(corner);
+        } else {
+            tip = corner;
+        }
+    }
+    // The other triangle must stay: a point of it is sewn to one that only the ear has.
+    cut.sewn.emplace_back(tip, sides[0]);
+    const Cloth cloth = sewTogether(cut);
+    EXPECT_EQ(cloth.X.rows(), 3);
+    EXPECT_GT(vertexAreas(cloth).minCoeff(), 0);
+    cut.sewn = {};
+    cut.F.conservativeResize(1, 3);
+    cut.pieceOf.resize(1);
+    const Cloth half = sewTogether(cut);
+    EXPECT_EQ(half.X.rows(), 3);
+    EXPECT_EQ(std::ranges::count(half.clothVertex, -1), 1);
+    EXPECT_EQ(countSewn(half), 0);
+}
+
 TEST(Cloth, SidesWithTheSameSamplesAreSewnVertexByVertex) {
     const Garment garment = twoStrips(4, 4);
     const auto cut = cutAlongSeams(garment, asTheyLie(garment));

@@ -40,6 +40,25 @@ TEST(Gap, PastARimIsTheDistanceFromTheRim) {
     EXPECT_NEAR(gapTo(plane, cloth, X).max, 20, 1e-12);
 }
 
+TEST(Gap, OfPiecesIsEachOnesOwn) {
+    CutCloth cut = test::flatCloth(4, 4, 10);
+    for (std::size_t f = 0; f < cut.pieceOf.size(); ++f) {
+        cut.pieceOf[f] = cut.V(cut.F(static_cast<Eigen::Index>(f), 0), 1) < 20 ? 0 : 1;
+    }
+    const Cloth cloth = sewTogether(cut);
+    const WornSurface plane(cloth.surface());
+    Points3 X = cloth.X;
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+        X(v, 2) = cloth.X(v, 1) > 25 ? 4 : 0;
+    }
+    const ClothGaps gaps = gapsTo(plane, cloth, X);
+    ASSERT_EQ(gaps.pieces.size(), 2U);
+    EXPECT_NEAR(gaps.whole.mean, gapTo(plane, cloth, X).mean, 0);
+    EXPECT_NEAR(gaps.whole.mean, (gaps.pieces[0].mean + gaps.pieces[1].mean) / 2, 1e-9);
+    EXPECT_LT(gaps.pieces[0].mean, 0.1);
+    EXPECT_GT(gaps.pieces[1].mean, 1);
+}
+
 TEST(Gap, StrainIsTheLargerOfTwo) {
     const Cloth cloth = sewTogether(test::flatCloth(2, 2, 10));
     Points3 X = cloth.X;

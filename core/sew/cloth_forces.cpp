@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/cloth_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile::sew {
+namespace {
+
+/// At caution 1, damping in parts of the membrane's stiffness against the largest bend that cloth
+/// of this size can have: N/mm³.
+constexpr double kDamping = 1e-4;
+
+constexpr double kGramsPerArea = 1e-9;  // g/m² m/s² in N/mm²
+
+/// What gravity does to the vertices, N.
+Eigen::VectorXd weightsOf(const Cloth& cloth, const SettleOptions& options) {
+    const Eigen::VectorXd areas = restAreas(cloth);
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(cloth.X.rows());
+    for (Eigen::Index f = 0; f < cloth.F.rows(); ++f) {
+        const double load = kGramsPerArea * options.gravity *
+                            stiffnessOf(options.stiffness, cloth.pieceOf[f]).weight;
+        for (int k = 0; k < 3; ++k) {
+            weights[cloth.F(f, k)] += load * areas[f] / 3;
+        }
+    }
+    return weights;
+}
+
+}  // namespace
+
+ClothForces::ClothForces(const Cloth& cloth, const WornSurface& surface,
+                         const SettleOptions& options)
+    : cloth_(cloth),
+      options_(options),
+      areas_(vertexAreas(cloth)),
+      weights_(weightsOf(cloth, options)),
+      sewn_(sewnVertices(cloth)),
+      membrane_(cloth, options.stiffness),
+      bending_(cloth, options.stiffness),
+      contact_(surface, areas_, contactForces(), options.threads),
+      bentH_(pairs(), static_cast<int>(cloth.X.rows())),
+      H_(bentH_) {
+    bending_.addHessian(bentH_);
+    if (std::ranges::count(sewn_, 1) == 0) {
+        std::ranges::fill(sewn_, 1);
+    }
+}
+
+ContactForces ClothForces::contactForces() const {
+    const double whole = areas_.sum();
+    return {options_.pressure, (hold_.contact > 0 ? hold_.contact : 1) * options_.contactStiffness,
+            whole > 0 ? weights_.cwiseAbs().sum() / whole : 0};
+}
+
+void ClothForces::hold(const ClothHold& hold) {
+    hold_ = hold;
+    contact_.set(contactForces());
+}
+
+ClothForces::Point ClothForces::at(Points3 X) const {
+    Point point{std::move(X), {}, 0, 0};
+    point.places = contact_.placesOf(point.X);
+    weigh(point);
+    return point;
+}
+
+ClothForces::Point ClothForces::at(Points3 X, const Point& before) const {
+    Point point{std::move(X), {}, 0, 0};
+    point.places =
+        hold_.contact > 0 ? contact_.placesOf(point.X, before.X, before.places) : before.places;
+    weigh(point);
+    return point;
+}
+
+void ClothForces::weigh(Point& point) const {
+    const Points3 moved = point.X - cloth_.X;
+    const double parts[] = {
+        membrane_.energy(point.X),
+        bending_.energy(point.X),
+        hold_.contact > 0 ? contact_.energy(point.places) : 0,
+        hold_.pin / 2 * areas_.dot(moved.rowwise().squaredNorm()),
+        weights_.dot(moved.col(1)),
+    };
+    for (const double part : parts) {
+        point.energy += part;
+        point.scale += std::abs(part);
+    }
+}
+
+Points3 ClothForces::gradient(const Point& point) const {
+    Points3 g = hold_.pin * (areas_.asDiagonal() * (point.X - cloth_.X));
+    g.col(1) += weights_;
+    membrane_.addGradient(point.X, g);
+    bending_.addGradient(point.X, g);
+    if (hold_.contact > 0) {
+        contact_.addGradient(point.places, g);
+    }
+    return g;
+}
+
+const linalg::SymmetricMatrix& ClothForces::hessian(const Point& point, double caution) {
+    H_ = bentH_;
+    membrane_.addHessian(point.X, H_);
+    if (hold_.contact > 0) {
+        contact_.addHessian(point.places, std::min(caution, 1.0), H_);
+    }
+    for (Eigen::Index v = 0; v < areas_.size(); ++v) {
+        H_.addToDiagonal(static_cast<int>(v), (hold_.pin + caution * kDamping) * areas_[v]);
+    }
+    return H_.matrix();
+}
+
+void ClothForces::judge(const Point& point, const Points3& g, SettledCloth& result) const {
+    const Eigen::VectorXd rests = g.rowwise().norm();
+    result.largestRest = rests.maxCoeff();
+    result.restForce = rests.norm() / std::sqrt(static_cast<double>(rests.size()));
+    Eigen::VectorXd sizes = std::abs(options_.pressure) * areas_ + weights_.cwiseAbs();
+    membrane_.addForceSizes(point.X, sizes);
+    double sum = 0;
+    int count = 0;
+    for (Eigen::Index v = 0; v < sizes.size(); ++v) {
+        if (sewn_[v] != 0) {
+            sum += sizes[v] * sizes[v];
+            ++count;
+        }
+    }
+    result.seamForce = std::sqrt(sum / count);
+}
+
+std::vector<std::pair<int, int>> ClothForces::pairs() const {
+    std::vector<std::pair<int, int>> all;
+    membrane_.addPairs(all);
+    bending_.addPairs(all);
+    return all;
+}
+
+}  // namespace toile::sew
