@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file of the core that includes CGAL, and slow to compile: 30 seconds.
+// Includes CGAL, and slow to compile: 30 seconds.
 #include "core/prepare/remesh.h"
 
 #include <algorithm>

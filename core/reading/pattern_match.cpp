@@ -30,17 +30,6 @@ constexpr double kForMirrored = 0.5;
 /// Pieces of a file that are compared with each of ours: patterns have some hundred.
 constexpr std::size_t kMostCandidates = 1000;
 
-std::string plainName(std::string_view name) {
-    std::string plain;
-    for (const char c : asciiText(name)) {
-        const char low = lowered(c);
-        if ((low >= 'a' && low <= 'z') || (low >= '0' && low <= '9')) {
-            plain += low;
-        }
-    }
-    return plain;
-}
-
 class PatternMatcher {
 public:
     PatternMatcher(const Pattern& pattern, const PatternFile& file)
@@ -209,6 +198,17 @@ private:
 
 std::string_view name(MatchedBy by) {
     return wordOf(kMatchedByWords, by);
+}
+
+std::string plainName(std::string_view name) {
+    std::string plain;
+    for (const char c : asciiText(name)) {
+        const char low = lowered(c);
+        if ((low >= 'a' && low <= 'z') || (low >= '0' && low <= '9')) {
+            plain += low;
+        }
+    }
+    return plain;
 }
 
 PatternMatch matchPatterns(const Pattern& pattern, const PatternFile& file) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace toile {
 enum class MatchedBy { Id, Name, Shape };
 /// "id", "name", "shape".
 std::string_view name(MatchedBy by);
+
+/// A name by which pieces are paired: its letters and digits in lower case.
+std::string plainName(std::string_view name);
 
 enum class MatchedLine { Cut, Seam };
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prove/fault_words.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/garment/garment.h"
+
+namespace toile {
+namespace {
+
+ProofFault pieceFault(ProofFaultKind kind, const Garment& garment, int piece, Wording told) {
+    ProofFault fault{kind, subjectOf(*garment.pieces[static_cast<std::size_t>(piece)])};
+    fault.pieces = {piece};
+    fault.told = std::move(told);
+    return fault;
+}
+
+ProofFault seamFault(ProofFaultKind kind, const Garment& garment, int index, double amount) {
+    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
+    ProofFault fault{kind, Subject::seam(seam.name, seam.id)};
+    fault.pieces = {seam.left.piece};
+    if (seam.right.piece != seam.left.piece) {
+        fault.pieces.push_back(seam.right.piece);
+    }
+    fault.seam = index;
+    fault.amount = std::abs(amount);
+    return fault;
+}
+
+const std::string& calledInFile(const FilePiece& piece) {
+    return piece.name.empty() ? piece.id : piece.name;
+}
+
+}  // namespace
+
+Wording nothingToSew() {
+    return worded("nothing of the pattern is a piece of the garment that is flat");
+}
+
+Wording sourceIsReference() {
+    return worded("the designer's panels");
+}
+
+Wording sourceIsReadBack() {
+    return worded("ASTM DXF, read back");
+}
+
+ProofFault pieceNotThere(const Garment& garment, int piece) {
+    return pieceFault(ProofFaultKind::NotThere, garment, piece,
+                      worded("the pattern has no piece %1", {garment.pieces[piece]->name}));
+}
+
+ProofFault pieceCrossesItself(const Garment& garment, int piece) {
+    return pieceFault(ProofFaultKind::NotThere, garment, piece,
+                      worded("the outline of %1 crosses itself in the pattern; it is left out",
+                             {garment.pieces[piece]->name}));
+}
+
+ProofFault pieceSewnAway(const Garment& garment, int piece) {
+    return pieceFault(
+        ProofFaultKind::NotThere, garment, piece,
+        worded("the sides of %1 are sewn to each other, so that nothing of it is left",
+               {garment.pieces[piece]->name}));
+}
+
+ProofFault pieceNotNeeded(const FilePiece& piece) {
+    ProofFault fault{ProofFaultKind::NotNeeded};
+    fault.told = worded("%1 of the pattern is no piece of the garment", {calledInFile(piece)});
+    return fault;
+}
+
+ProofFault pieceMirrored(const Garment& garment, int piece) {
+    return pieceFault(ProofFaultKind::Mirrored, garment, piece,
+                      worded("%1 is mirrored in the pattern; it is turned over to be sewn",
+                             {garment.pieces[piece]->name}));
+}
+
+ProofFault otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there) {
+    ProofFault fault = pieceFault(
+        ProofFaultKind::OtherFits, garment, piece,
+        worded("what the pattern calls %1 does not fit %2 but %3",
+               {calledInFile(there), garment.pieces[piece]->name, garment.pieces[other]->name}));
+    fault.pieces.push_back(other);
+    return fault;
+}
+
+ProofFault seamSlips(const Garment& garment, int seam, double slip) {
+    ProofFault fault = seamFault(ProofFaultKind::SeamSlips, garment, seam, slip);
+    const Seam& at = garment.seams.seams[static_cast<std::size_t>(seam)];
+    const bool isOfOne = at.left.piece == at.right.piece;
+    const int longer = slip > 0 ? at.left.piece : at.right.piece;
+    fault.told = isOfOne ? worded("%1: the two sides differ by %2 mm more than their ease",
+                                  {at.name, figure(fault.amount, 1)})
+                         : worded("%1: the side of %2 is %3 mm longer than what it is sewn to",
+                                  {at.name, garment.pieces[longer]->name, figure(fault.amount, 1)});
+    return fault;
+}
+
+ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer) {
+    ProofFault fault = seamFault(ProofFaultKind::LengthDiffers, garment, seam, longer);
+    const std::string& name = garment.seams.seams[static_cast<std::size_t>(seam)].name;
+    fault.told = longer > 0 ? worded("%1 is %2 mm longer in the pattern than on the design",
+                                     {name, figure(fault.amount, 1)})
+                            : worded("%1 is %2 mm shorter in the pattern than on the design",
+                                     {name, figure(fault.amount, 1)});
+    return fault;
+}
+
+}  // namespace toile

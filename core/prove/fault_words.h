@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/prove/proof.h"
+
+namespace toile {
+
+/// What is wrong with a pattern, told.
+
+ProofFault pieceNotThere(const Garment& garment, int piece);
+ProofFault pieceNotNeeded(const FilePiece& piece);
+ProofFault pieceMirrored(const Garment& garment, int piece);
+/// @param other  the piece that what the pattern has for `piece` fits better
+ProofFault otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there);
+/// It is left out: its outline crosses itself.
+ProofFault pieceCrossesItself(const Garment& garment, int piece);
+/// Nothing of it is left: all of it is between sides that are sewn to each other.
+ProofFault pieceSewnAway(const Garment& garment, int piece);
+/// @param slip  as of `ProvenSeam`
+ProofFault seamSlips(const Garment& garment, int seam, double slip);
+/// @param longer  mm; below 0: shorter
+ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer);
+
+/// The detail of an error: nothing of the pattern is to be sewn.
+Wording nothingToSew();
+/// `Proof::source` of the designer's panels, and of the garment's own pattern.
+Wording sourceIsReference();
+Wording sourceIsReadBack();
+
+}  // namespace toile

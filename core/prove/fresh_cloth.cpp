@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prove/fresh_cloth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "core/geometry/polygon.h"
+#include "core/prove/fault_words.h"
+#include "core/prove/fresh_mesh.h"
+#include "core/prove/pattern_faults.h"
+#include "core/prove/rest_place.h"
+#include "core/prove/stations.h"
+#include "core/quality/measures.h"
+
+namespace toile::prove {
+namespace {
+
+constexpr double kMostEdge = 30;  // mm
+/// No edge is shorter than that of a square of which so many make the cloth: it has some 100 000
+/// triangles then, and a doll's may be as short as they are.
+constexpr double kMostSquares = 50000;
+
+struct UsualEdge {
+    double own;   ///< the median of the garment's own triangles' edges, mm
+    double made;  ///< what is made of it
+};
+
+UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {
+    std::vector<double> lengths;
+    double area = 0;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        if (pattern.pieces[p]) {
+            const Piece& piece = *garment.pieces[p];
+            const Eigen::VectorXd edges = edgeLengths3d(piece.mesh.V, piece.table.edges);
+            lengths.insert(lengths.end(), edges.begin(), edges.end());
+            area += std::abs(
+                geometry::signedAreaOf(pattern.pieces[p]->flat(piece.boundary, Eigen::all)));
+        }
+    }
+    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+    std::ranges::nth_element(lengths, middle);
+    const double least = std::min(std::sqrt(area / kMostSquares), kMostEdge);
+    return {*middle, std::clamp(*middle, least, kMostEdge)};
+}
+
+MeshArrays inSpace(const Points2& flat, const Triangles& F) {
+    MeshArrays mesh{Points3::Zero(flat.rows(), 3), F};
+    mesh.V.leftCols<2>() = flat;
+    return mesh;
+}
+
+/// A piece triangulated.
+struct PieceCloth {
+    FreshMesh mesh;      ///< at rest; Q has the rims' points first
+    Points2 places;      ///< of its points in our flat piece
+    Points3 worn;        ///< and on the garment
+    int firstPoint = 0;  ///< of the cloth's
+    std::vector<int> firstOfLoop;
+};
+
+/// The points along a piece's rims, three times.
+struct RimPoints {
+    std::vector<Points2> rest;  ///< loop by loop
+    Points2 drawn;
+    Points3 worn;
+    std::vector<int> firstOfLoop;
+};
+
+RimPoints rimPoints(const RestPiece& rest, const std::vector<std::vector<double>>& places) {
+    RimPoints rim;
+    Eigen::Index count = 0, at = 0;
+    for (const std::vector<double>& ofLoop : places) {
+        count += static_cast<Eigen::Index>(ofLoop.size());
+    }
+    rim.drawn.resize(count, 2);
+    rim.worn.resize(count, 3);
+    for (std::size_t l = 0; l < rest.loops.size(); ++l) {
+        rim.firstOfLoop.push_back(static_cast<int>(at));
+        if (!rest.loops[l]) {
+            continue;
+        }
+        Points2& loop = rim.rest.emplace_back(static_cast<Eigen::Index>(places[l].size()), 2);
+        for (std::size_t k = 0; k < places[l].size(); ++k, ++at) {
+            loop.row(static_cast<Eigen::Index>(k)) = rest.loops[l]->restAt(places[l][k]);
+            rim.drawn.row(at) = rest.loops[l]->drawnAt(places[l][k]);
+            rim.worn.row(at) = rest.loops[l]->spaceAt(places[l][k]);
+        }
+    }
+    rim.rest.insert(rim.rest.end(), rest.others.begin(), rest.others.end());
+    return rim;
+}
+
+/// With points of a grid, or with those of the garment's vertices that are inside.
+Result<PieceCloth> clothOf(const Piece& piece, const RestPiece& rest,
+                           const std::vector<std::vector<double>>& places, double edge,
+                           bool hasGrid) {
+    PieceCloth cloth;
+    RimPoints rim = rimPoints(rest, places);
+    cloth.firstOfLoop = std::move(rim.firstOfLoop);
+    auto mesh = freshMesh(rim.rest, edge, subjectOf(piece));
+    if (!mesh) {
+        return mesh.error();
+    }
+    auto found = harmonicPlaces(*mesh, rim.drawn);
+    if (!found) {
+        return found.error();
+    }
+    if (!hasGrid) {
+        const MeshArrays grid = inSpace(*found, mesh->F);
+        const NearestSurface nearest(grid);
+        Points2 own(rest.flat.rows(), 2);
+        for (Eigen::Index v = 0; v < own.rows(); ++v) {
+            own.row(v) = flatPositionOf(mesh->Q, mesh->F,
+                                        nearest.find({rest.flat(v, 0), rest.flat(v, 1), 0}));
+        }
+        mesh = freshMesh(rim.rest, edge, subjectOf(piece), &own);
+        if (!mesh) {
+            return mesh.error();
+        }
+        const Eigen::Index first =
+            mesh->Q.rows() - static_cast<Eigen::Index>(mesh->insideOf.size());
+        Points2 drawn(mesh->Q.rows(), 2);
+        drawn << found->topRows(first), rest.flat(mesh->insideOf, Eigen::all);
+        found = std::move(drawn);
+    }
+    cloth.mesh = std::move(*mesh);
+    cloth.places = std::move(*found);
+    const MeshArrays flat = inSpace(rest.flat, piece.mesh.F);
+    const NearestSurface nearest(flat);
+    cloth.worn.resize(cloth.places.rows(), 3);
+    cloth.worn.topRows(rim.worn.rows()) = rim.worn;
+    for (Eigen::Index v = rim.worn.rows(); v < cloth.places.rows(); ++v) {
+        const Eigen::Vector3d at(cloth.places(v, 0), cloth.places(v, 1), 0);
+        cloth.worn.row(v) = positionOf(piece.mesh, nearest.find(at)).transpose();
+    }
+    return cloth;
+}
+
+/// So that the warp runs up the y axis.
+Points2 alongWarp(const Points2& Q, double warp) {
+    const double turn = std::numbers::pi / 2 - warp;
+    return turn == 0 ? Q : Points2(Q * Eigen::Rotation2Dd(-turn).toRotationMatrix());
+}
+
+/// Where the vertices of the garment's pieces are on the cloth.
+std::vector<SurfacePoint> placesOn(const sew::Cloth& cloth, int index, const PieceCloth& piece,
+                                   const RestPiece& rest) {
+    std::vector<int> faces;
+    for (Eigen::Index f = 0; f < cloth.F.rows(); ++f) {
+        if (cloth.pieceOf[f] == index) {
+            faces.push_back(static_cast<int>(f));
+        }
+    }
+    if (faces.empty()) {
+        return {};
+    }
+    const Triangles F = cloth.patternF(faces, Eigen::all).array() - piece.firstPoint;
+    const MeshArrays flat = inSpace(piece.places, F);
+    const NearestSurface nearest(flat);
+    std::vector<SurfacePoint> places;
+    for (Eigen::Index v = 0; v < rest.flat.rows(); ++v) {
+        places.push_back(nearest.find({rest.flat(v, 0), rest.flat(v, 1), 0}));
+        places.back().face = faces[places.back().face];
+    }
+    return places;
+}
+
+sew::CutCloth cutOf(std::vector<std::optional<PieceCloth>>& pieces, const RestPattern& pattern,
+                    const Stations& stations) {
+    sew::CutCloth cut;
+    Eigen::Index points = 0, faces = 0;
+    for (auto& piece : pieces) {
+        if (piece) {
+            piece->firstPoint = static_cast<int>(points);
+            points += piece->mesh.Q.rows();
+            faces += piece->mesh.F.rows();
+        }
+    }
+    cut.Q.resize(points, 2);
+    cut.V.resize(points, 3);
+    cut.F.resize(faces, 3);
+    Eigen::Index f = 0;
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        if (!pieces[p]) {
+            continue;
+        }
+        const FreshMesh& mesh = pieces[p]->mesh;
+        const Eigen::Index first = pieces[p]->firstPoint;
+        cut.Q.middleRows(first, mesh.Q.rows()) = alongWarp(mesh.Q, pattern.pieces[p]->warp);
+        cut.V.middleRows(first, mesh.Q.rows()) = pieces[p]->worn;
+        cut.F.middleRows(f, mesh.F.rows()) = mesh.F.array() + static_cast<int>(first);
+        f += mesh.F.rows();
+        cut.pieceOf.insert(cut.pieceOf.end(), static_cast<std::size_t>(mesh.F.rows()),
+                           static_cast<int>(p));
+    }
+    const auto pointOf = [&](const Station& station) {
+        const PieceCloth& piece = *pieces[static_cast<std::size_t>(station.piece)];
+        return piece.firstPoint + piece.firstOfLoop[static_cast<std::size_t>(station.loop)] +
+               station.number;
+    };
+    for (const auto& [a, b] : stations.sewn) {
+        if (pieces[static_cast<std::size_t>(a.piece)] &&
+            pieces[static_cast<std::size_t>(b.piece)]) {
+            cut.sewn.emplace_back(pointOf(a), pointOf(b));
+        }
+    }
+    return cut;
+}
+
+}  // namespace
+
+Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& order,
+                              const Progress& progress) {
+    const Garment& garment = source.garment();
+    auto found = restPattern(source, order);
+    if (!found) {
+        return found.error();
+    }
+    RestPattern& pattern = *found;
+    FreshCloth fresh;
+    fresh.source = pattern.source;
+    fresh.faults = std::move(pattern.faults);
+    const UsualEdge usual = usualEdge(garment, pattern);
+    // Of points that are too close, or too far, nothing good can be made.
+    const bool hasGrid = order.settings.edge > 0 || usual.made != usual.own;
+    const double edge = order.settings.edge > 0 ? order.settings.edge : usual.made;
+    const Stations stations = placeStations(garment.seams, pattern, edge, !hasGrid);
+    std::vector<std::optional<PieceCloth>> pieces(garment.pieces.size());
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        if (!pattern.pieces[p]) {
+            continue;
+        }
+        auto cloth =
+            clothOf(*garment.pieces[p], *pattern.pieces[p], stations.places[p], edge, hasGrid);
+        if (!cloth && cloth.error().code != ErrorCode::OutlineCrosses) {
+            return cloth.error();
+        }
+        if (cloth) {
+            pieces[p] = std::move(*cloth);
+        } else {
+            pattern.pieces[p].reset();
+            fresh.faults.push_back(pieceCrossesItself(garment, static_cast<int>(p)));
+        }
+        progress.report(static_cast<double>(p + 1) / static_cast<double>(pieces.size()));
+    }
+    SeamLengths lengths = seamLengths(garment, pattern);
+    fresh.seams = std::move(lengths.seams);
+    std::ranges::move(lengths.faults, std::back_inserter(fresh.faults));
+    fresh.cloth = sew::sewTogether(cutOf(pieces, pattern, stations));
+    if (fresh.cloth.F.rows() == 0) {
+        return Error{ErrorCode::NoGeometry, {}, nothingToSew()};
+    }
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        fresh.placeOf.emplace_back();
+        if (pieces[p]) {
+            fresh.placeOf[p] =
+                placesOn(fresh.cloth, static_cast<int>(p), *pieces[p], *pattern.pieces[p]);
+            if (fresh.placeOf[p].empty()) {
+                fresh.faults.push_back(pieceSewnAway(garment, static_cast<int>(p)));
+            }
+        }
+    }
+    return fresh;
+}
+
+}  // namespace toile::prove

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/prove/proof.h"
+#include "core/sew/cloth.h"
+
+namespace toile::prove {
+
+/// A pattern as cloth, sewn, where the design is.
+struct FreshCloth {
+    sew::Cloth cloth;
+    /// Per piece of the garment and vertex of it: where that is on the cloth's triangles; empty of
+    /// a piece that has no cloth.
+    std::vector<std::vector<SurfacePoint>> placeOf;
+    std::vector<ProvenSeam> seams;  ///< but for their strain
+    std::vector<ProofFault> faults;
+    Wording source;
+};
+
+/// Errors: NoGeometry, NotReadBack, Cancelled.
+Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& order,
+                              const Progress& progress);
+
+}  // namespace toile::prove

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prove/line_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "core/pattern/segments.h"
+
+namespace toile::prove {
+namespace {
+
+using ComplexPlace = std::complex<double>;
+
+constexpr int kPlaces = 128;
+constexpr double kAboutAsWell = 1.05, kAboutAsNear = 0.2;     // times, and mm
+constexpr double kTurnsAlike = std::numbers::pi / 6;          // radians
+constexpr double kFarthestCorner = 0.06, kAloneCorner = 0.1;  // of the perimeter
+/// Nor are corners farther apart than so many times the lines are, and this share of the perimeter:
+/// of two in one window either may have been taken.
+constexpr double kFartherThanLines = 6, kFartherCorner = 0.005;
+constexpr double kMostCornerTrials = 5e7;
+
+/// Places at even shares of a line's length around their middle, from a share of it on.
+std::vector<ComplexPlace> evenPlaces(const ClosedLine& line, double from, double scale) {
+    std::vector<ComplexPlace> places;
+    ComplexPlace middle = 0;
+    for (int k = 0; k < kPlaces; ++k) {
+        const Eigen::RowVector2d p = line.pointAt(
+            line.arc().front() + line.length() * (from + static_cast<double>(k) / kPlaces));
+        places.emplace_back(scale * p.x(), scale * p.y());
+        middle += places.back() / static_cast<double>(kPlaces);
+    }
+    for (ComplexPlace& place : places) {
+        place -= middle;
+    }
+    return places;
+}
+
+double squaresOf(const std::vector<ComplexPlace>& places) {
+    double sum = 0;
+    for (const ComplexPlace& place : places) {
+        sum += std::norm(place);
+    }
+    return sum;
+}
+
+/// What turns and fits one list to the other, begun `start` places later: its angle is the best
+/// turn's, its size how well that fits.
+ComplexPlace likeness(const std::vector<ComplexPlace>& ours,
+                      const std::vector<ComplexPlace>& theirs, std::size_t start) {
+    ComplexPlace sum = 0;
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+        sum += ours[k] * std::conj(theirs[(k + start) % theirs.size()]);
+    }
+    return sum;
+}
+
+struct LineCorner {
+    double at;
+    double turn;
+    Eigen::RowVector2d place;
+};
+
+std::vector<LineCorner> cornersOf(const ClosedLine& line, const Eigen::RowVector2d& middle,
+                                  double scale) {
+    std::vector<LineCorner> corners;
+    for (const int k : findCorners(line.points())) {
+        const double at = line.arc()[k];
+        const Eigen::RowVector2d here = line.points().row(k);
+        const Eigen::RowVector2d in = here - line.pointAt(at - kCornerWindow);
+        const Eigen::RowVector2d out = line.pointAt(at + kCornerWindow) - here;
+        corners.push_back({at, std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)),
+                           scale * (here - middle)});
+    }
+    return corners;
+}
+
+/// Pairs corners in order, theirs from number `start` on: the least sum of distances, and a fixed
+/// price for each of ours that stays alone.
+class CornerPairs {
+public:
+    CornerPairs(const std::vector<LineCorner>& ours, const std::vector<LineCorner>& theirs,
+                double perimeter, double distance)
+        : n_(theirs.size()), cost_(ours.size() * theirs.size()), alone_(kAloneCorner * perimeter) {
+        const double farthest = std::min(kFarthestCorner * perimeter,
+                                         kFartherThanLines * distance + kFartherCorner * perimeter);
+        for (std::size_t i = 0; i < ours.size(); ++i) {
+            for (std::size_t j = 0; j < n_; ++j) {
+                const double turn =
+                    std::abs(std::remainder(ours[i].turn - theirs[j].turn, 2 * std::numbers::pi));
+                const double far = (ours[i].place - theirs[j].place).norm();
+                cost_[i * n_ + j] = turn < kTurnsAlike && far < farthest
+                                        ? far
+                                        : std::numeric_limits<double>::infinity();
+            }
+        }
+    }
+
+    double cost(std::size_t i, std::size_t j) const { return cost_[i * n_ + j % n_]; }
+
+    /// @param partner  of each of ours: the number of theirs, counted on from `start`, or -1
+    double from(std::size_t start, std::vector<int>& partner) const {
+        const std::size_t m = partner.size();
+        std::vector<double> least((m + 1) * (n_ + 1), 0);
+        const auto at = [&](std::size_t i, std::size_t j) -> double& {
+            return least[i * (n_ + 1) + j];
+        };
+        for (std::size_t i = 1; i <= m; ++i) {
+            at(i, 0) = at(i - 1, 0) + alone_;
+            for (std::size_t j = 1; j <= n_; ++j) {
+                at(i, j) = std::min({at(i - 1, j) + alone_, at(i, j - 1),
+                                     at(i - 1, j - 1) + cost(i - 1, start + j - 1)});
+            }
+        }
+        std::ranges::fill(partner, -1);
+        for (std::size_t i = m, j = n_; i > 0;) {
+            if (at(i, j) == at(i - 1, j) + alone_) {
+                --i;
+            } else if (j > 0 && at(i, j) == at(i, j - 1)) {
+                --j;
+            } else {
+                partner[--i] = static_cast<int>(start + --j);
+            }
+        }
+        return at(m, n_);
+    }
+
+private:
+    std::size_t n_;
+    std::vector<double> cost_;
+    double alone_;
+};
+
+/// The fit with its offset, and where it is free its angle, to more digits than there are places.
+RoughFit refined(const ClosedLine& ours, const ClosedLine& theirs, RoughFit fit, bool canTurn) {
+    constexpr int kThirds = 50;
+    const double scale = ours.length() / theirs.length();
+    const auto line = evenPlaces(ours, 0, 1);
+    const auto tried = [&](double offset) {
+        const auto other = evenPlaces(theirs, offset, scale);
+        const double angle = canTurn ? std::arg(likeness(line, other, 0)) : fit.angle;
+        const ComplexPlace turn = std::polar(1.0, angle);
+        double sum = 0;
+        for (std::size_t k = 0; k < line.size(); ++k) {
+            sum += std::norm(line[k] - turn * other[k]);
+        }
+        return RoughFit{angle, offset, std::sqrt(sum / kPlaces)};
+    };
+    double low = fit.offset - 1.0 / kPlaces, high = fit.offset + 1.0 / kPlaces;
+    for (int k = 0; k < kThirds; ++k) {
+        const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        const bool isBefore = tried(a).distance < tried(b).distance;
+        (isBefore ? high : low) = isBefore ? b : a;
+    }
+    return tried((low + high) / 2);
+}
+
+}  // namespace
+
+Eigen::RowVector2d middleOf(const ClosedLine& line) {
+    Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
+    for (int k = 0; k < kPlaces; ++k) {
+        sum += line.pointAt(line.arc().front() + line.length() * k / kPlaces) / kPlaces;
+    }
+    return sum;
+}
+
+RoughFit roughFitAt(const ClosedLine& ours, const ClosedLine& theirs, double angle) {
+    const double scale = ours.length() / theirs.length();
+    const auto line = evenPlaces(ours, 0, 1), other = evenPlaces(theirs, 0, scale);
+    const ComplexPlace back = std::polar(1.0, -angle);
+    RoughFit best{angle, 0, std::numeric_limits<double>::infinity()};
+    const double squares = squaresOf(line) + squaresOf(other);
+    for (std::size_t start = 0; start < line.size(); ++start) {
+        const double square = squares - 2 * std::real(back * likeness(line, other, start));
+        const double distance = std::sqrt(std::max(square, 0.0) / kPlaces);
+        if (distance < best.distance) {
+            best = {angle, static_cast<double>(start) / kPlaces, distance};
+        }
+    }
+    return refined(ours, theirs, best, false);
+}
+
+RoughFit roughFit(const ClosedLine& ours, const ClosedLine& theirs,
+                  const std::vector<double>& angles) {
+    const double scale = ours.length() / theirs.length();
+    const auto line = evenPlaces(ours, 0, 1), other = evenPlaces(theirs, 0, scale);
+    ComplexPlace most = 0;
+    std::size_t from = 0;
+    for (std::size_t start = 0; start < line.size(); ++start) {
+        const ComplexPlace like = likeness(line, other, start);
+        if (std::abs(like) > std::abs(most)) {
+            most = like;
+            from = start;
+        }
+    }
+    const RoughFit best =
+        refined(ours, theirs, {std::arg(most), static_cast<double>(from) / kPlaces, 0}, true);
+    for (const double angle : angles) {
+        const RoughFit fit = roughFitAt(ours, theirs, angle);
+        if (fit.distance <= kAboutAsWell * best.distance + kAboutAsNear) {
+            return fit;
+        }
+    }
+    return best;
+}
+
+LineMap::LineMap(const ClosedLine& ours, const ClosedLine& theirs, const RoughFit& fit) {
+    const double scale = ours.length() / theirs.length();
+    const auto corners = cornersOf(ours, middleOf(ours), 1);
+    const auto others = cornersOf(theirs, middleOf(theirs), scale);
+    std::vector<int> best(corners.size(), -1), partner = best;
+    if (!corners.empty() && !others.empty()) {
+        const CornerPairs pairs(corners, others, ours.length(), fit.distance);
+        const double trials = static_cast<double>(corners.size()) *
+                              static_cast<double>(others.size()) *
+                              static_cast<double>(others.size());
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t start = 0; start < others.size(); ++start) {
+            const double cost = pairs.from(start, partner);
+            if (cost < least) {
+                least = cost;
+                best = partner;
+            }
+            if (trials > kMostCornerTrials) {
+                break;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (best[i] < 0 || (!ours_.empty() && corners[i].at <= ours_.back())) {
+            continue;
+        }
+        const auto j = static_cast<std::size_t>(best[i]) % others.size();
+        double at = others[j].at;
+        while (!theirs_.empty() && at < theirs_.back()) {
+            at += theirs.length();
+        }
+        ours_.push_back(corners[i].at);
+        theirs_.push_back(at);
+    }
+    if (ours_.empty()) {
+        ours_.push_back(0);
+        theirs_.push_back(theirs.length() * fit.offset);
+    }
+    ours_.push_back(ours_.front() + ours.length());
+    theirs_.push_back(theirs_.front() + theirs.length());
+}
+
+double LineMap::theirsAt(double ours) const {
+    const double length = ours_.back() - ours_.front();
+    const double turns = std::floor((ours - ours_.front()) / length);
+    const double within = ours - turns * length;
+    const auto after = std::upper_bound(ours_.begin() + 1, ours_.end() - 1, within);
+    const auto k = after - ours_.begin();
+    const double t = (within - ours_[k - 1]) / (ours_[k] - ours_[k - 1]);
+    return turns * (theirs_.back() - theirs_.front()) + (1 - t) * theirs_[k - 1] + t * theirs_[k];
+}
+
+}  // namespace toile::prove

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prove/stations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/prove/loop_stations.h"
+#include "core/seam/seam_measure.h"
+
+namespace toile::prove {
+namespace {
+
+/// A place of either side.
+struct PlacePair {
+    double left, right;
+};
+
+bool isCloth(const SeamSide& side, const RestPattern& pattern) {
+    if (side.piece < 0) {
+        return false;
+    }
+    const auto& piece = pattern.pieces[static_cast<std::size_t>(side.piece)];
+    return piece && piece->loops[static_cast<std::size_t>(side.loop)];
+}
+
+class StationPlacer {
+public:
+    StationPlacer(const SeamGraph& seams, const RestPattern& pattern, double edge, bool atVertices)
+        : seams_(seams),
+          pattern_(pattern),
+          edge_(edge),
+          atVertices_(atVertices),
+          loops_(pattern.pieces.size()) {
+        for (std::size_t p = 0; p < loops_.size(); ++p) {
+            if (pattern.pieces[p]) {
+                for (const auto& loop : pattern.pieces[p]->loops) {
+                    loops_[p].emplace_back();
+                    if (loop) {
+                        loops_[p].back().emplace(*loop, edge);
+                    }
+                }
+            }
+        }
+    }
+
+    Stations placed() {
+        for (const Seam& seam : seams_.seams) {
+            for (const SeamSide* side : {&seam.left, &seam.right}) {
+                if (isCloth(*side, pattern_) && !seam.closed) {
+                    on(*side).addEnd(side->start);
+                    on(*side).addEnd(side->end);
+                }
+            }
+        }
+        for (const bool stacked : {false, true}) {
+            for (const Seam& seam : seams_.seams) {
+                if (seam.stacked == stacked && isSewn(seam, pattern_)) {
+                    sew(seam);
+                }
+            }
+        }
+        return numbered();
+    }
+
+private:
+    LoopStations& on(const SeamSide& side) {
+        return *loops_[static_cast<std::size_t>(side.piece)][static_cast<std::size_t>(side.loop)];
+    }
+
+    double restLength(const SeamSide& side, double a, double b) const {
+        const RestLoop& loop = loopOf(side, pattern_);
+        return loop.restLength(std::min(a, b), std::max(a, b));
+    }
+
+    /// Whether one side has all its points between two already, those of another seam.
+    bool isTaken(const Seam& seam, const PlacePair& a, const PlacePair& b) {
+        return on(seam.left).isCovered((a.left + b.left) / 2) ||
+               on(seam.right).isCovered((a.right + b.right) / 2);
+    }
+
+    /// The points that both sides must have.
+    std::vector<PlacePair> needed(const Seam& seam) {
+        std::vector<PlacePair> pairs;
+        for (const bool isRight : {false, true}) {
+            const SeamSide& side = isRight ? seam.right : seam.left;
+            for (const double place : on(side).neededWithin(side)) {
+                const double across = placeAcross(seam, place, isRight);
+                pairs.push_back(isRight ? PlacePair{across, place} : PlacePair{place, across});
+            }
+        }
+        // Points that are one: of their two sides each one's own.
+        std::ranges::stable_sort(pairs, {}, &PlacePair::left);
+        const auto [lowL, highL] = std::minmax(seam.left.start, seam.left.end);
+        const auto [lowR, highR] = std::minmax(seam.right.start, seam.right.end);
+        const double near = LoopStations::kOnePoint * edge_;
+        std::vector<PlacePair> kept;
+        for (const PlacePair& pair : pairs) {
+            const bool isInside = pair.left > lowL + near && pair.left < highL - near &&
+                                  pair.right > lowR + near && pair.right < highR - near;
+            if (isInside && (kept.empty() || (pair.left - kept.back().left > near &&
+                                              std::abs(pair.right - kept.back().right) > near))) {
+                kept.push_back(pair);
+            }
+        }
+        if (seam.left.reversed) {
+            std::ranges::reverse(kept);
+        }
+        kept.insert(kept.begin(), {seam.left.start, seam.right.start});
+        kept.push_back({seam.left.end, seam.right.end});
+        return kept;
+    }
+
+    /// With the left side's vertices between them, where there is room.
+    std::vector<PlacePair> withVertices(const Seam& seam, const std::vector<PlacePair>& stops) {
+        std::vector<double> vertices = on(seam.left).verticesWithin(seam.left);
+        std::ranges::sort(vertices);
+        if (seam.left.reversed) {
+            std::ranges::reverse(vertices);
+        }
+        const double room = LoopStations::kCrowded * edge_;
+        std::vector<PlacePair> all{stops.front()};
+        auto vertex = vertices.begin();
+        for (std::size_t k = 1; k < stops.size(); ++k) {
+            const auto isBefore = [&](double a, double b) {
+                return seam.left.reversed ? a > b : a < b;
+            };
+            for (; vertex != vertices.end() && isBefore(*vertex, stops[k].left); ++vertex) {
+                const PlacePair pair{*vertex, placeAcross(seam, *vertex, false)};
+                const auto isApart = [&](const PlacePair& other) {
+                    return std::abs(pair.left - other.left) > room &&
+                           std::abs(pair.right - other.right) > room;
+                };
+                if (!isTaken(seam, stops[k - 1], stops[k]) && isApart(all.back()) &&
+                    isApart(stops[k])) {
+                    all.push_back(pair);
+                }
+            }
+            all.push_back(stops[k]);
+        }
+        return all;
+    }
+
+    void sew(const Seam& seam) {
+        std::vector<PlacePair> stops = needed(seam);
+        if (atVertices_) {
+            stops = withVertices(seam, stops);
+        }
+        link(seam, stops.front());
+        for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+            const PlacePair &a = stops[k], &b = stops[k + 1];
+            const double length = std::max(restLength(seam.left, a.left, b.left),
+                                           restLength(seam.right, a.right, b.right));
+            int parts = std::max(1, static_cast<int>(std::lround(length / edge_)));
+            parts = isTaken(seam, a, b) ? 1 : parts;
+            parts = seam.closed && stops.size() == 2 ? std::max(parts, 3) : parts;
+            // By how much the two are off from lying across from each other.
+            const double offA = a.right - placeAcross(seam, a.left, false);
+            const double offB = b.right - placeAcross(seam, b.left, false);
+            for (int i = 1; i < parts; ++i) {
+                const double t = static_cast<double>(i) / parts;
+                const double left = (1 - t) * a.left + t * b.left;
+                link(seam, {left, placeAcross(seam, left, false) + (1 - t) * offA + t * offB});
+            }
+            link(seam, b);
+        }
+        on(seam.left).cover(seam.left);
+        on(seam.right).cover(seam.right);
+    }
+
+    void link(const Seam& seam, const PlacePair& pair) {
+        const int left = on(seam.left).at(pair.left), right = on(seam.right).at(pair.right);
+        sewn_.push_back(
+            {{seam.left.piece, seam.left.loop, left}, {seam.right.piece, seam.right.loop, right}});
+    }
+
+    /// The points in order along their loops, free edges and all.
+    Stations numbered() {
+        Stations stations;
+        std::vector<std::vector<std::vector<int>>> numbers(loops_.size());
+        for (std::size_t p = 0; p < loops_.size(); ++p) {
+            stations.places.emplace_back();
+            for (auto& loop : loops_[p]) {
+                if (loop) {
+                    loop->fill(atVertices_);
+                }
+                numbers[p].push_back(loop ? loop->putInOrder() : std::vector<int>());
+                stations.places[p].push_back(loop ? loop->places() : std::vector<double>());
+            }
+        }
+        stations.sewn = std::move(sewn_);
+        for (auto& [a, b] : stations.sewn) {
+            for (Station* station : {&a, &b}) {
+                station->number = numbers[static_cast<std::size_t>(station->piece)]
+                                         [static_cast<std::size_t>(station->loop)][station->number];
+            }
+        }
+        return stations;
+    }
+
+    const SeamGraph& seams_;
+    const RestPattern& pattern_;
+    double edge_;
+    bool atVertices_;
+    std::vector<std::vector<std::optional<LoopStations>>> loops_;
+    std::vector<std::pair<Station, Station>> sewn_;
+};
+
+}  // namespace
+
+const RestLoop& loopOf(const SeamSide& side, const RestPattern& pattern) {
+    return *pattern.pieces[static_cast<std::size_t>(side.piece)]
+                ->loops[static_cast<std::size_t>(side.loop)];
+}
+
+bool isSewn(const Seam& seam, const RestPattern& pattern) {
+    return isCloth(seam.left, pattern) && isCloth(seam.right, pattern) && !seam.matches.empty();
+}
+
+Stations placeStations(const SeamGraph& seams, const RestPattern& pattern, double edge,
+                       bool atVertices) {
+    return StationPlacer(seams, pattern, edge, atVertices).placed();
+}
+
+}  // namespace toile::prove

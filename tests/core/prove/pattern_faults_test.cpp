@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/prove/pattern_faults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/core/prove/proved_garment.h"
+#include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
+
+namespace toile::prove {
+namespace {
+
+const test::ProvedGarment& trousers() {
+    static const test::ProvedGarment garment(test::sourceFile("resources/samples/trousers.obj"));
+    return garment;
+}
+
+std::vector<ProofFault> faultsOf(const PatternFile& file) {
+    ProofOrder order;
+    order.file = file;
+    const auto fresh = freshCloth(trousers().source(), order, {});
+    EXPECT_TRUE(fresh);
+    return fresh ? fresh->faults : std::vector<ProofFault>();
+}
+
+std::string kindsOf(const std::vector<ProofFault>& faults) {
+    std::string kinds;
+    for (const ProofFault& fault : faults) {
+        kinds += std::string(name(fault.kind)) + ": " + fault.told + "\n";
+    }
+    return kinds;
+}
+
+void turnOver(FilePiece& piece) {
+    test::changePoints(piece, [](Eigen::Ref<Eigen::RowVector2d> p) { p.x() = -p.x(); });
+    for (Points2* line : {&piece.cut, &piece.sew}) {
+        *line = line->colwise().reverse().eval();
+    }
+}
+
+TEST(PatternFaults, OurOwnFileHasNone) {
+    const auto fresh = freshCloth(trousers().source(), {}, {});
+    ASSERT_TRUE(fresh);
+    EXPECT_EQ(kindsOf(fresh->faults), "");
+    EXPECT_EQ(kindsOf(faultsOf(trousers().file())), "");
+    for (const ProvenSeam& seam : fresh->seams) {
+        EXPECT_LT(std::abs(seam.slip), 0.01);
+    }
+}
+
+TEST(PatternFaults, NamesPiecesThatWereSwapped) {
+    PatternFile file = trousers().file();
+    FilePiece &left = test::ProvedGarment::pieceOf(file, "front_left"),
+              &right = test::ProvedGarment::pieceOf(file, "front_right");
+    std::swap(left.name, right.name);
+    std::swap(left.id, right.id);
+    const auto faults = faultsOf(file);
+    for (const auto& [piece, other] :
+         {std::pair("front_left", "front_right"), std::pair("front_right", "front_left")}) {
+        const int number = trousers().pieceCalled(piece), rather = trousers().pieceCalled(other);
+        EXPECT_TRUE(std::ranges::any_of(faults, [&](const ProofFault& fault) {
+            return fault.kind == ProofFaultKind::OtherFits &&
+                   fault.pieces == std::vector{number, rather};
+        })) << kindsOf(faults);
+    }
+}
+
+TEST(PatternFaults, NamesAPieceThatIsMirroredAndTurnsItOver) {
+    PatternFile file = trousers().file();
+    turnOver(test::ProvedGarment::pieceOf(file, "back_left"));
+    ProofOrder order;
+    order.file = file;
+    const auto fresh = freshCloth(trousers().source(), order, {});
+    ASSERT_TRUE(fresh);
+    ASSERT_EQ(fresh->faults.size(), 1u) << kindsOf(fresh->faults);
+    EXPECT_EQ(fresh->faults[0].kind, ProofFaultKind::Mirrored);
+    EXPECT_EQ(fresh->faults[0].subject.name, "back_left");
+    EXPECT_EQ(fresh->faults[0].told,
+              "back_left is mirrored in the pattern; it is turned over to be sewn");
+    for (const ProvenSeam& seam : fresh->seams) {
+        EXPECT_LT(std::abs(seam.slip), 0.01);
+    }
+}
+
+/// The files of others have no names of ours.
+void takeNames(PatternFile& file) {
+    for (FilePiece& piece : file.pieces) {
+        piece.name = piece.id = "";
+    }
+}
+
+TEST(PatternFaults, WithoutNamesEachOfAPairIsFoundByItsShape) {
+    PatternFile file = trousers().file();
+    takeNames(file);
+    EXPECT_EQ(kindsOf(faultsOf(file)), "");
+}
+
+TEST(PatternFaults, WithoutNamesAMirroredPieceThatIsNoOthersImageIsNamed) {
+    sew::CutCloth cut;
+    cut.V.resize(3, 3);
+    cut.V << 0, 0, 0, 300, 0, 0, 0, 400, 0;
+    cut.F.resize(1, 3);
+    cut.F << 0, 1, 2;
+    cut.pieceOf = {0};
+    const test::TemporaryFolder folder;
+    LoadOptions options;
+    options.unit = LengthUnit::Millimetre;
+    options.up = UpAxis::Y;
+    const test::ProvedGarment pennant(folder.write("pennant.obj", test::objectsOf(cut)), options);
+    ProofOrder order;
+    order.file = pennant.file();
+    takeNames(*order.file);
+    for (const char* kinds : {"", "mirrored"}) {
+        const auto fresh = freshCloth(pennant.source(), order, {});
+        ASSERT_TRUE(fresh);
+        EXPECT_EQ(kindsOf(fresh->faults).substr(0, 8), kinds);
+        turnOver(order.file->pieces.front());
+    }
+}
+
+TEST(PatternFaults, APairThatIsDrawnOnceIsAllThere) {
+    PatternFile file = trousers().file();
+    for (const char* half : {"front", "back"}) {
+        FilePiece& left = test::ProvedGarment::pieceOf(file, std::string(half) + "_left");
+        left.mirroredQuantity = 1;
+        left.name = left.id = half;
+        const FilePiece& right = test::ProvedGarment::pieceOf(file, std::string(half) + "_right");
+        file.pieces.erase(file.pieces.begin() + (&right - file.pieces.data()));
+    }
+    ASSERT_EQ(file.pieces.size(), 3u);
+    ProofOrder order;
+    order.file = file;
+    const auto fresh = freshCloth(trousers().source(), order, {});
+    ASSERT_TRUE(fresh);
+    EXPECT_EQ(kindsOf(fresh->faults), "");
+    for (const auto& places : fresh->placeOf) {
+        EXPECT_FALSE(places.empty());
+    }
+}
+
+TEST(PatternFaults, NamesSeamsThatWereShortened) {
+    PatternFile file = trousers().file();
+    FilePiece& piece = test::ProvedGarment::pieceOf(file, "front_left");
+    const double hem = piece.cut.col(1).minCoeff();
+    test::changePoints(piece, [hem](Eigen::Ref<Eigen::RowVector2d> p) {
+        p.y() += p.y() < hem + 40 ? 10 : 0;  // 10 mm are folded away
+    });
+    const auto faults = faultsOf(file);
+    ASSERT_FALSE(faults.empty());
+    const int number = trousers().pieceCalled("front_left");
+    for (const ProofFault& fault : faults) {
+        EXPECT_EQ(fault.kind, ProofFaultKind::SeamSlips) << kindsOf(faults);
+        EXPECT_NEAR(fault.amount, 10, 1) << kindsOf(faults);
+        EXPECT_TRUE(std::ranges::find(fault.pieces, number) != fault.pieces.end());
+    }
+}
+
+TEST(PatternFaults, NamesWhatIsMissingAndWhatIsTooMuch) {
+    PatternFile file = trousers().file();
+    FilePiece& band = test::ProvedGarment::pieceOf(file, "waistband");
+    band.name = band.id = "pocket";
+    band.cut.resize(4, 2);
+    band.cut << 0, 0, 150, 0, 150, 170, 0, 170;
+    band.sew.resize(0, 2);
+    band.holes.clear();
+    const auto faults = faultsOf(file);
+    EXPECT_EQ(kindsOf(faults),
+              "not-there: the pattern has no piece waistband\n"
+              "not-needed: pocket of the pattern is no piece of the garment\n");
+}
+
+TEST(PatternFaults, LeavesOutAPieceWhoseOutlineCrossesItself) {
+    PatternFile file = trousers().file();
+    FilePiece& band = test::ProvedGarment::pieceOf(file, "waistband");
+    band.cut.resize(4, 2);
+    band.cut << 0, 0, 700, 80, 700, 0, 0, 90;
+    band.sew.resize(0, 2);
+    ProofOrder order;
+    order.file = file;
+    const auto fresh = freshCloth(trousers().source(), order, {});
+    ASSERT_TRUE(fresh);
+    EXPECT_NE(kindsOf(fresh->faults)
+                  .find("not-there: the outline of waistband crosses itself in the pattern; it is "
+                        "left out"),
+              std::string::npos)
+        << kindsOf(fresh->faults);
+    for (std::size_t p = 0; p < fresh->placeOf.size(); ++p) {
+        EXPECT_EQ(fresh->placeOf[p].empty(), trousers().garment().pieces[p]->name == "waistband");
+    }
+}
+
+TEST(PatternFaults, NamesSeamsOfAPatternThatIsTooLarge) {
+    PatternFile file = trousers().file();
+    for (FilePiece& piece : file.pieces) {
+        test::changePoints(piece, [](Eigen::Ref<Eigen::RowVector2d> p) { p *= 1.05; });
+    }
+    const auto faults = faultsOf(file);
+    EXPECT_FALSE(faults.empty());
+    for (const ProofFault& fault : faults) {
+        EXPECT_EQ(fault.kind, ProofFaultKind::LengthDiffers) << kindsOf(faults);
+    }
+}
+
+}  // namespace
+}  // namespace toile::prove
