@@ -217,6 +217,8 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      "reference_rms_mm", "rms mm", translatable("To the reference panel, %1"),
      translatable("Distance to the panel that the file carries, laid on each other as well as may "
                   "be; root mean square")},
+    {Criterion::SewnGap, FigureFormat::Millimetres, Aggregate::KnownByArea, true, "sewn_gap_mm",
+     "sewn gap mm", nullptr, nullptr},
     {Criterion::StrainMean, FigureFormat::Ratio, Aggregate::PieceOnly, false, "", "",
      translatable("Mean strain, %"),
      translatable("How far the cloth must stretch or gather, on the mean of all edges of the "

@@ -27,11 +27,14 @@ enum class Criterion {
     /// Largest |error| of a seam whose two sides are flat, its ease taken out (SeamMeasure), mm.
     SeamMismatch,
     ReferenceRms,  ///< distance to the reference panel (ReferenceFit), mm
-    StrainMean,    ///< size of the edges' strain, a fraction
-    StrainMax,     ///< of one edge, a fraction, as the next; above 0 is stretch
+    /// Mean distance of the pattern, sewn back together, from the design, mm; who has it proved
+    /// fills it in.
+    SewnGap,
+    StrainMean,  ///< size of the edges' strain, a fraction
+    StrainMax,   ///< of one edge, a fraction, as the next; above 0 is stretch
     StrainMin,
 };
-inline constexpr std::size_t kCriterionCount = 13;
+inline constexpr std::size_t kCriterionCount = 14;
 
 /// How a figure is written.
 enum class FigureFormat { Seconds, Ratio, SignedRatio, LengthError, Count, Millimetres };

@@ -60,9 +60,9 @@ TEST(WriteComparison, GivesFullDigitsPerMethodAndPieceAndNeverNaN) {
     EXPECT_EQ(natural["pieces"][1]["error"]["code"], "several-loops");
     const Json& none = json["methods"][1];
     EXPECT_EQ(none["failed"], 3);
-    for (const char* key :
-         {"seconds", "pi_theta", "pi_e", "pi_a", "symmetric_dirichlet", "max_boundary_length_error",
-          "flipped_triangles", "outline_crossings", "seam_mismatch_mm", "reference_rms_mm"}) {
+    for (const char* key : {"seconds", "pi_theta", "pi_e", "pi_a", "symmetric_dirichlet",
+                            "max_boundary_length_error", "flipped_triangles", "outline_crossings",
+                            "seam_mismatch_mm", "reference_rms_mm", "sewn_gap_mm"}) {
         EXPECT_TRUE(none.contains(key) && none[key].is_null()) << key;
     }
 }
