@@ -36,6 +36,8 @@ constexpr FindingWords kWords[] = {
     {"flipped-triangles", TR("Flipped cloth"),
      TR("triangles are flipped in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
+    {"proof-fault", TR("Faults found by sewing"), "%0",
+     TR("Look at it in the pattern, put it right, and prove again")},
     doubtRow(DoubtKind::StrainBeyondCloth),
     doubtRow(DoubtKind::ManyScraps),
     doubtRow(DoubtKind::LongCuts),
@@ -51,6 +53,11 @@ constexpr FindingWords kWords[] = {
     {"strain-bias", TR("Strain on the bias"),
      TR("strain on the bias reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)"),
      TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+    {"sewn-gap", TR("Far from the design"),
+     TR("sewn back, the pattern sits %1 from the design on average, %2 at the worst twentieth; "
+        "this piece is the farthest off, %3 on average"),
+     TR("Look where it is with the overlay Gap; try another method, a dart or a seam there, and "
+        "prove again")},
     {"seam-kink", TR("Kinks at the ends of seams"),
      TR("the lines that meet over the end of the seam make a corner of %1"),
      TR("True the seam's end, or leave it if a corner is meant")},
@@ -147,8 +154,9 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    std::string text =
-        finding.subject.name.empty() ? "" : readableName(finding.subject.name) + ": ";
+    // What a proof tells is a sentence with the names in it.
+    const bool isNamed = finding.subject.name.empty() || finding.kind == FindingKind::ProofFault;
+    std::string text = isNamed ? "" : readableName(finding.subject.name) + ": ";
     text += description(finding);
     std::string help = adviceFor(finding);
     if (!help.empty()) {

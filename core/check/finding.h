@@ -26,6 +26,7 @@ enum class FindingKind {
     NotFlat,            ///< a piece could not be flattened
     OutlineCrosses,     ///< a flat outline crosses itself
     FlippedTriangles,   ///< cloth is flipped in the pattern
+    ProofFault,         ///< what is to be sewn together is no such pattern (core/prove/proof.h)
     StrainBeyondCloth,  ///< no fabric takes the strain (core/diagnose/doubt.h),
     ManyScraps,         ///< there are more scraps than pieces,
     LongCuts,           ///< cuts found by Toile are longer than the outline
@@ -33,6 +34,7 @@ enum class FindingKind {
     StrainWarp,         ///< strain beyond the fabric's limits along the grain,
     StrainWeft,         ///< across it,
     StrainBias,         ///< at 45 degrees to it
+    SewnGap,            ///< sewn back together, it sits far from the design
     SeamKink,           ///< lines that run on into each other over a seam make a corner there
     NotSymmetric,       ///< a piece is to be cut by half, and is not drawn as a mirror image
     NoFacing,           ///< a facing has no room along its edge

@@ -9,6 +9,7 @@
 
 #include "core/base/file.h"
 #include "core/check/piece_check.h"
+#include "core/check/proof_check.h"
 #include "core/diagnose/doubt.h"
 #include "core/garment/identify.h"
 #include "core/layout/arrange.h"
@@ -52,6 +53,7 @@ public:
             checkHalves();
             checkFacings();
             checkSheet();
+            checkProof(plan_, found_);
         }
         Readiness readiness = found_.inOrder();
         readiness.cloth = clothWanted();

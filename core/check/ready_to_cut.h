@@ -15,6 +15,8 @@
 
 namespace toile {
 
+struct Proof;
+
 /// What is looked through before cloth is cut. All of it immutable and shared, so that a copy for
 /// another thread costs nothing.
 struct CutPlan {
@@ -27,6 +29,8 @@ struct CutPlan {
     std::shared_ptr<const Pattern> pattern{};  ///< of all that; or null
     std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or left out
     PieceLabels labels{};                      ///< what findings call the pieces; or left out
+    /// The pattern sewn back together: of this garment and these results, as they are; or null.
+    std::shared_ptr<const Proof> proof{};
     bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
 
     bool operator==(const CutPlan&) const = default;
