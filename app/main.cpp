@@ -4,6 +4,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
+#include "app/cli/proof_picture.h"
 #ifdef TOILE_GUI
 #include "app/export/paint_drawing.h"
 #include "app/report_pictures.h"
@@ -24,12 +25,29 @@ int end(int status) {
     return status;
 }
 
+#ifdef TOILE_GUI
+std::string drawnProof(const toile::ExportSource& source,
+                       const std::shared_ptr<const toile::Proof>& proof,
+                       const toile::app::Arguments& asked) {
+    toile::app::ProofPicture wanted;
+    wanted.overlay = asked.overlay.value_or(wanted.overlay);
+    wanted.sewn = asked.prove.sewn;
+    wanted.width = asked.picture.width;
+    wanted.height = asked.picture.height;
+    wanted.views = asked.picture.views;
+    wanted.direction = asked.picture.direction;
+    wanted.dark = asked.picture.dark;
+    return toile::app::proofPicture(source, proof, wanted);
+}
+#endif
+
 }  // namespace
 
 int main(int argc, char** argv) {
 #ifdef TOILE_GUI
     toile::app::provideWriters();
     toile::provideReportPictures(toile::app::reportPictures);
+    toile::app::provideProofPictures(drawnProof);
 #endif
     const toile::app::Arguments arguments = toile::app::parseArguments(argc, argv);
 #ifdef TOILE_GUI

@@ -8,6 +8,7 @@
 
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
+#include "app/jobs/proof_job.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/render/offscreen.h"
@@ -68,6 +69,16 @@ void openIn(Document& document, const ExportSource& source) {
     document.open(std::move(state), std::move(derived));
 }
 
+/// Empty where it cannot be drawn.
+QByteArray drawnAsPng(const Document& document, const PictureOptions& options) {
+    QString problem;
+    const QImage picture = drawViews(document, options, problem);
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    return !picture.isNull() && picture.save(&buffer, "PNG") ? png : QByteArray();
+}
+
 }  // namespace
 
 std::vector<ReportPicture> reportPictures(const ExportSource& source) {
@@ -86,17 +97,35 @@ std::vector<ReportPicture> reportPictures(const ExportSource& source) {
         options.legend = isMeasured(overlay);
         options.font = QFont("Sans Serif", 9);
         options.palette = lightPalette();
-        QString problem;
-        const QImage picture = drawViews(document, options, problem);
-        QByteArray png;
-        QBuffer buffer(&png);
-        buffer.open(QIODevice::WriteOnly);
-        if (picture.isNull() || !picture.save(&buffer, "PNG")) {
+        const QByteArray png = drawnAsPng(document, options);
+        if (png.isEmpty()) {
             return {};
         }
         pictures.push_back({caption, png.toBase64().toStdString()});
     }
     return pictures;
+}
+
+std::string proofPicture(const ExportSource& source, const std::shared_ptr<const Proof>& proof,
+                         const ProofPicture& wanted) {
+    makeApplication();
+    const auto context = makeEglContext();
+    if (!context || !hasGl()) {
+        return {};
+    }
+    Document document;
+    openIn(document, source);
+    document.setOverlay(wanted.overlay);
+    showProof(document, proof);
+    PictureOptions options;
+    options.size = QSize(wanted.width, wanted.height);
+    options.views = wanted.views;
+    options.direction = wanted.direction;
+    options.legend = isMeasured(wanted.overlay);
+    options.sewn = wanted.sewn;
+    options.font = QFont("Sans Serif", 9);
+    options.palette = wanted.dark ? darkPalette() : lightPalette();
+    return drawnAsPng(document, options).toStdString();
 }
 
 }  // namespace toile::app

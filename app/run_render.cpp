@@ -13,6 +13,8 @@
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
+#include "app/jobs/pattern_now.h"
+#include "app/jobs/proof_job.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
 #include "app/settings/language.h"
@@ -89,6 +91,23 @@ void applyView(Document& document, const Arguments& arguments) {
     document.setView(view);
 }
 
+/// Sews the pattern back together as the window does where nobody says otherwise. What stands
+/// against that is said, and the picture shows none of it. @return whether it could be sewn
+bool prove(Document& document) {
+    Progress progress;
+    auto proof = PatternNow(document, {})
+                     .with({}, progress, [](const ExportSource& source, const Progress& part) {
+                         return proofOf(source, {}, part);
+                     });
+    const bool isSewn = bool(proof);
+    if (isSewn) {
+        showProof(document, std::move(proof).value());
+    } else {
+        std::cerr << "toile: " << sentence(proof.error()) << '\n';
+    }
+    return isSewn;
+}
+
 PictureOptions pictureOptions(const PictureArguments& asked, Overlay overlay) {
     PictureOptions options;
     options.size = QSize(asked.width, asked.height);
@@ -125,6 +144,9 @@ int render(int argc, char** argv, const Arguments& arguments) {
     Document document;
     failed = openFlattened(document, arguments, std::move(*garment)) || failed;
     applyView(document, arguments);
+    if (isOfProof(document.view().overlay)) {
+        failed = !prove(document) || failed;
+    }
     const QImage picture =
         drawViews(document, pictureOptions(arguments.picture, document.view().overlay), problem);
     if (picture.isNull()) {

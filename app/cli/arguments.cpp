@@ -12,6 +12,7 @@
 #include "app/cli/choice_options.h"
 #include "app/cli/command_line.h"
 #include "app/cli/marker_options.h"
+#include "app/cli/prove_options.h"
 #include "app/cli/reading_options.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
@@ -40,7 +41,8 @@ constexpr Word<bool> kSwitchWords[] = {{true, "on"}, {false, "off"}};
 
 constexpr Word<Panel> kPanelWords[] = {
     {Panel::Pieces, "pieces"},   {Panel::Seams, "seams"}, {Panel::ProblemList, "problems"},
-    {Panel::History, "history"}, {Panel::Lines, "lines"}, {Panel::Symmetry, "symmetry"}};
+    {Panel::History, "history"}, {Panel::Lines, "lines"}, {Panel::Symmetry, "symmetry"},
+    {Panel::Proof, "proof"}};
 
 std::vector<std::string> methodNames() {
     std::vector<std::string> names;
@@ -135,7 +137,8 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
 }
 
 /// What is added to the outlines.
-void addPatternOptions(CLI::App& command, StatedOptions& stated) {
+/// @param hasPreset  with `--pattern`; else that word is free for a file
+void addPatternOptions(CLI::App& command, StatedOptions& stated, bool hasPreset = true) {
     const AllowanceWidths usual;
     const auto addWidth = [&command](const char* option, std::optional<double>& width,
                                      double otherwise, const std::string& help) {
@@ -152,11 +155,13 @@ void addPatternOptions(CLI::App& command, StatedOptions& stated) {
     addChoice(command, "--notches", stated.notches, kNotchesWords,
               "auto: mark the places at which the two sides of a seam are laid on each other")
         ->default_str("none");
-    command.add_flag(
-        "--pattern", stated.pattern,
-        "A pattern to cut and sew: --fair --true --mirror auto --allowance 10 --hem 30 "
-        "--notches auto --grain vertical, but for what a project or another option "
-        "says");
+    if (hasPreset) {
+        command.add_flag(
+            "--pattern", stated.pattern,
+            "A pattern to cut and sew: --fair --true --mirror auto --allowance 10 --hem 30 "
+            "--notches auto --grain vertical, but for what a project or another option "
+            "says");
+    }
     addChoice(command, "--grain", stated.grain, kGrainRuleWords,
               "How the grain runs where a project does not say: as the garment hangs, as in the "
               "reference panels, or as the garment hangs and turned by 45 or 90 degrees where that "
@@ -250,13 +255,17 @@ void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     addMethodOptions(compare, arguments.stated, false);
     addReading(compare, arguments);
     compare.add_flag("--per-piece", arguments.perPiece, "Print a table for each piece too");
+    CLI::Option* proving =
+        compare.add_flag("--prove", arguments.isProving,
+                         "Sew each pattern back together and say how far from the design it sits");
     CLI::Option* pattern =
         compare
             .add_option(
                 "--pattern", arguments.pattern,
                 "Compare with the pieces of this pattern instead: .dxf, .svg or GarmentCode's "
                 ".specification.json")
-            ->type_name("FILE");
+            ->type_name("FILE")
+            ->excludes(proving);
     compare
         .add_option("-o,--output", arguments.outputs,
                     "With --pattern: a picture of each pair, .svg")
@@ -267,6 +276,21 @@ void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     compare.add_flag("--markdown", arguments.markdown, "Print tables as Markdown")->excludes(json);
 }
 
+/// How a picture of both views shows them.
+void addPicture(CLI::App& command, Typed& typed, Arguments& arguments, const std::string& overlay) {
+    PictureArguments& picture = arguments.picture;
+    addChoice(command, "--view", picture.views, kViewWords, "What to draw; both lie side by side")
+        ->default_str("both");
+    addChoice(command, "--overlay", arguments.overlay, kOverlayWords, overlay);
+    command.add_option("--size", typed.size, "Width and height in pixels [1600x800]")
+        ->type_name("WxH");
+    command
+        .add_option("--look", typed.look,
+                    "From where the garment is seen, a side or degrees around and upwards")
+        ->type_name("front|back|left|right|top|bottom|YAW,PITCH");
+    command.add_flag("--dark", picture.dark, "On a dark ground");
+}
+
 void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& render = addCommand(app, arguments, Arguments::Command::Render, "render",
                                   "Draw a garment and its pattern as the window shows them");
@@ -274,16 +298,8 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->required()
         ->type_name("FILE.png");
     PictureArguments& picture = arguments.picture;
-    addChoice(render, "--view", picture.views, kViewWords, "What to draw; both lie side by side")
-        ->default_str("both");
-    addChoice(render, "--overlay", arguments.overlay, kOverlayWords,
-              "What is painted on the cloth [what the project says, else checker]");
-    render.add_option("--size", typed.size, "Width and height in pixels [1600x800]")
-        ->type_name("WxH");
-    render
-        .add_option("--look", typed.look,
-                    "From where the garment is seen, a side or degrees around and upwards")
-        ->type_name("front|back|left|right|top|bottom|YAW,PITCH");
+    addPicture(render, typed, arguments,
+               "What is painted on the cloth [what the project says, else checker]");
     render
         .add_option("--morph", picture.morph,
                     "The garment on its way to the pattern: 0 as it is worn, 1 flat")
@@ -297,7 +313,6 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->default_str("on");
     addChoice(render, "--bar", picture.bar, kSwitchWords,
               "The colour bar below [on where the overlay is measured]");
-    render.add_flag("--dark", picture.dark, "On a dark ground");
     addMethodOptions(render, arguments.stated);
     addLineOptions(render, arguments.stated);
     addPatternOptions(render, arguments.stated);
@@ -323,6 +338,9 @@ void addCheck(CLI::App& app, Arguments& arguments) {
     addPatternOptions(check, arguments.stated);
     addReading(check, arguments);
     addFailOn(check, arguments);
+    check.add_flag(
+        "--prove", arguments.isProving,
+        "Sew the pattern back together first: a doubt where it sits far from the design");
     check.add_flag("--json", arguments.json, "Print as JSON");
 }
 
@@ -371,6 +389,46 @@ void addMarker(CLI::App& app, Typed& typed, Arguments& arguments) {
     addLabelOptions(command, arguments.stated);
     addReading(command, arguments);
     addExporting(command, typed);
+}
+
+void addProve(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& command =
+        addCommand(app, arguments, Arguments::Command::Prove, "prove",
+                   "Sew the pattern of a garment back together and measure how far from the "
+                   "design it comes to rest (docs/prove.md)");
+    command.footer(
+        "\nExit status 1 where the pattern has a fault that is seen before it is sewn, such as a\n"
+        "mirrored piece or a seam whose sides do not fit, or a piece failed. Ctrl-C ends it.");
+    command
+        .add_option("-o,--output", arguments.outputs,
+                    "Picture of the sewn garment to write, .png; with --prove-improve also the "
+                    "pattern, in any other format of flatten")
+        ->type_name("FILE")
+        ->allow_extra_args(false);  // so that inputs may follow
+    addPicture(command, typed, arguments, "What the picture has painted on the cloth [gap]");
+    addProveOptions(command, arguments);
+    addFabric(command, arguments,
+              "What the garment is cut from, which says how it resists [what the project says, "
+              "else a sheet that is alike in all directions]");
+    addMethodOptions(command, arguments.stated);
+    addLineOptions(command, arguments.stated);
+    addPatternOptions(command, arguments.stated, false);
+    addReading(command, arguments);
+}
+
+/// Of a proof: what is typed of a picture that is not asked for.
+std::string wrongWithoutPicture(const CLI::App& app, const Arguments& arguments) {
+    if (arguments.command != Arguments::Command::Prove ||
+        std::ranges::any_of(arguments.outputs, isPicture)) {
+        return {};
+    }
+    const CLI::App* prove = app.get_subcommand("prove");
+    for (const char* option : {"--view", "--overlay", "--size", "--look", "--dark", "--sewn"}) {
+        if (prove->count(option) > 0) {
+            return std::string(option) + " is of a picture: ask for one with -o FILE.png";
+        }
+    }
+    return {};
 }
 
 void addInfo(CLI::App& app, Arguments& arguments) {
@@ -451,8 +509,8 @@ Arguments parseArguments(int argc, const char* const* argv) {
     app.set_version_flag("--version", "toile " + std::string(version()));
     app.footer(
         "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "isometric flipped triangles, check found faults or walk unequal lengths, or with\n"
-        "--fail-on doubt the pattern is in doubt; 2 wrong usage, 3 a file cannot be read or\n"
+        "isometric flipped triangles, check or prove found faults or walk unequal lengths, or\n"
+        "with --fail-on doubt the pattern is in doubt; 2 wrong usage, 3 a file cannot be read or\n"
         "written.");
     app.require_subcommand(0, 1);
 
@@ -463,6 +521,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addCheck(app, arguments);
     addWalk(app, arguments);
     addMarker(app, typed, arguments);
+    addProve(app, typed, arguments);
     addInfo(app, arguments);
     addRender(app, typed, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
@@ -504,6 +563,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
         if (!wrong.empty()) {
             return wrongUsage(wrong);
         }
+    }
+    if (const std::string wrong = wrongWithoutPicture(app, arguments); !wrong.empty()) {
+        return wrongUsage(wrong);
     }
     arguments.options = arguments.stated.over(FlattenOptions{});
     arguments.lines = arguments.stated.over(LineSettings{});

@@ -8,6 +8,7 @@
 
 #include "app/cli/marker_arguments.h"
 #include "app/cli/picture_arguments.h"
+#include "app/cli/prove_arguments.h"
 #include "app/cli/stated_options.h"
 #include "app/document/view_state.h"
 #include "core/export/export_options.h"
@@ -28,6 +29,7 @@ struct Arguments {
         Render,
         Walk,
         Marker,
+        Prove,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
 
@@ -38,10 +40,11 @@ struct Arguments {
     LoadOptions load{.cutStyle = CutStyle::Auto};
     std::filesystem::path seams;
     bool advice = false;               ///< info: which cuts would do most
-    bool json = false;                 ///< info, compare, check, walk: as JSON
+    bool json = false;                 ///< info, compare, check, walk, prove: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
-    std::filesystem::path pattern{};   ///< compare: with this pattern from a file
+    bool isProving = false;            ///< compare, check: sew the patterns back together too
+    std::filesystem::path pattern{};   ///< compare: with this pattern from a file; prove: sew it
     bool ledger = false;               ///< flatten: print the seams
     bool failOnDoubt = false;          ///< flatten, check: status 1 where there is a doubt
     ExportOptions exporting{};         ///< flatten: of the files to write
@@ -54,6 +57,7 @@ struct Arguments {
     std::optional<Panel> panel;        ///< window: the list in front
     PictureArguments picture;          ///< render
     MarkerArguments marker{};          ///< marker
+    ProveArguments prove{};            ///< prove
     std::optional<Fabric> fabric{};    ///< check: typed, or a project's
     std::optional<Project> project{};  ///< that the inputs are of, once `withProject` has read it
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/check_arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <vector>
 
+#include "app/cli/proof_picture.h"
 #include "core/base/text.h"
 #include "core/export/formats.h"
 
@@ -38,13 +40,35 @@ std::optional<std::filesystem::path> overwrittenInput(const Arguments& arguments
     for (const std::filesystem::path& hide : arguments.marker.hides) {
         inputs.push_back(hide);
     }
+    for (const std::filesystem::path& read : {arguments.pattern, arguments.prove.body}) {
+        inputs.push_back(read);
+    }
     std::vector<std::filesystem::path> outputs = arguments.outputs;
     outputs.push_back(arguments.marker.report);
+    outputs.push_back(arguments.prove.report);
     for (const auto& output : outputs) {
         for (const auto& input : inputs) {
             std::error_code ignored;
             if (std::filesystem::equivalent(input, output, ignored)) {
                 return output;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// A report that would lie over the pattern, or under it; neither needs to be there yet.
+std::optional<std::filesystem::path> reportAmongOutputs(const Arguments& arguments) {
+    const auto whole = [](const std::filesystem::path& path) -> std::filesystem::path {
+        std::error_code ignored;
+        const auto absolute = std::filesystem::absolute(path, ignored);
+        const auto found = std::filesystem::weakly_canonical(absolute, ignored);
+        return ignored ? path.lexically_normal() : found;
+    };
+    for (const auto& report : {arguments.marker.report, arguments.prove.report}) {
+        for (const auto& output : arguments.outputs) {
+            if (!report.empty() && whole(report) == whole(output)) {
+                return report;
             }
         }
     }
@@ -62,22 +86,43 @@ std::string wrongEnding(const std::filesystem::path& output) {
 }
 
 std::string wrongOutputs(const Arguments& arguments) {
+    const bool isProof = arguments.command == Arguments::Command::Prove;
+    const bool isPattern =
+        isProof ? arguments.prove.rounds > 0 : arguments.command != Arguments::Command::Render;
     for (const auto& output : arguments.outputs) {
-        if (arguments.command != Arguments::Command::Render) {
+        if (isPattern && !(isProof && isPicture(output))) {
             if (std::string wrong = wrongEnding(output); !wrong.empty()) {
                 return wrong;
             }
-        } else if (output.extension() != ".png" && output.extension() != ".PNG") {
+        } else if (!isPicture(output)) {
+            const Format* format = isProof ? formatOf(output) : nullptr;
+            if (format && format->write) {
+                return "a pattern such as \"" + output.string() +
+                       "\" is written with --prove-improve; without it only a picture, .png";
+            }
             return "the picture's name must end in .png, not \"" + output.string() + "\"";
         }
     }
+    if (isProof && std::ranges::any_of(arguments.outputs, isPicture) && !proofPictures()) {
+        return "this build of Toile draws no pictures";
+    }
+    if (isProof && isPattern && std::ranges::all_of(arguments.outputs, isPicture)) {
+        return "--prove-improve makes another pattern: give -o FILE to keep it";
+    }
     if (const auto lost = overwrittenInput(arguments)) {
         return "\"" + lost->string() + "\" is an input and would be overwritten";
+    }
+    if (const auto twice = reportAmongOutputs(arguments)) {
+        return "\"" + twice->string() + "\" is to be the report and an output; give two names";
     }
     return {};
 }
 
 }  // namespace
+
+bool isPicture(const std::filesystem::path& file) {
+    return file.extension() == ".png" || file.extension() == ".PNG";
+}
 
 std::string wrongIn(const Arguments& arguments) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {

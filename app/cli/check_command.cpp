@@ -11,6 +11,7 @@
 #include "core/check/ready_to_cut.h"
 #include "core/project/project.h"
 #include "core/project/rigid_motion.h"
+#include "core/prove/proof.h"
 
 namespace toile::app {
 namespace {
@@ -45,6 +46,20 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
     }
 }
 
+/// The pattern sewn back together; null, and why, where it cannot be.
+std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& plan,
+                                    const Progress& progress, std::ostream& err) {
+    const LaidOutPattern laid = laidOut(arguments, *plan.garment, plan.results);
+    const ExportSource source(*plan.garment, plan.results, laid, arguments.exporting, {},
+                              arguments.lines, plan.fabric);
+    const auto proof = proofOf(source, {}, progress);
+    if (!proof) {
+        err << "toile: " << sentence(proof.error()) << '\n';
+        return nullptr;
+    }
+    return *proof;
+}
+
 }  // namespace
 
 int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
@@ -63,6 +78,9 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.fabric = arguments.fabric.value_or(plan.fabric);
     plan.settings = settingsNow(arguments, *plan.garment, plan.results);
     plan.materials = materialsOf(arguments, plan.settings);
+    if (arguments.isProving) {
+        plan.proof = proved(arguments, plan, progress, err);
+    }
     const Readiness readiness = readyToCut(plan, progress);
     if (arguments.json) {
         out << writeReadiness(*plan.garment, readiness);
@@ -74,7 +92,8 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         }
     }
     out.flush();
-    const bool isReady = readiness.count(Severity::Fault) == 0 &&
+    const bool isProved = !arguments.isProving || plan.proof != nullptr;
+    const bool isReady = isProved && readiness.count(Severity::Fault) == 0 &&
                          !(arguments.failOnDoubt && readiness.count(Severity::Doubt) > 0);
     return !out ? kExitUnreadable : isReady ? kExitDone : kExitSomeFailed;
 }

@@ -31,6 +31,8 @@ int runCommand(const Arguments& typed) {
                 return runWalk(arguments, std::cout, std::cerr);
             case Arguments::Command::Marker:
                 return runMarker(arguments, std::cout, std::cerr);
+            case Arguments::Command::Prove:
+                return runProve(arguments, std::cout, std::cerr);
             case Arguments::Command::Message:
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;

@@ -17,8 +17,8 @@ enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnrea
 struct Arguments;
 
 /// Runs `toile flatten`, `toile compare`, `toile check`, `toile walk`, `toile marker`, `toile
-/// info`, `--help` or
-/// `--version` as parsed. Output goes to stdout, errors to stderr, one sentence each. Never throws.
+/// prove`, `toile info`, `--help` or `--version` as parsed. Output goes to stdout, errors to
+/// stderr, one sentence each. Never throws.
 int runCommand(const Arguments& typed);
 
 /// One function per command; each returns the exit status.
@@ -30,6 +30,7 @@ int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostrea
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err);
+int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err);
 /// Of an instance of the nesting problem.
 int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostream& err);
 

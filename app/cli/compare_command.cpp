@@ -9,6 +9,7 @@
 #include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
 #include "core/pipeline/pipeline.h"
+#include "core/prove/proof.h"
 
 namespace toile::app {
 namespace {
@@ -34,6 +35,34 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
         out << '\n';
         print(tables[k], out);
     }
+}
+
+/// Sews the pattern of each method back together, and notes how far it sits from the design.
+/// @return whether one could not be sewn, of which a sentence is printed
+bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison& comparison,
+                  const Progress& progress, std::ostream& err) {
+    Arguments exact = arguments;  // methods are compared by their exact outlines
+    exact.lines = {};
+    bool failed = false;
+    for (ComparedMethod& method : comparison.methods) {
+        const LaidOutPattern laid = laidOut(exact, garment, method.results);
+        const ExportSource source(garment, method.results, laid, {}, {}, {},
+                                  arguments.fabric.value_or(fabricPresets().front()));
+        const auto proof =
+            proofOf(source, {}, Progress(progress, 1.0 / double(comparison.methods.size())));
+        if (!proof) {
+            err << "toile: " << name(method.method) << ": " << sentence(proof.error()) << '\n';
+            failed = true;
+            continue;
+        }
+        method.figures[Criterion::SewnGap] = (*proof)->gap.mean;
+        for (std::size_t p = 0; p < method.pieceFigures.size(); ++p) {
+            if ((*proof)->pieces[p].isSewn()) {
+                method.pieceFigures[p][Criterion::SewnGap] = (*proof)->pieces[p].gapFigures.mean;
+            }
+        }
+    }
+    return failed;
 }
 
 /// A sentence for each piece that failed, or is flipped against the method's promise, with
@@ -85,6 +114,8 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
         method = compared(method.method, *garment,
                           withoutLeftOut(arguments, *garment, std::move(method.results)));
     }
+    bool undone =
+        arguments.isProving && proveMethods(arguments, *garment, comparison, progress, err);
     if (arguments.json) {
         out << writeComparison(*garment, comparison);
     } else if (arguments.markdown) {
@@ -92,7 +123,7 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
     } else {
         printText(*garment, comparison, arguments.perPiece, out);
     }
-    const bool undone = printProblems(*garment, err);
+    undone = printProblems(*garment, err) || undone;
     const bool failed = printFailures(*garment, comparison, err);
     out.flush();
     return !out ? kExitUnreadable : undone || failed ? kExitSomeFailed : kExitDone;

@@ -7,11 +7,10 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/diagnose/doubt.h"
-#include "core/export/drawing_notes.h"
-#include "core/export/export_file.h"
 #include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
@@ -102,29 +101,8 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
     const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
                               arguments.fabric.value_or(fabricPresets().front()));
-    if (!arguments.outputs.empty()) {
-        if (std::ranges::none_of(
-                results, [](const auto& result) -> bool { return result->flat.has_value(); })) {
-            err << "toile: no piece lies flat: there is no pattern in what is written\n";
-        }
-        for (const Wording& note : overlapNotes(laid.pattern, source.drawing())) {
-            err << "toile: " << note << '\n';
-        }
-    }
-    for (const auto& output : arguments.outputs) {
-        const auto written = exportFile(output, source);
-        if (written) {
-            for (const std::filesystem::path& file : written->files) {
-                out << "wrote " << file.string();
-                if (written->readBack && file == written->files.front()) {
-                    out << "; " << readBackSentence(*written->readBack);
-                }
-                out << '\n';
-            }
-        } else {
-            err << "toile: " << sentence(written.error()) << '\n';
-            status = kExitUnreadable;
-        }
+    if (!writePatterns(arguments.outputs, source, out, err)) {
+        status = kExitUnreadable;
     }
     out.flush();
     return out ? status : kExitUnreadable;

@@ -54,6 +54,25 @@ TEST(Check, TheFabricDecidesWhatStrainIsInDoubt) {
     EXPECT_EQ(test::toileRun({"check", kSample, "--fabric", "granite"}).status, 2);
 }
 
+TEST(Check, SewsThePatternBackWhereAsked) {
+    const std::string cap = test::sourceFile("resources/samples/cap.obj").string();
+    const auto gapsFound = [&cap](const std::vector<std::string>& more) -> int {
+        // Ten times as large as it is: a map that keeps angles misses it by centimetres.
+        std::vector<std::string> words{"check", cap, "--unit", "cm", "--method", "lscm", "--json"};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto run = test::toileRun(words);
+        EXPECT_LE(run.status, 1) << run.err;
+        int gaps = 0;
+        const auto json = nlohmann::json::parse(run.out);
+        for (const auto& finding : json["findings"]) {
+            gaps += finding["kind"] == "sewn-gap" && finding["severity"] == "doubt" ? 1 : 0;
+        }
+        return gaps;
+    };
+    EXPECT_EQ(gapsFound({}), 0);
+    EXPECT_EQ(gapsFound({"--prove"}), 1);
+}
+
 TEST(Check, FaultsAreStatusOne) {
     const test::TemporaryFolder folder;
     const std::string ball = folder.write("ball.obj", kLargeBall).string();

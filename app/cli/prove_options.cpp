@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Includes CLI11 as `arguments.cpp` does; both are compiled together.
+#include "app/cli/prove_options.h"
+
+#include <vector>
+
+#include "app/cli/arguments.h"
+#include "app/cli/choice_options.h"
+#include "core/pipeline/improve.h"
+
+namespace toile::app {
+namespace {
+
+constexpr double kMostPressure = 1e5;                    // Pa
+constexpr double kLeastStretch = 1, kMostStretch = 1e7;  // N/m
+constexpr double kMostBend = 1e7;                        // µN·m
+constexpr double kMostWeight = 1e5;                      // g/m²
+constexpr double kMicro = 1e-6;
+constexpr double kLeastScale = 0.5, kMostScale = 2;
+constexpr int kMostRounds = 100;
+constexpr int kMostProveThreads = 64;
+constexpr Word<bool> kProvenReferenceWords[] = {{true, "uv"}};
+
+CLI::Option* addUnit(CLI::App& command, const char* option, std::optional<FileUnit>& unit,
+                     const char* help) {
+    return command
+        .add_option_function<std::string>(
+            option, [&unit](const std::string& text) { unit = parseFileUnit(text); }, help)
+        ->type_name("mm|cm|dm|m|in|LENGTH")
+        ->check([](const std::string& text) {
+            return parseFileUnit(text) ? std::string()
+                                       : text + " is no unit: mm, cm, dm, m, in, or a length";
+        });
+}
+
+void addSewnPattern(CLI::App& command, Arguments& arguments) {
+    ProveArguments& prove = arguments.prove;
+    CLI::Option* pattern =
+        command
+            .add_option("--pattern", arguments.pattern,
+                        "Sew this pattern: .dxf, .svg or GarmentCode's .specification.json [the "
+                        "garment's own, as ASTM DXF, read back]")
+            ->type_name("FILE");
+    addUnit(command, "--pattern-unit", prove.patternUnit, "Unit of its coordinates")
+        ->needs(pattern);
+    addChoice(command, "--reference", prove.isReference, kProvenReferenceWords,
+              "Sew the designer's own panels, which the garment carries as its UV map")
+        ->excludes(pattern);
+    command
+        .add_option("--scale", prove.scale,
+                    "Sew the pattern this many times as large as it is: 0.97 as cloth that shrinks "
+                    "by 3 %")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(kLeastScale, kMostScale))
+        ->capture_default_str();
+    CLI::Option* body =
+        command
+            .add_option("--body", prove.body,
+                        "A mesh file of what the cloth is worn on, in the garment's space [the "
+                        "design's own surface]")
+            ->type_name("FILE");
+    addUnit(command, "--body-unit", prove.bodyUnit,
+            "Unit of the body's coordinates [what its file states, else as the garment's]")
+        ->needs(body);
+    command
+        .add_option("--edge", prove.settings.edge,
+                    "Length of the cloth's triangles [as the garment's own]")
+        ->type_name("MM")
+        ->check(CLI::Range(kLeastProofEdge, kMostProofEdge));
+}
+
+void addStiffness(CLI::App& command, StatedStiffness& stated) {
+    command
+        .add_option_function<std::vector<double>>(
+            "--stretch",
+            [&stated](const std::vector<double>& typed) {
+                stated.warp = typed.front();
+                stated.weft = typed.back();
+            },
+            "How the cloth resists being stretched along warp and weft, N/m [as its fabric]")
+        ->type_name("WARP[,WEFT]")
+        ->delimiter(',')
+        ->expected(1, 2)
+        ->allow_extra_args(false)
+        ->check(CLI::Range(kLeastStretch, kMostStretch));
+    const auto add = [&command](const char* option, std::optional<double>& value, double unit,
+                                const char* type, double least, double most, const char* help) {
+        command
+            .add_option_function<double>(
+                option, [&value, unit](double typed) { value = unit * typed; }, help)
+            ->type_name(type)
+            ->check(CLI::Range(least, most));
+    };
+    add("--shear", stated.shear, 1, "N/M", kLeastStretch / 100, kMostStretch,
+        "How it resists being sheared, N/m");
+    add("--bend", stated.bending, kMicro, "UNM", 0, kMostBend,
+        "How it resists being bent, in millionths of a newton metre");
+    add("--weight", stated.weight, 1, "GSM", 0, kMostWeight,
+        "What it weighs, g/m2: counts with --gravity");
+}
+
+}  // namespace
+
+void addProveOptions(CLI::App& command, Arguments& arguments) {
+    command
+        .add_option("--sewn", arguments.prove.sewn,
+                    "The picture's garment on its way from as designed, 0, to as sewn, 1")
+        ->type_name("SHARE")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
+    addSewnPattern(command, arguments);
+    ProofSettings& settings = arguments.prove.settings;
+    addStiffness(command, settings.stiffness);
+    command
+        .add_option("--pressure", settings.pressure,
+                    "Pressure on the cloth towards the design or the body; below 0: outwards, as "
+                    "of a cushion's filling")
+        ->type_name("PA")
+        ->check(CLI::Range(-kMostPressure, kMostPressure))
+        ->capture_default_str();
+    command.add_flag("--gravity", settings.hasGravity, "Let the cloth's weight pull down");
+    CLI::Option* improve = command.add_flag(
+        "--prove-improve", [&arguments](std::int64_t) { arguments.prove.rounds = kImproveRounds; },
+        "Improve the pattern, round by round: as cloth that hangs by its weight sags, and comes to "
+        "lie where it was designed");
+    improve->excludes("--pattern")->excludes("--reference")->excludes("--scale");
+    command
+        .add_option_function<int>(
+            "--rounds", [&arguments](int rounds) { arguments.prove.rounds = rounds; },
+            "At most so many [" + std::to_string(kImproveRounds) + "]")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostRounds))
+        ->needs(improve);
+    command.add_option("--threads", settings.threads, "To work with; the result is the same [all]")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMostProveThreads));
+    command
+        .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")
+        ->type_name("FILE.json")
+        ->check([](const std::string& name) {
+            return name.ends_with(".json") || name.ends_with(".JSON")
+                       ? std::string()
+                       : "the report's name must end in .json, not \"" + name + "\"";
+        });
+    command.add_flag("--json", arguments.json, "Print as JSON");
+}
+
+}  // namespace toile::app

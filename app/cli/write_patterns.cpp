@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/write_patterns.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "core/export/drawing_notes.h"
+#include "core/export/export_file.h"
+
+namespace toile::app {
+
+bool writePatterns(const std::vector<std::filesystem::path>& outputs, const ExportSource& source,
+                   std::ostream& out, std::ostream& err) {
+    if (outputs.empty()) {
+        return true;
+    }
+    const auto isFlat = [](const auto& result) -> bool { return result->flat.has_value(); };
+    if (std::ranges::none_of(source.results(), isFlat)) {
+        err << "toile: no piece lies flat: there is no pattern in what is written\n";
+    }
+    for (const Wording& note : overlapNotes(source.laid().pattern, source.drawing())) {
+        err << "toile: " << note << '\n';
+    }
+    bool isDone = true;
+    for (const auto& output : outputs) {
+        const auto written = exportFile(output, source);
+        if (!written) {
+            err << "toile: " << sentence(written.error()) << '\n';
+            isDone = false;
+            continue;
+        }
+        for (const std::filesystem::path& file : written->files) {
+            out << "wrote " << file.string();
+            if (written->readBack && file == written->files.front()) {
+                out << "; " << readBackSentence(*written->readBack);
+            }
+            out << '\n';
+        }
+    }
+    return isDone;
+}
+
+}  // namespace toile::app
