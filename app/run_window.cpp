@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/jobs/ready_checker.h"
 #include "app/platform_choice.h"
@@ -52,7 +53,7 @@ public:
 private:
     void look() {
         Workspace& workspace = window_.workspace();
-        if (workspace.jobs().isBusy()) {
+        if (workspace.jobs().isBusy() || workspace.proof().isRunning()) {
             return;
         }
         const bool empty = workspace.document().garment() == nullptr;
@@ -119,6 +120,17 @@ void keepOverlay(Document& document, Overlay overlay) {
         Qt::QueuedConnection);
 }
 
+/// Sews the first garment's pattern as soon as it is flat.
+void proveOnceFlat(Workspace& workspace) {
+    QObject::connect(&workspace.jobs(), &JobRunner::idle, &workspace.proof(),
+                     [&workspace, begun = false]() mutable {
+                         if (!begun && workspace.proof().canProve()) {
+                             begun = true;
+                             workspace.proof().begin();
+                         }
+                     });
+}
+
 }  // namespace
 
 int runWindow(int argc, char** argv, const WindowOptions& options) {
@@ -169,6 +181,9 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     window.workspace().document().setOptions(options.flattening);
     if (options.overlay) {
         keepOverlay(window.workspace().document(), *options.overlay);
+        if (isOfProof(*options.overlay)) {
+            proveOnceFlat(window.workspace());
+        }
     }
     window.show();
     if (!options.files.empty()) {

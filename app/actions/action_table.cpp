@@ -11,6 +11,7 @@
 
 #include "app/actions/cut_proposals.h"
 #include "app/actions/garment_actions.h"
+#include "app/actions/pattern_proof.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/document/layout.h"
@@ -187,6 +188,23 @@ ActionWork overlays(Overlay overlay) {
     return {[overlay](GarmentActions& on, bool) { on.workspace().document().setOverlay(overlay); },
             isOpen, [overlay](Workspace& on) { return on.document().view().overlay == overlay; },
             ActionGroup::Overlay};
+}
+
+/// Of sewn cloth: where none is, what sews it comes to the front.
+ActionWork overlaysOfProof(Overlay overlay) {
+    ActionWork work = overlays(overlay);
+    work.run = [overlay](GarmentActions& on, bool) {
+        Workspace& workspace = on.workspace();
+        workspace.document().setOverlay(overlay);
+        if (!workspace.document().isProofCurrent()) {
+            workspace.proof().want();
+        }
+    };
+    return work;
+}
+
+bool isProved(Workspace& on) {
+    return on.document().isProofCurrent();
 }
 
 ActionWork switches(bool ViewState::*field, When when = isOpen) {
@@ -416,6 +434,12 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::OverlayNormal, "overlayNormal", TR("Surface &normals"), "",
          TR("Where the worn cloth faces, one colour for each direction"), overlays(Overlay::Normal),
          "overlay-normal", TR("Normals")},
+        {ActionId::OverlayGap, "overlayGap", TR("Gap of the sewn c&loth"), "",
+         TR("How far the pattern, sewn back together, lies outside or inside of the design"),
+         overlaysOfProof(Overlay::Gap), "overlay-gap", TR("Gap")},
+        {ActionId::OverlayWornStrain, "overlayWornStrain", TR("&Worn strain of the sewn cloth"), "",
+         TR("How far the cloth is strained where the pattern is sewn back together"),
+         overlaysOfProof(Overlay::WornStrain), "overlay-worn-strain", TR("Worn strain")},
         {ActionId::ValuesPerTriangle, "valuesPerTriangle", TR("&Values per triangle"), "Shift+V",
          TR("Paint every triangle in the colour of its own value, without smoothing"),
          switches(&ViewState::valuesPerTriangle, showsFigures), "values-per-triangle",
@@ -476,6 +500,12 @@ std::vector<ActionSpec> makeActions() {
          whenOpen(Group::Toggle)},
         {ActionId::PlayMorph, "playMorph", TR("Play from garment to pa&ttern"), "Shift+M",
          TR("Watch the garment flatten, or the pattern close to the garment again"), whenOpen()},
+        {ActionId::PlaySewn,
+         "playSewn",
+         TR("Play from design to sew&n"),
+         "",
+         TR("Watch the cloth go from the design to where the sewn pattern comes to rest"),
+         {.enabledWhen = isProved}},
         {ActionId::WalkSeam,
          "walkSeam",
          TR("Walk the s&eam"),
@@ -533,6 +563,20 @@ std::vector<ActionSpec> makeActions() {
          TR("Lay the pieces on their cloth so that little of it is left over: the marker, with its "
             "length"),
          whenOpen()},
+        {ActionId::ProveBySewing,
+         "proveBySewing",
+         TR("Prove by se&wing"),
+         "F9",
+         TR("Sew the pattern back together over the design, as its lines are written, and measure "
+            "how far from the design it comes to rest"),
+         {[](GarmentActions& on, bool) {
+              on.workspace().proof().want();
+              on.workspace().proof().begin();
+          },
+          [](Workspace& on) { return on.proof().canProve(); }}},
+        {ActionId::SaveProof, "saveProof", TR("Save report o&f the proof…"), "",
+         TR("Write what sewing the pattern has shown to a JSON file"),
+         asks(&GarmentActions::askAndSaveProof, isProved)},
         {ActionId::ToolSelect, "toolSelect", TR("&Select"), "V",
          TR("Select pieces, seams and vertices; move pieces in the pattern"), whenOpen(Group::Tool),
          "tool-select", TR("Select")},
@@ -847,6 +891,9 @@ std::vector<ActionSpec> makeActions() {
          TR("Show how the lines of the pattern are drawn and move the keyboard there"), whenOpen()},
         {ActionId::GoToSymmetry, "goToSymmetry", TR("Go to s&ymmetry"), "Ctrl+6",
          TR("Show which pieces mirror each other and move the keyboard there"), whenOpen()},
+        {ActionId::GoToProof, "goToProof", TR("&Go to proof"), "Ctrl+7",
+         TR("Show what sewing the pattern back together has shown and move the keyboard there"),
+         whenOpen()},
         {ActionId::ResetLayout, "resetLayout", TR("Reset &window layout"), "",
          TR("Put every list back below the views and every panel beside them, as at the first "
             "start")},

@@ -135,6 +135,11 @@ FileDialogs FileDialogs::native() {
             parent, FileDialogs::tr("Open hides"), folder,
             FileDialogs::tr("Drawings (%1);;All files (*)").arg("*.dxf *.svg"));
     };
+    dialogs.openBody = [](QWidget* parent, const QString& folder) {
+        return QFileDialog::getOpenFileName(
+            parent, FileDialogs::tr("Open a body"), folder,
+            FileDialogs::tr("Meshes (%1);;All files (*)").arg(patternsOf(meshSuffixes())));
+    };
     dialogs.openPattern = [](QWidget* parent, const QString& folder) {
         return QFileDialog::getOpenFileName(
             parent, FileDialogs::tr("Open a reference pattern"), folder,
@@ -142,6 +147,9 @@ FileDialogs FileDialogs::native() {
     };
     dialogs.save = [](QWidget* parent, const QString& suggestion, const QString& filter) {
         return askForTarget(parent, FileDialogs::tr("Export the pattern"), suggestion, filter);
+    };
+    dialogs.saveReport = [](QWidget* parent, const QString& suggestion, const QString& filter) {
+        return askForTarget(parent, FileDialogs::tr("Save the report"), suggestion, filter);
     };
     dialogs.mayReplace = askToReplace;
     dialogs.showFolder = [](const QString& folder) {

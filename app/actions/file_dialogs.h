@@ -27,11 +27,16 @@ public:
     std::function<QString(QWidget* parent, const QString& folder)> openSeams;
     /// A pattern to compare with; empty where the person thought better of it.
     std::function<QString(QWidget* parent, const QString& folder)> openPattern;
+    /// A mesh to wear a pattern on; empty where the person thought better of it.
+    std::function<QString(QWidget* parent, const QString& folder)> openBody;
     /// Drawings of hides to lay a pattern on; empty where the person thought better of it.
     std::function<QStringList(QWidget* parent, const QString& folder)> openHides;
     /// File to write; empty where the person thought better of it. The suggestion is a full path
     /// whose ending is the format's.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
+    /// A report to write, likewise.
+    std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)>
+        saveReport;
     /// Whether a file that is there may be replaced.
     std::function<bool(QWidget* parent, const QString& path)> mayReplace;
     /// Shows a folder as the desktop shows folders.

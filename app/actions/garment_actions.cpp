@@ -12,6 +12,7 @@
 #include "app/actions/material_menu.h"
 #include "app/actions/own_folders.h"
 #include "app/actions/pattern_printing.h"
+#include "app/actions/pattern_proof.h"
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
@@ -22,6 +23,8 @@
 #include "app/jobs/garment_jobs.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
+#include "core/base/file.h"
+#include "core/project/piece_names.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -152,6 +155,33 @@ void GarmentActions::askAndWriteSeams() {
     const auto written = workspace_.writeSeams(pathOf(path));
     if (!written) {
         emit failed(errorText(written.error()));
+    }
+}
+
+void GarmentActions::askAndSaveProof() {
+    const ShownProof shown = *workspace_.document().proof();
+    const QFileInfo first(textOf(shown.ground.garment->files.front()->path));
+    const QString path = dialogs_.saveReport(
+        &window_, QString("%1/%2.proof.json").arg(folderToWriteTo(), first.completeBaseName()),
+        tr("Reports of proofs (*.json)"));
+    if (path.isEmpty()) {
+        return;
+    }
+    const Garment garment = named(*shown.ground.garment, workspace_.document().state().labels);
+    const auto written = writeFile(pathOf(path), writeProof(garment, *shown.proof));
+    if (written) {
+        emit done(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    } else {
+        emit failed(errorText(written.error()));
+    }
+}
+
+void GarmentActions::askForBody() {
+    const QString path = dialogs_.openBody(&window_, preferences_.openFolder());
+    if (!path.isEmpty()) {
+        ProofPlan plan = workspace_.proof().plan();
+        plan.body = pathOf(QFileInfo(path).absoluteFilePath());
+        workspace_.proof().setPlan(plan);
     }
 }
 

@@ -48,6 +48,10 @@ public:
     void askAndPrint();
     void askAndReadSeams();
     void askAndWriteSeams();
+    /// What sewing the pattern has shown, as a report. Requires a proof of the present pattern.
+    void askAndSaveProof();
+    /// For the mesh that the pattern is to be worn on when it is proved.
+    void askForBody();
     void selectAll();
     void selectNone();
     void askForMaterial();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/actions/cut_proposals.h"
+#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/file_jobs.h"
@@ -16,6 +17,7 @@ namespace toile::app {
 
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     proposals_ = std::make_unique<CutProposals>(*this);
+    proof_ = std::make_unique<PatternProof>(document_, proving_);
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
@@ -60,6 +62,7 @@ void Workspace::shutdown() {
     proposals_->close();
     mirroring_.shutdown();
     jobs_.shutdown();
+    proving_.shutdown();
     writing_.finish();
 }
 
@@ -82,7 +85,7 @@ void Workspace::cancel() {
         return;
     }
     if (!jobs_.isBusy()) {
-        writing_.cancel();
+        (proving_.isBusy() ? proving_ : writing_).cancel();
         return;
     }
     jobs_.cancel();

@@ -20,6 +20,7 @@
 namespace toile::app {
 
 class CutProposals;
+class PatternProof;
 
 /// Whether the pattern is that of the garment: if not, whether somebody is about it.
 enum class PatternAge { UpToDate, Renewed, OutOfDate };
@@ -46,11 +47,15 @@ public:
     JobRunner& writing() { return writing_; }
     /// Those that find what mirrors the cuts that a person has drawn, one after the other.
     JobRunner& mirroring() { return mirroring_; }
+    /// That which sews the pattern, as it was when it was begun.
+    JobRunner& proving() { return proving_; }
     /// All of them.
-    std::vector<JobRunner*> runners() { return {&mirroring_, &jobs_, &writing_}; }
-    bool isBusy() const { return mirroring_.isBusy() || jobs_.isBusy() || writing_.isBusy(); }
+    std::vector<JobRunner*> runners() { return {&mirroring_, &jobs_, &proving_, &writing_}; }
+    bool isBusy() const {
+        return mirroring_.isBusy() || jobs_.isBusy() || proving_.isBusy() || writing_.isBusy();
+    }
     /// The person wants what is running stopped: cuts that are not made yet, else what changes the
-    /// document, else what is written.
+    /// document, else what is sewn, else what is written.
     void cancel();
     /// Takes the last step back; where cuts are not made yet, the last of these; where proposed
     /// cuts were moved, the last move.
@@ -134,6 +139,8 @@ public:
     void cutOpen(const std::vector<int>& pieces);
     /// Cuts that Toile proposes, while a person looks at them.
     CutProposals& proposals() { return *proposals_; }
+    /// The pattern sewn back together.
+    PatternProof& proof() { return *proof_; }
     /// Makes cuts as one step of the history: the person's from then on. They keep their names, but
     /// for a number where another cut has it. Those that cannot be made are `refused`.
     /// @param cuts  their points in mm, as the pieces are
@@ -269,7 +276,7 @@ private:
     void onStopped(bool failed);
 
     Document document_;
-    JobRunner mirroring_, jobs_, writing_;
+    JobRunner mirroring_, jobs_, proving_, writing_;
     std::function<void()> afterWriting_;
     Recompute recompute_{document_, jobs_};
     ReferenceFinder reference_{document_};
@@ -283,6 +290,7 @@ private:
     int step_ = 0;                           ///< of the history
     PatternAge age_ = PatternAge::UpToDate;  ///< as it was told last
     std::unique_ptr<CutProposals> proposals_;
+    std::unique_ptr<PatternProof> proof_;
 };
 
 }  // namespace toile::app

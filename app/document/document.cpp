@@ -8,6 +8,7 @@
 #include "app/base/text.h"
 #include "app/document/history.h"
 #include "app/document/names.h"
+#include "app/document/shown_proof.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/target_lengths.h"
@@ -101,6 +102,22 @@ void Document::showReference(std::shared_ptr<const ReferenceMatch> found) {
     set(reference_, std::move(found), DocumentChange::Reference);
 }
 
+bool Document::isProofCurrent() const {
+    return proof_ && isOfThisPattern(*proof_);
+}
+
+bool Document::isOfThisPattern(const ShownProof& shown) const {
+    return shown.ground == proofGround(derived_, state_, settings_, shown.plan.sewn);
+}
+
+void Document::showProof(std::shared_ptr<const ShownProof> proof) {
+    set(proof_, std::move(proof), DocumentChange::Proof);
+}
+
+void Document::showSewing(std::shared_ptr<const ShownProof> sewing) {
+    set(sewing_, std::move(sewing), DocumentChange::Proof);
+}
+
 int Document::pieceCount() const {
     return garment() ? static_cast<int>(garment()->pieces.size()) : 0;
 }
@@ -148,6 +165,8 @@ void Document::open(DocumentState state, Derived derived) {
     }
     refreshSettings(true);
     wasFlat_ = isFlattened();
+    proof_.reset();
+    sewing_.reset();
     cache_.clear();
     history_.clear();
     currentAt_ = 0;
@@ -160,7 +179,7 @@ void Document::open(DocumentState state, Derived derived) {
                  DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
                  DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
                  DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings |
-                 DocumentChange::Reference | DocumentChange::Marker);
+                 DocumentChange::Reference | DocumentChange::Marker | DocumentChange::Proof);
 }
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {

@@ -22,6 +22,8 @@ struct PatternPiece;
 
 namespace toile::app {
 
+struct ShownProof;
+
 /// The open garment: the one place that holds what a person has decided (`state`), and what is
 /// shown of all that follows from it (`derived`): of this state where it is there (`isCurrent`),
 /// else of an earlier one until somebody has worked it out (`show`). Everything it hands out is a
@@ -87,6 +89,14 @@ public:
     /// How far the piece is from what it is compared with: its piece of the reference pattern,
     /// where one is open, else the panel of its own file. None where there is nothing to say.
     std::optional<ReferenceFit> referenceFit(int piece) const;
+    /// The pattern sewn back together and measured, this one or an earlier one; null: nobody has.
+    const std::shared_ptr<const ShownProof>& proof() const { return proof_; }
+    /// Whether that is of the pattern as it is now, or of the one that was sewn in its place.
+    bool isProofCurrent() const;
+    /// Cloth on its way there, which has no proof yet; null: nothing is being sewn.
+    const std::shared_ptr<const ShownProof>& sewing() const { return sewing_; }
+    /// Whether it is, or will be, a proof of the pattern as it is now.
+    bool isOfThisPattern(const ShownProof& shown) const;
     int pieceCount() const;
     Selection everyPiece() const;
     int seamCount() const;
@@ -120,6 +130,11 @@ public:
     /// Shows what was found out of a reference pattern, for as long as it and the pattern are the
     /// same; no step of the history.
     void showReference(std::shared_ptr<const ReferenceMatch> found);
+
+    /// Shows the pattern sewn back together; no step of the history.
+    void showProof(std::shared_ptr<const ShownProof> proof);
+    /// Shows cloth on its way there in its place; null: it is so no more.
+    void showSewing(std::shared_ptr<const ShownProof> sewing);
 
     /// How pieces are to be flattened: a step of the history where a garment is open.
     /// @param text  what was done, for the undo menu; empty: the usual words
@@ -196,6 +211,8 @@ private:
     std::optional<Feature> mark_, hover_;
     ViewState view_;
     std::shared_ptr<const ReferenceMatch> reference_;  ///< found last; may be of what is no more
+    std::shared_ptr<const ShownProof> proof_;          ///< likewise
+    std::shared_ptr<const ShownProof> sewing_;         ///< likewise
     std::uint64_t revision_ = 0;
     mutable MarkPlaces marks_;  ///< follows from the state
 };

@@ -11,35 +11,49 @@ namespace toile::app {
 /// What is painted on the cloth, in both views alike. The shaders know them by number: see
 /// resources/shaders/surface.glsl.
 enum class Overlay {
-    None,       ///< the piece's colour alone
-    Checker,    ///< true-scale squares
-    Area,       ///< A3D / A2D - 1
-    Angle,      ///< largest change of a corner angle
-    Strain,     ///< L3D / L2D - 1 of the edges: what the cloth must do
-    Warp,       ///< strain along the grain
-    Weft,       ///< strain across it
-    Bias,       ///< strain at 45 degrees to it, the worse of both diagonals
-    Principal,  ///< largest and least strain and their directions, as glyphs
-    Dirichlet,  ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
-    Normal,     ///< where the worn cloth faces, as a colour ([Wan05], figures)
+    None,        ///< the piece's colour alone
+    Checker,     ///< true-scale squares
+    Area,        ///< A3D / A2D - 1
+    Angle,       ///< largest change of a corner angle
+    Strain,      ///< L3D / L2D - 1 of the edges: what the cloth must do
+    Warp,        ///< strain along the grain
+    Weft,        ///< strain across it
+    Bias,        ///< strain at 45 degrees to it, the worse of both diagonals
+    Principal,   ///< largest and least strain and their directions, as glyphs
+    Dirichlet,   ///< symmetric Dirichlet energy, above that of cloth that keeps its shape
+    Normal,      ///< where the worn cloth faces, as a colour ([Wan05], figures)
+    Gap,         ///< how far outside of the design the pattern lies, sewn back together, mm
+    WornStrain,  ///< strain of the cloth that is sewn so, the larger of both principal ones
 };
 
-inline constexpr int kOverlayCount = 11;
+inline constexpr int kOverlayCount = 13;
 
 /// What the overlays are called on the command line and in project files. Once released they stay.
 inline constexpr Word<Overlay> kOverlayWords[] = {
-    {Overlay::None, "none"},           {Overlay::Checker, "checker"},
-    {Overlay::Area, "area"},           {Overlay::Angle, "angle"},
-    {Overlay::Strain, "strain"},       {Overlay::Warp, "warp"},
-    {Overlay::Weft, "weft"},           {Overlay::Bias, "bias"},
-    {Overlay::Principal, "principal"}, {Overlay::Dirichlet, "dirichlet"},
+    {Overlay::None, "none"},
+    {Overlay::Checker, "checker"},
+    {Overlay::Area, "area"},
+    {Overlay::Angle, "angle"},
+    {Overlay::Strain, "strain"},
+    {Overlay::Warp, "warp"},
+    {Overlay::Weft, "weft"},
+    {Overlay::Bias, "bias"},
+    {Overlay::Principal, "principal"},
+    {Overlay::Dirichlet, "dirichlet"},
     {Overlay::Normal, "normal"},
+    {Overlay::Gap, "gap"},
+    {Overlay::WornStrain, "worn-strain"},
 };
 static_assert(std::size(kOverlayWords) == kOverlayCount, "each overlay needs a word");
 
 /// True where the overlay shows a number and so needs a colour bar.
 constexpr bool isMeasured(Overlay overlay) {
     return overlay != Overlay::None && overlay != Overlay::Checker && overlay != Overlay::Normal;
+}
+
+/// True where the number is of the pattern sewn back together: there is none before it is proved.
+constexpr bool isOfProof(Overlay overlay) {
+    return overlay == Overlay::Gap || overlay == Overlay::WornStrain;
 }
 
 /// True where the number depends on how the grain runs.
@@ -53,7 +67,7 @@ constexpr bool isSigned(Overlay overlay) {
 }
 
 /// The lists below the views.
-enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry };
+enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry, Proof };
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };

@@ -12,15 +12,9 @@
 
 namespace toile::app {
 
-namespace {
-
-/// Of the time of an export whose flat pieces are still warm, about.
-constexpr double kSettlingShare = 0.7;
-
-}  // namespace
-
-PatternNow::PatternNow(const Document& document, std::set<int> only)
+PatternNow::PatternNow(const Document& document, std::set<int> only, double settlingShare)
     : only_(std::move(only)),
+      settlingShare_(settlingShare),
       derived_(document.derived()),
       labels_(document.state().labels),
       materials_(document.state().materials),
@@ -35,13 +29,13 @@ PatternNow::PatternNow(const Document& document, std::set<int> only)
 
 PatternNow::Made PatternNow::laidOut(Progress& progress) const {
     Derivation derivation{derived_};
-    progress.setShare(0, kSettlingShare);
+    progress.setShare(0, settlingShare_);
     GarmentFlattener flattener;
     settle(derivation, flattener, progress);
     if (progress.isCancelled()) {
         return {};
     }
-    progress.setShare(kSettlingShare, 1);
+    progress.setShare(settlingShare_, 1);
     SettingsById settings = settingsAfter(derivation, said_, {});
     std::vector<PieceSettings> ofPieces;
     for (const auto& piece : derived_.garment->pieces) {

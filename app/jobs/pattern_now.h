@@ -16,7 +16,8 @@ class Document;
 class PatternNow {
 public:
     /// @param only  the pieces that are meant; none: all
-    PatternNow(const Document& document, std::set<int> only);
+    /// @param settlingShare  of the time of what is done with it, where flat pieces are still warm
+    PatternNow(const Document& document, std::set<int> only, double settlingShare = 0.7);
 
     /// Flattens what is not flat yet, lays the pattern out and gives it to `use`, a function of
     /// `(const ExportSource&, const Progress&)` to a Result.
@@ -43,6 +44,7 @@ private:
     Made laidOut(Progress& progress) const;
 
     std::set<int> only_;
+    double settlingShare_;
     Derived derived_;
     PieceLabels labels_;
     MaterialList materials_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/document/shown_proof.h"
 
 namespace toile::app {
 
@@ -15,7 +16,7 @@ constexpr int kDelayMilliseconds = 60;
 constexpr DocumentChanges kMatters = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Options | DocumentChange::Fabric |
                                      DocumentChange::Settings | DocumentChange::Seams |
-                                     DocumentChange::Loading;
+                                     DocumentChange::Loading | DocumentChange::Proof;
 
 }  // namespace
 
@@ -42,6 +43,12 @@ void ReadyChecker::onChanged(DocumentChanges what) {
     if (!(what & kMatters)) {
         return;
     }
+    // Cloth on its way tells of itself many times a second.
+    auto proof = proofNow();
+    const bool isSame = proof == std::exchange(proof_, proof);
+    if ((what & kMatters) == DocumentChange::Proof && isSame) {
+        return;
+    }
     worker_.cancel();
     if (!document_.garment() && plan_.garment) {
         plan_ = {};
@@ -49,6 +56,13 @@ void ReadyChecker::onChanged(DocumentChanges what) {
         emit changed();
     }
     delay_.start();
+}
+
+std::shared_ptr<const Proof> ReadyChecker::proofNow() const {
+    const auto& shown = document_.proof();
+    return shown && shown->plan.sewn == SewnPattern::Own && document_.isProofCurrent()
+               ? shown->proof
+               : nullptr;
 }
 
 CutPlan ReadyChecker::planOfDocument() const {
@@ -61,6 +75,7 @@ CutPlan ReadyChecker::planOfDocument() const {
             .pattern = document_.derived().pattern,
             .settings = document_.settings(),
             .labels = document_.state().labels,
+            .proof = proofNow(),
             .guessesKept = guessesKept_};
 }
 

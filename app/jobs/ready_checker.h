@@ -13,9 +13,9 @@ namespace toile::app {
 class Document;
 
 /// Keeps the findings of "ready to cut?" as the document is: looked through anew on another thread
-/// whenever garment, results, options, fabric, settings or ease change. Changes that follow each
-/// other closely, as those of a drag, are answered once; an answer to what is no more is cancelled.
-/// GUI thread only.
+/// whenever garment, results, options, fabric, settings, ease or the proof change. Changes that
+/// follow each other closely, as those of a drag, are answered once; an answer to what is no more
+/// is cancelled. GUI thread only.
 class ReadyChecker : public QObject {
     Q_OBJECT
 
@@ -39,12 +39,15 @@ signals:
 private:
     void onChanged(DocumentChanges what);
     CutPlan planOfDocument() const;
+    /// Of the document's own pattern as it is now; null: there is none.
+    std::shared_ptr<const Proof> proofNow() const;
     void start();
     void take(CutPlan plan, Attempt<Readiness> made, bool isCancelled);
 
     Document& document_;
     QTimer delay_;
     CutPlan plan_;
+    std::shared_ptr<const Proof> proof_;  ///< seen last
     Readiness readiness_;
     bool guessesKept_ = false;
     Worker<Readiness> worker_;

@@ -23,7 +23,7 @@ namespace {
 constexpr int kSoon = 400;           // ms after the last change
 constexpr double kShortestEdge = 1;  // mm, of triangles made anew
 constexpr double kUsualEdge = 10;    // mm, where nothing was said of them
-constexpr int kFieldWidth = 110, kTextWidth = 340, kLinesOfEffect = 6;
+constexpr int kScanFieldWidth = 110, kTextWidth = 340, kLinesOfEffect = 6;
 
 /// What reading has done and could not do with the files, a line for each step.
 QString effectOf(const Garment& garment) {
@@ -125,7 +125,7 @@ ScanForm::Step ScanForm::addStep(QGridLayout& grid, const char* name, const QStr
     step.field->setObjectName(QString(name) + "Length");
     step.field->setAccessibleName(title);
     step.field->setToolTip(tip);
-    step.field->setMinimumWidth(kFieldWidth);
+    step.field->setMinimumWidth(kScanFieldWidth);
     step.field->setMaximum(kMaxPreparedLength);
     const int row = grid.rowCount();
     grid.addWidget(step.box, row, 0);

@@ -39,7 +39,8 @@ void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines)
 }
 
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,
-                            int width, int height, double pixelRatio, const Morph& morph) {
+                            int width, int height, double pixelRatio, const Morph& morph,
+                            double sewnWay) {
     if (!isReady_) {
         return;
     }
@@ -51,9 +52,13 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
         return;
     }
     synchronizeMorph(morph);
+    sewnWay_ = sewn() ? static_cast<float>(sewnWay) : 0.0F;
     xray_ = view.xray;
     const glm::dmat4 eye = camera.view();
     Eigen::AlignedBox3d box = content_.scene->box;
+    if (sewnWay_ > 0) {
+        box.extend(sewn()->box);
+    }
     if (morph.way > 0) {
         for (const Eigen::AlignedBox3d& piece :
              morphBoxes(*content_.scene, content_.places, morph)) {
@@ -67,7 +72,8 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
     glDepthFunc(GL_LEQUAL);
     paintCloth(frame, camera);
 
-    if (morph.way == 0) {  // strokes on the garment, which do not come along to the sheet
+    if (morph.way == 0 &&
+        sewnWay_ == 0) {  // strokes on the garment, which do not come along to the sheet
         // Apart as they are where the camera looks; nearer and farther ones come along with the
         // cloth.
         const Eigen::Vector3d here = camera.pointAtTargetDepth(0, 0);
@@ -143,6 +149,7 @@ void GarmentRenderer::synchronizeMorph(const Morph& morph) {
 
 void GarmentRenderer::setOwnUniforms(ShaderProgram& program) {
     program.setUniformValue("bend", bend_);
+    program.setUniformValue("sewnWay", sewnWay_);
     program.setUniformValue("morphTable", kMorphTableUnit);
     morphTable_.bind(kMorphTableUnit);
 }

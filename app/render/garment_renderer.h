@@ -15,8 +15,9 @@ class GarmentRenderer : public SceneRenderer {
 public:
     /// Into the bound framebuffer. @param width, height device pixels
     /// @param morph  how far the garment is on its way to the pattern
+    /// @param sewnWay  how far from the design to the cloth that is sewn, 0 to 1
     void paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style, int width,
-               int height, double pixelRatio, const Morph& morph = {});
+               int height, double pixelRatio, const Morph& morph = {}, double sewnWay = 0);
 
 protected:
     ProgramFiles programFiles() const override;
@@ -36,7 +37,7 @@ private:
 
     /// Motions of the pieces on their way to the sheet: three texels each.
     TableTexture morphTable_{counts_};
-    float bend_ = 0;
+    float bend_ = 0, sewnWay_ = 0;
     bool xray_ = false;
     /// What the table was made for.
     Morph tableMorph_;

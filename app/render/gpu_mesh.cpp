@@ -20,6 +20,12 @@ constexpr VertexAttribute kLineAttributes[] = {
     {7, 1, offsetof(LineVertex, tint)},
 };
 
+constexpr VertexAttribute kSewnAttributes[] = {
+    {8, 3, offsetof(SewnVertex, position)},
+    {9, 3, offsetof(SewnVertex, normal)},
+    {10, 3, offsetof(SewnVertex, gap)},  // and strain, and whether it is sewn
+};
+
 constexpr VertexAttribute kGlyphAttributes[] = {
     {0, 3, offsetof(GlyphVertex, position)},  {1, 2, offsetof(GlyphVertex, flat)},
     {2, 2, offsetof(GlyphVertex, flatAlong)}, {3, 3, offsetof(GlyphVertex, along)},
@@ -43,6 +49,31 @@ void GpuBuffers::uploadBytes(const void* data, std::size_t bytes, std::size_t st
     glBindBuffer(GL_ARRAY_BUFFER, vertices_);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
     for (const VertexAttribute& attribute : attributes) {
+        glEnableVertexAttribArray(attribute.location);
+        glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
+                              static_cast<GLsizei>(stride), bufferOffset(attribute.offset));
+    }
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    counts_.uploadedBytes += bytes;
+}
+
+void GpuBuffers::besideBytes(const void* data, std::size_t bytes, std::size_t stride,
+                             std::span<const VertexAttribute> attributes) {
+    if (array_ == 0) {
+        return;
+    }
+    if (beside_ == 0) {
+        glGenBuffers(1, &beside_);
+    }
+    glBindVertexArray(array_);
+    glBindBuffer(GL_ARRAY_BUFFER, beside_);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
+    for (const VertexAttribute& attribute : attributes) {
+        if (bytes == 0) {  // then every vertex has zeros
+            glDisableVertexAttribArray(attribute.location);
+            continue;
+        }
         glEnableVertexAttribArray(attribute.location);
         glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
                               static_cast<GLsizei>(stride), bufferOffset(attribute.offset));
@@ -93,7 +124,8 @@ void GpuBuffers::release() {
     glDeleteVertexArrays(1, &array_);
     glDeleteBuffers(1, &vertices_);
     glDeleteBuffers(1, &indices_);
-    array_ = vertices_ = indices_ = 0;
+    glDeleteBuffers(1, &beside_);
+    array_ = vertices_ = indices_ = beside_ = 0;
 }
 
 void GpuMesh::upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh) {
@@ -103,6 +135,14 @@ void GpuMesh::upload(const std::vector<ClothVertex>& vertices, const MeshIndices
     triangles_ = mesh.triangles.size();
     edges_ = mesh.edges.size();
     outline_ = mesh.outline.size();
+}
+
+void GpuMesh::uploadSewn(const std::vector<SewnVertex>& vertices) {
+    uploadBeside(vertices, kSewnAttributes);
+}
+
+void GpuLines::uploadSewn(const std::vector<SewnVertex>& vertices) {
+    uploadBeside(vertices, kSewnAttributes);
 }
 
 void GpuLines::upload(const std::vector<LineVertex>& vertices, const LineRuns& runs) {

@@ -8,6 +8,7 @@
 #include "app/render/gl.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
+#include "app/render/sewn_cloth.h"
 
 namespace toile::app {
 
@@ -36,6 +37,13 @@ protected:
                         std::span<const VertexAttribute> attributes) {
         uploadBytes(vertices.data(), vertices.size() * sizeof(Vertex), sizeof(Vertex), attributes);
     }
+    /// More of the same vertices, in a buffer of their own; replaces what was there of these.
+    /// After the vertices themselves.
+    template <class Vertex>
+    void uploadBeside(const std::vector<Vertex>& vertices,
+                      std::span<const VertexAttribute> attributes) {
+        besideBytes(vertices.data(), vertices.size() * sizeof(Vertex), sizeof(Vertex), attributes);
+    }
     /// One list after the other.
     void uploadIndices(std::initializer_list<Indices> lists);
     /// Vertices by so many indices from the first on.
@@ -47,8 +55,11 @@ private:
     void uploadBytes(const void* data, std::size_t bytes, std::size_t stride,
                      std::span<const VertexAttribute> attributes);
 
+    void besideBytes(const void* data, std::size_t bytes, std::size_t stride,
+                     std::span<const VertexAttribute> attributes);
+
     FrameCounts& counts_;
-    GLuint array_ = 0, vertices_ = 0, indices_ = 0;
+    GLuint array_ = 0, vertices_ = 0, indices_ = 0, beside_ = 0;
 };
 
 /// The GPU's copy of the cloth.
@@ -58,6 +69,8 @@ public:
 
     /// Replaces what was there.
     void upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh);
+    /// Where the same vertices lie once sewn; none: takes that away. After `upload`.
+    void uploadSewn(const std::vector<SewnVertex>& vertices);
 
     void drawTriangles() const { draw(GL_TRIANGLES, 0, triangles_); }
     void drawEdges() const { draw(GL_LINES, triangles_, edges_); }
@@ -79,6 +92,8 @@ public:
 
     /// Replaces what was there.
     void upload(const std::vector<LineVertex>& vertices, const LineRuns& runs);
+    /// As `GpuMesh::uploadSewn`.
+    void uploadSewn(const std::vector<SewnVertex>& vertices);
 
     void drawSeams() const { drawSegments(seams_); }
     /// Both its sides.

@@ -13,12 +13,20 @@ namespace {
 /// piece's scale).
 template <class Visit>
 void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-                  const OverlayScale& scale, const Visit& visit) {
+                  const OverlayScale& scale, const SewnCloth* sewn, const Visit& visit) {
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         const Eigen::Vector2d grain = grainVector(places, static_cast<int>(i));
         const OverlayScale own = scaleOn(placeOf(places, static_cast<int>(i)), overlay, scale);
         const std::size_t first = scene.pieces[i].patternRun.first;
         for (std::size_t face = first; face < first + scene.pieces[i].patternRun.count; ++face) {
+            if (isOfProof(overlay)) {
+                const Eigen::Vector3d middle = Eigen::Vector3d::Constant(1.0 / 3);
+                if (const auto value =
+                        sewn ? sewnValue(*sewn, overlay, face, middle) : std::nullopt) {
+                    visit(face, *value, own);
+                }
+                continue;
+            }
             visit(face, overlayValue(overlay, sampleOf(scene.faces[face]), grain, own), own);
         }
     }
@@ -50,7 +58,7 @@ struct Field {
 };
 
 Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-              const OverlayScale& scale) {
+              const OverlayScale& scale, const SewnCloth* sewn) {
     Field field;
     const auto& triangles = scene.pattern.triangles;
     field.severity.assign(scene.vertices.size(), -1.0F);
@@ -67,7 +75,7 @@ Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
             }
         }
     };
-    forEachValue(scene, places, overlay, scale, add);
+    forEachValue(scene, places, overlay, scale, sewn, add);
     return field;
 }
 
@@ -97,14 +105,18 @@ std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
     return found;
 }
 
-WorstSpot spotAt(const Scene& scene, const Field& field, std::uint32_t at) {
+WorstSpot spotAt(const Scene& scene, const Field& field, std::uint32_t at, const SewnCloth* sewn) {
     const auto& triangles = scene.pattern.triangles;
     WorstSpot spot;
     spot.piece = static_cast<int>(scene.vertices[at].piece);
     spot.value = static_cast<double>(field.value[at]);
     constexpr double share = 1.0 / 3;
     const std::size_t first = 3 * std::size_t{field.face[at]};
+    spot.sewn = sewn ? std::optional(Eigen::Vector3d(Eigen::Vector3d::Zero())) : std::nullopt;
     for (std::size_t k = first; k < first + 3; ++k) {
+        if (sewn) {
+            *spot.sewn += share * wornPoint(sewn->vertices[triangles[k]]);
+        }
         const ClothVertex& corner = scene.vertices[triangles[k]];
         spot.flat += share * flatPoint(corner);
         spot.position += share * wornPoint(corner);
@@ -128,7 +140,7 @@ double Histogram::tallest() const {
 }
 
 Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-                           const OverlayScale& scale) {
+                           const OverlayScale& scale, const SewnCloth* sewn) {
     Histogram histogram;
     double total = 0;
     const auto add = [&](std::size_t face, double value, const OverlayScale& own) {
@@ -136,7 +148,7 @@ Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overla
         total += area;
         count(histogram, scale, own, value, area);
     };
-    forEachValue(scene, places, overlay, scale, add);
+    forEachValue(scene, places, overlay, scale, sewn, add);
     if (total > 0) {
         histogram.below /= total;
         histogram.above /= total;
@@ -148,18 +160,18 @@ Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overla
 }
 
 std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-                                  const OverlayScale& scale) {
+                                  const OverlayScale& scale, const SewnCloth* sewn) {
     if (!isMeasured(overlay) || scene.faces.empty()) {
         return {};
     }
-    const Field field = fieldOf(scene, places, overlay, scale);
+    const Field field = fieldOf(scene, places, overlay, scale, sewn);
     std::vector<std::uint32_t> candidates = peaks(scene, field);
     std::ranges::stable_sort(candidates, [&field](std::uint32_t a, std::uint32_t b) -> bool {
         return field.severity[a] > field.severity[b];
     });
     std::vector<WorstSpot> spots;
     for (const std::uint32_t at : candidates) {
-        const WorstSpot spot = spotAt(scene, field, at);
+        const WorstSpot spot = spotAt(scene, field, at, isOfProof(overlay) ? sewn : nullptr);
         if (isApart(scene, spot, spots)) {
             spots.push_back(spot);
         }
@@ -171,7 +183,8 @@ std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places,
 }
 
 bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other) {
-    if (one.scene != other.scene || one.overlay != other.overlay || !(one.fabric == other.fabric)) {
+    if (one.scene != other.scene || one.overlay != other.overlay || !(one.fabric == other.fabric) ||
+        one.sewn != other.sewn) {
         return false;
     }
     const auto isSameCloth = [&](const SheetPlace& a, const SheetPlace& b) -> bool {
@@ -184,8 +197,10 @@ OverlayFigures firstFigures(const OverlayQuestion& question) {
     OverlayFigures figures;
     figures.scene = question.scene;
     figures.overlay = question.overlay;
+    figures.sewn = question.sewn;
     if (question.scene) {
-        figures.scale = overlayScale(*question.scene, question.overlay, question.fabric);
+        figures.scale =
+            overlayScale(*question.scene, question.overlay, question.fabric, question.sewn.get());
     }
     return figures;
 }
@@ -193,10 +208,10 @@ OverlayFigures firstFigures(const OverlayQuestion& question) {
 OverlayFigures overlayFigures(const OverlayQuestion& question) {
     OverlayFigures figures = firstFigures(question);
     if (question.scene && isMeasured(question.overlay)) {
-        figures.histogram =
-            overlayHistogram(*question.scene, question.places, question.overlay, figures.scale);
-        figures.spots =
-            worstSpots(*question.scene, question.places, question.overlay, figures.scale);
+        figures.histogram = overlayHistogram(*question.scene, question.places, question.overlay,
+                                             figures.scale, question.sewn.get());
+        figures.spots = worstSpots(*question.scene, question.places, question.overlay,
+                                   figures.scale, question.sewn.get());
     }
     return figures;
 }

@@ -30,8 +30,9 @@ struct Histogram {
 /// Of every triangle by itself, whether it is drawn so or smoothed: what lies beyond an end is
 /// never averaged away, and is counted by the limits of its piece's own fabric. Pure, thread-safe.
 /// Cost: linear, about a tenth of a second at a million triangles.
+/// @param sewn  for the overlays that are of it
 Histogram overlayHistogram(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-                           const OverlayScale& scale);
+                           const OverlayScale& scale, const SewnCloth* sewn = nullptr);
 
 /// A place where an overlay's value is worse than all around it.
 struct WorstSpot {
@@ -40,6 +41,7 @@ struct WorstSpot {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< mm, relative to Scene::origin
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< towards the fabric's right side, unit
     double value = 0;                                    ///< in the overlay's unit
+    std::optional<Eigen::Vector3d> sewn{};  ///< where it lies sewn, of an overlay of sewn cloth
 };
 
 /// Up to this many are worth a person's look at once.
@@ -50,7 +52,7 @@ inline constexpr int kMaxWorstSpots = 5;
 /// Values are those of single triangles, in the middle of which a spot lies.
 /// Pure, thread-safe. Cost: linear, a tenth of a second at a million triangles.
 std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places, Overlay overlay,
-                                  const OverlayScale& scale);
+                                  const OverlayScale& scale, const SewnCloth* sewn = nullptr);
 
 /// What an overlay says of the whole garment depends on this and on nothing else.
 struct OverlayQuestion {
@@ -58,6 +60,7 @@ struct OverlayQuestion {
     SheetPlaces places{};                  ///< for the grain and the materials' fabrics
     Fabric fabric{};
     Overlay overlay = Overlay::None;
+    std::shared_ptr<const SewnCloth> sewn{};  ///< of the scene; null: nothing is sewn
 };
 
 /// True where the answers are the same: places on the sheet do not matter, nor the grain to an
@@ -68,6 +71,7 @@ bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other);
 struct OverlayFigures {
     std::shared_ptr<const Scene> scene{};
     Overlay overlay = Overlay::None;
+    std::shared_ptr<const SewnCloth> sewn{};  ///< of an overlay that is of it alone
     OverlayScale scale{};
     std::optional<Histogram> histogram{};  ///< none where there are no numbers
     std::vector<WorstSpot> spots{};

@@ -38,6 +38,8 @@ double unbounded(Overlay overlay, const OverlaySample& sample, const Eigen::Vect
         case Overlay::None:
         case Overlay::Checker:
         case Overlay::Normal:
+        case Overlay::Gap:
+        case Overlay::WornStrain:
             return 0;
         case Overlay::Area:
             return static_cast<double>(sample.values[0]);
@@ -147,6 +149,7 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
             return inPercent(fabric.bias);
         case Overlay::Strain:
         case Overlay::Principal:
+        case Overlay::WornStrain:
             return inPercent(tightest(fabric));
         case Overlay::None:
         case Overlay::Checker:
@@ -154,14 +157,19 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
         case Overlay::Area:
         case Overlay::Angle:
         case Overlay::Dirichlet:
+        case Overlay::Gap:
             break;
     }
     return std::nullopt;
 }
 
-OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric) {
+OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric,
+                          const SewnCloth* sewn) {
     if (const auto limits = fabricLimits(overlay, fabric)) {
         return {limits->least, limits->most, false, false, true};
+    }
+    if (isOfProof(overlay)) {
+        return sewn ? sewn->scale(overlay) : OverlayScale{-1, 1};
     }
     return scene.scale(overlay);
 }
@@ -195,7 +203,7 @@ OverlaySample sampleOf(const Scene& scene, std::size_t face, const Eigen::Vector
 
 std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
                               const SurfaceHit& place, Overlay overlay, const OverlayScale& scale,
-                              bool perTriangle) {
+                              bool perTriangle, const SewnCloth* sewn) {
     if (!isMeasured(overlay) || place.piece < 0 ||
         place.piece >= static_cast<int>(scene.pieces.size())) {
         return std::nullopt;
@@ -205,6 +213,9 @@ std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
         return std::nullopt;
     }
     const std::size_t face = piece.patternRun.first + static_cast<std::size_t>(place.face);
+    if (isOfProof(overlay)) {
+        return sewn ? sewnValue(*sewn, overlay, face, place.barycentric) : std::nullopt;
+    }
     return overlayValue(overlay, sampleOf(scene, face, place.barycentric, perTriangle),
                         grainVector(places, place.piece),
                         scaleOn(placeOf(places, place.piece), overlay, scale));

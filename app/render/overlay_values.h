@@ -8,6 +8,7 @@
 
 #include "app/render/picking.h"
 #include "app/render/scene.h"
+#include "app/render/sewn_cloth.h"
 #include "core/garment/fabric.h"
 
 namespace toile {
@@ -26,7 +27,9 @@ std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric)
 
 /// The ends of the colour bar: the fabric's limits where it sets any, else the span that shows 98 %
 /// of the garment's values. Cost: none to speak of.
-OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric);
+/// @param sewn  for the overlays that are of it; null: there is none
+OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric,
+                          const SewnCloth* sewn = nullptr);
 
 /// The same on one piece: of one that is cut from another fabric than the garment, with the limits
 /// of that, or without any where that is not stated.
@@ -38,7 +41,8 @@ struct OverlaySample {
     float metric[3];  ///< E, F, G
 };
 
-/// The number an overlay shows, in its unit; 0 for one that shows none. Of two numbers (the
+/// The number an overlay shows, in its unit; 0 for one that shows none, or that of sewn cloth
+/// (`sewnValue`). Of two numbers (the
 /// edges, the diagonals, the principal strains) the one nearer to the end of its side. The same
 /// formulas as in resources/shaders/surface.glsl.
 /// @param grain direction of the warp in the piece's coordinates, a unit vector
@@ -69,7 +73,7 @@ Eigen::Vector2d grainVector(const SheetPlaces& places, int piece);
 /// @param perTriangle as ViewState::valuesPerTriangle
 std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
                               const SurfaceHit& place, Overlay overlay, const OverlayScale& scale,
-                              bool perTriangle);
+                              bool perTriangle, const SewnCloth* sewn = nullptr);
 
 /// How much of a garment its fabrics cannot do, as parts of its flat area. What counts as beyond is
 /// every triangle that the overlays' histograms of warp, weft and bias count so.

@@ -92,6 +92,7 @@ QString SceneRenderer::initialize() {
     sequentialMap_ = makeColourMapTexture(sequentialMap());
     sceneChanged_ = tableChanged_ = content_.scene != nullptr;
     referenceChanged_ = content_.reference != nullptr;
+    sewnChanged_ = true;
     return {};
 }
 
@@ -126,6 +127,7 @@ void SceneRenderer::show(SceneContent content) {
     contentNumber_ += isOtherScene || liesElsewhere ? 1 : 0;
     sceneChanged_ = sceneChanged_ || isOtherScene;
     referenceChanged_ = referenceChanged_ || content.reference != content_.reference;
+    sewnChanged_ = sewnChanged_ || isOtherScene || content.sewn != content_.sewn;
     tableChanged_ =
         tableChanged_ || isOtherScene || liesElsewhere || content.selection != content_.selection;
     content_ = std::move(content);
@@ -137,6 +139,14 @@ bool SceneRenderer::synchronize(const ViewState& view) {
     }
     if (std::exchange(sceneChanged_, false)) {
         upload(*content_.scene, mesh_, overLines_);
+    }
+    if (std::exchange(sewnChanged_, false)) {
+        const SewnCloth* cloth = sewn();
+        const std::vector<SewnVertex> none;
+        mesh_.uploadSewn(cloth ? cloth->vertices : none);
+        if (!isSheet()) {
+            overLines_.uploadSewn(cloth ? cloth->lineVertices : none);
+        }
     }
     if (std::exchange(referenceChanged_, false) && content_.reference && isSheet()) {
         fileLines_.upload(content_.reference->vertices, content_.reference->runs);
@@ -158,7 +168,7 @@ bool SceneRenderer::synchronize(const ViewState& view) {
 
 OverlayScale SceneRenderer::scaleOf(Overlay overlay) const {
     return content_.scale ? *content_.scale
-                          : overlayScale(*content_.scene, overlay, content_.fabric);
+                          : overlayScale(*content_.scene, overlay, content_.fabric, sewn());
 }
 
 void SceneRenderer::begin(ShaderProgram& program, const Frame& frame) {
@@ -190,7 +200,7 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     const Overlay overlay = frame.view.overlay;
     const OverlayScale scale = scaleOf(overlay);
     const bool triangleTable =
-        isMeasured(overlay) &&
+        isMeasured(overlay) && !isOfProof(overlay) &&
         (scale.limited || hasOwnFabrics(content_.places) || frame.view.valuesPerTriangle) &&
         hasFaceTable();
     faces_.bind(kFaceTableUnit);
@@ -204,6 +214,7 @@ ShaderProgram& SceneRenderer::beginCloth(const Frame& frame) {
     program.setUniformValue("overlayRange", static_cast<float>(scale.low),
                             static_cast<float>(scale.high));
     program.setUniformValue("overlayLimited", scale.limited);
+    program.setUniformValue("isProved", sewn() && sewn()->isMeasured);
     program.setUniformValue("triangleTable", triangleTable);
     program.setUniformValue("perTriangle", triangleTable && frame.view.valuesPerTriangle);
     setOwnUniforms(program);

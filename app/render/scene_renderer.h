@@ -31,6 +31,8 @@ struct SceneContent {
     /// Stretches of outlines that are selected. Vertices are left out.
     std::vector<Feature> marks{};
     std::optional<Feature> hover{};  ///< what the pointer is on; a vertex is left out
+    /// The pattern sewn back together; of another scene it is not drawn. May be null.
+    std::shared_ptr<const SewnCloth> sewn{};
     /// Its limits end the colours of strain overlays.
     Fabric fabric = fabricPresets().front();
     double squareSide = 10;  ///< of the checkerboard, mm
@@ -109,6 +111,12 @@ protected:
     /// Of the scene and of where it lies: another number whenever one of them has changed.
     int contentNumber() const { return contentNumber_; }
 
+    /// The sewn cloth of the scene; null where there is none.
+    const SewnCloth* sewn() const {
+        return content_.sewn && content_.sewn->scene == content_.scene ? content_.sewn.get()
+                                                                       : nullptr;
+    }
+
     bool isReady_ = false;  ///< there is a context that it can draw in
     FrameCounts counts_;
     GpuMesh mesh_{counts_};
@@ -142,6 +150,7 @@ private:
     bool facesFit_ = false;
     GpuLines overLines_{counts_}, fileLines_{counts_};
     bool sceneChanged_ = false, tableChanged_ = false, referenceChanged_ = false;
+    bool sewnChanged_ = false;
     bool pieceColours_ = true;
     Overlay overlay_ = Overlay::None;  ///< that the piece table is of
     int contentNumber_ = 0;

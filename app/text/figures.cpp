@@ -211,15 +211,31 @@ OverlayWords overlayWords(Overlay overlay) {
             return {OverlayText::tr("Surface normals"),
                     {},
                     OverlayText::tr("where the worn cloth faces: one colour for each direction")};
+        case Overlay::Gap:
+            return {OverlayText::tr("Gap"), lengthUnit(),
+                    OverlayText::tr("sewn against designed: orange lies outside, blue inside")};
+        case Overlay::WornStrain:
+            return {OverlayText::tr("Worn strain"), OverlayText::tr("%"),
+                    OverlayText::tr("of the cloth as sewn: orange pulls, blue is slack")};
     }
     return {};
 }
 
+double overlayUnit(Overlay overlay) {
+    return overlay == Overlay::Gap ? millimetresPer(LengthDisplay::instance().format().unit) : 1;
+}
+
 QString overlayNumber(Overlay overlay, double value) {
-    return withSign(overlay, value, QLocale().toString(std::abs(value), 'g', 4));
+    // A limit in inches has more digits than anybody reads.
+    const int digits = overlay == Overlay::Gap ? 3 : 4;
+    return withSign(overlay, value,
+                    QLocale().toString(std::abs(value) / overlayUnit(overlay), 'g', digits));
 }
 
 QString overlayValueText(Overlay overlay, double value) {
+    if (overlay == Overlay::Gap) {
+        return signedFineLength(value) + QChar(0x202F) + lengthUnit();
+    }
     const int decimals = overlay == Overlay::Dirichlet ? 2 : 1;
     const double size = std::abs(value);
     // A place at a torn triangle: digits after the point say nothing.

@@ -102,6 +102,9 @@ struct OverlayWords {
 };
 
 OverlayWords overlayWords(Overlay overlay);
+/// What one of an overlay's units is of what its numbers are in: mm where these are lengths,
+/// else 1.
+double overlayUnit(Overlay overlay);
 
 /// Digits as they come, at most four: "+12.5", "−3"; without the unit.
 QString overlayNumber(Overlay overlay, double value);

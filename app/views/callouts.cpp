@@ -150,14 +150,20 @@ void paintCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoo
     painter.restore();
 }
 
-std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera) {
-    if (!camera.isBefore(spot.position)) {
+Eigen::Vector3d spotPoint(const WorstSpot& spot, double sewnWay) {
+    return spot.sewn ? Eigen::Vector3d((1 - sewnWay) * spot.position + sewnWay * *spot.sewn)
+                     : spot.position;
+}
+
+std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera,
+                                     double sewnWay) {
+    const Eigen::Vector3d place = spotPoint(spot, sewnWay);
+    if (!camera.isBefore(place)) {
         return std::nullopt;
     }
-    const Eigen::Vector2d at = camera.project(spot.position);
-    const Eigen::Vector3d toEye = camera.isOrthographic()
-                                      ? Eigen::Vector3d(camera.axes().col(2))
-                                      : Eigen::Vector3d(camera.eye() - spot.position);
+    const Eigen::Vector2d at = camera.project(place);
+    const Eigen::Vector3d toEye = camera.isOrthographic() ? Eigen::Vector3d(camera.axes().col(2))
+                                                          : Eigen::Vector3d(camera.eye() - place);
     return SpotPlace{{at.x(), at.y()}, spot.normal.dot(toEye) < 0};
 }
 

@@ -59,8 +59,14 @@ struct SpotPlace {
     bool behind = false;  ///< its cloth is seen from behind
 };
 
+/// Where a spot lies on the garment, on its way to sewn cloth: at 0, or where its place on that is
+/// not known, as designed.
+Eigen::Vector3d spotPoint(const WorstSpot& spot, double sewnWay);
+
 /// None where it is behind the eye.
-std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera);
+/// @param sewnWay  as for `GarmentRenderer::paint`
+std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera,
+                                     double sewnWay = 0);
 SpotPlace placeOfSpot(const WorstSpot& spot, const Camera2D& camera, const SheetPlaces& places);
 
 /// Marks the spots, as far as they are of what the document shows and it wants them marked.

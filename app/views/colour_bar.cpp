@@ -66,7 +66,7 @@ void ColourBar::show(const ColourLegend& legend) {
     }
     setAccessibleName(legend_.summary());
     const QString share = legend_.shareSentence();
-    const QString meaning = overlayWords(legend_.overlay).meaning;
+    const QString meaning = legend_.meaning();
     setToolTip(share.isEmpty() ? meaning : tr("%1; %2").arg(meaning, share));
     if (shape_ == LegendShape::Corner) {
         setVisible(isMeasured(legend_.overlay) || legend_.overlay == Overlay::Normal);

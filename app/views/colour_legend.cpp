@@ -174,11 +174,11 @@ void LegendPainter::paintCorner() {
     painter_.setPen(ink_);
     painter_.drawText(QRectF(left, kTop, room, line), Qt::AlignVCenter, name);
     painter_.setFont(font_);
-    if (legend_.overlay == Overlay::Normal) {
+    if (legend_.overlay == Overlay::Normal || legend_.isMissing) {
         painter_.setPen(withAlpha(ink_, kFaint));
         painter_.drawText(QRectF(left, kTop + line, size_.width() - left - kCornerAir,
                                  size_.height() - kTop - line - kCornerAir),
-                          Qt::AlignTop | Qt::TextWordWrap, overlayWords(legend_.overlay).meaning);
+                          Qt::AlignTop | Qt::TextWordWrap, legend_.meaning());
         return;
     }
     const double said = left + strong.horizontalAdvance(name) + kCornerAir;
@@ -187,8 +187,8 @@ void LegendPainter::paintCorner() {
     painter_.drawText(
         QRectF(said, kTop, size_.width() - said - kCornerAir, line),
         Qt::AlignVCenter | Qt::AlignRight,
-        metrics_.elidedText(share.isEmpty() ? overlayWords(legend_.overlay).meaning : share,
-                            Qt::ElideRight, static_cast<int>(size_.width() - said - kCornerAir)));
+        metrics_.elidedText(share.isEmpty() ? legend_.meaning() : share, Qt::ElideRight,
+                            static_cast<int>(size_.width() - said - kCornerAir)));
     const double side = kCornerAir + kCapWidth + kCapGap;
     const QRectF bar(side, kTop + line + kCornerGap + kHistogramHeight, size_.width() - 2 * side,
                      kBarHeight);
@@ -215,7 +215,7 @@ void LegendPainter::paintRow() {
 
     const double left = kBarMargin + titleWidth + 28;
     double end = left;
-    if (isMeasured(legend_.overlay)) {
+    if (isMeasured(legend_.overlay) && !legend_.isMissing) {
         const double length = std::clamp(size_.width() * 0.36, 160.0, double(kLongestBar));
         const QRectF bar(left + kCapWidth + kCapGap, kTop + kHistogramHeight, length, kBarHeight);
         paintHistogram(bar);
@@ -249,7 +249,7 @@ void LegendPainter::paintWords(double left) {
         painter_.drawText(QRectF(left, y, room, line), Qt::AlignVCenter,
                           metrics_.elidedText(text, Qt::ElideRight, int(room)));
     };
-    write(overlayWords(legend_.overlay).meaning, top, kFaint);
+    write(legend_.meaning(), top, kFaint);
     if (!share.isEmpty()) {
         const QString hatched =
             legend_.histogram->beyond() > 0 ? LegendWords::tr("%1 (hatched)").arg(share) : share;
@@ -331,7 +331,8 @@ void LegendPainter::paintTicks(const QRectF& bar) {
     tick(legend_.scale.low, endLabel(legend_, false));
     tick(legend_.scale.high, endLabel(legend_, true));
     const double range = legend_.scale.high - legend_.scale.low;
-    const double step = roundedUp(range * kTickRoom * 1.4 / bar.width());
+    const double unit = overlayUnit(legend_.overlay);
+    const double step = unit * roundedUp(range / unit * kTickRoom * 1.4 / bar.width());
     for (double k = std::ceil(legend_.scale.low / step); k * step < legend_.scale.high; ++k) {
         const double x = xOf(bar, k * step);
         if (x - bar.left() >= kTickRoom && bar.right() - x >= kTickRoom) {
@@ -407,6 +408,24 @@ void LegendPainter::paintBall(const QRectF& area) {
 
 }  // namespace
 
+QString ColourLegend::meaning() const {
+    if (isMissing) {
+        return isOnItsWay
+                   ? LegendWords::tr("it is being sewn")
+                   : LegendWords::tr("not sewn yet, or since the last change: prove it by sewing");
+    }
+    QString meaning = overlayWords(overlay).meaning;
+    switch (sewn) {
+        case SewnPattern::Own:
+            break;
+        case SewnPattern::Designer:
+            return LegendWords::tr("of the designer's panels · %1").arg(meaning);
+        case SewnPattern::Reference:
+            return LegendWords::tr("of the reference pattern · %1").arg(meaning);
+    }
+    return meaning;
+}
+
 QString ColourLegend::valueText() const {
     return value && isMeasured(overlay) ? overlayValueText(overlay, *value) : QString();
 }
@@ -450,11 +469,20 @@ QString ColourLegend::summary() const {
     const QString range = LegendWords::tr("%1: %2%4 to %3%4")
                               .arg(what.title, endLabel(*this, false), endLabel(*this, true), unit);
     const QString share = shareSentence();
+    if (isMissing) {
+        return LegendWords::tr("%1; %2").arg(what.title, meaning());
+    }
+    if (sewn != SewnPattern::Own) {
+        return LegendWords::tr("%1; %2").arg(range, meaning());
+    }
     return share.isEmpty() ? range : LegendWords::tr("%1; %2").arg(range, share);
 }
 
 ColourLegend legendOf(const OverlayFigures& figures) {
     ColourLegend legend{figures.overlay, figures.scale, figures.histogram, std::nullopt};
+    legend.isMissing = isOfProof(figures.overlay) && !(figures.sewn && figures.sewn->isMeasured);
+    legend.isOnItsWay = legend.isMissing && figures.sewn;
+    legend.sewn = figures.sewn ? figures.sewn->of : SewnPattern::Own;
     if (figures.histogram) {  // of what is drawn, which may reach farther than the vertices
         legend.scale.below = figures.histogram->below > 0;
         legend.scale.above = figures.histogram->above > 0;

@@ -7,6 +7,7 @@
 #include <QString>
 #include <optional>
 
+#include "app/document/sewn_pattern.h"
 #include "app/render/overlay_figures.h"
 
 class QPainter;
@@ -20,6 +21,12 @@ struct ColourLegend {
     OverlayScale scale{};
     std::optional<Histogram> histogram{};  ///< of a measured overlay only
     std::optional<double> value{};
+    bool isMissing = false;               ///< it is of sewn cloth, and nothing is sewn and measured
+    bool isOnItsWay = false;              ///< but it is being sewn
+    SewnPattern sewn = SewnPattern::Own;  ///< that it is of
+
+    /// What the colours say, or what is to be done first.
+    QString meaning() const;
 
     /// For tests and screen readers: "Strain along warp: −1 % to +2 %; 12 % of the cloth is beyond
     /// the fabric along the warp".

@@ -125,9 +125,10 @@ std::optional<double> shownValueAt(const Document& document, const SurfaceHit& p
     }
     const Scene& scene = *document.scene();
     const ViewState& view = document.view();
+    const auto sewn = isOfProof(view.overlay) ? sewnOf(document) : nullptr;
     return valueAt(scene, placesOf(document.settings(), {}, document.state().materials), place,
-                   view.overlay, overlayScale(scene, view.overlay, document.fabric()),
-                   view.valuesPerTriangle);
+                   view.overlay, overlayScale(scene, view.overlay, document.fabric(), sewn.get()),
+                   view.valuesPerTriangle, sewn.get());
 }
 
 QString featureText(const Document& document, const Feature& feature,

@@ -129,9 +129,10 @@ void paintGarmentText(QPainter& painter, const RenderStyle& style, const Garment
     if (text.way == 0) {
         CalloutRoom room{QRectF(text.view), text.covered};
         room.taken.push_back(caption);
-        paintSpotCallouts(
-            painter, style, room, text.document, text.spots,
-            [&text](const WorstSpot& spot) { return placeOfSpot(spot, text.camera); });
+        paintSpotCallouts(painter, style, room, text.document, text.spots,
+                          [&text](const WorstSpot& spot) {
+                              return placeOfSpot(spot, text.camera, text.sewnWay);
+                          });
     }
     paintCaption(painter, style, {}, title, note, isOnCloth(text, caption));
     paintAxisCross(painter, style, axisCrossPlace(text.view), text.camera);

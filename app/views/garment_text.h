@@ -34,6 +34,7 @@ struct GarmentText {
     QRect view;  ///< logical pixels, from 0, 0
     const FlaggedSpots& spots;
     double way = 0;                 ///< of the morph
+    double sewnWay = 0;             ///< as for `GarmentRenderer::paint`
     std::vector<QRectF> covered{};  ///< by what else lies over the view
 };
 

@@ -14,6 +14,7 @@
 #include "app/render/garment_renderer.h"
 #include "app/render/picking.h"
 #include "app/views/garment_text.h"
+#include "app/views/sewn_run.h"
 
 namespace toile::app {
 
@@ -79,7 +80,8 @@ void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
         return;  // the cloth is elsewhere
     }
     const Eigen::Vector3d air = Eigen::Vector3d::Constant(radius);
-    const Eigen::AlignedBox3d boxes[] = {{spot.position - air, spot.position + air}};
+    const Eigen::Vector3d place = spotPoint(spot, sewnWay());
+    const Eigen::AlignedBox3d boxes[] = {{place - air, place + air}};
     camera_.frame(boxes);
     if (spot.normal.isZero() || (isFacing(spot) && !isHidden(spot))) {
         return;
@@ -248,6 +250,16 @@ void GarmentView::setMorph(double way) {
     cameraMoved();
 }
 
+double GarmentView::sewnWay() const {
+    const auto sewn = sewnOf(document_);
+    return !sewn || morph_ > 0 ? 0 : sewn->isMeasured ? sewnWay_ : 1;
+}
+
+void GarmentView::setSewnWay(double way) {
+    sewnWay_ = std::clamp(way, 0.0, 1.0);
+    update();
+}
+
 void GarmentView::setDirection(const ViewDirection& direction) {
     camera_.setDirection(direction.yaw, direction.pitch);
     cameraMoved();
@@ -315,11 +327,12 @@ Eigen::Vector2d GarmentView::onSheet(const QPointF&) const {
 
 void GarmentView::paintScene(const RenderStyle& style, int width, int height, double ratio) {
     static_cast<GarmentRenderer&>(renderer())
-        .paint(camera_, document_.view(), style, width, height, ratio, morphState());
+        .paint(camera_, document_.view(), style, width, height, ratio, morphState(), sewnWay());
 }
 
 std::optional<SpotPlace> GarmentView::placeNow(const WorstSpot& spot) const {
-    return morph_ == 0 ? placeOfSpot(spot, camera_) : std::nullopt;  // on its way it is elsewhere
+    return morph_ == 0 ? placeOfSpot(spot, camera_, sewnWay())
+                       : std::nullopt;  // on its way it is elsewhere
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
@@ -329,7 +342,8 @@ void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
             covered.emplace_back(over->geometry());
         }
     }
-    paintGarmentText(painter, style, {document_, camera_, rect(), spots(), morph_, covered});
+    paintGarmentText(painter, style,
+                     {document_, camera_, rect(), spots(), morph_, sewnWay(), covered});
 }
 
 }  // namespace toile::app

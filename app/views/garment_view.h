@@ -39,6 +39,12 @@ public:
     /// How far the garment is shown on its way to the pattern: 0 garment, 1 flat.
     double morph() const { return morph_; }
     void setMorph(double way);
+    /// How far it is shown on its way from the design to the pattern sewn back together, 0 to 1;
+    /// 0 where nothing is sewn, or on the way to the pattern. While it is being sewn it is shown as
+    /// far as that is.
+    double sewnWay() const;
+    /// The pointer goes on to mean the cloth where the design has it.
+    void setSewnWay(double way);
 
 signals:
     void orthographicChanged(bool on);
@@ -85,7 +91,7 @@ private:
     /// Whether other cloth lies before it.
     bool isHidden(const WorstSpot& spot) const;
 
-    double morph_ = 0;
+    double morph_ = 0, sewnWay_ = 0;
     /// Where the camera was when the way began; none where it has been moved by hand since.
     std::unique_ptr<Camera3D> home_;
     Camera3D camera_;

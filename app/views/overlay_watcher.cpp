@@ -6,6 +6,7 @@
 #include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
+#include "app/views/sewn_run.h"
 
 namespace toile::app {
 
@@ -36,7 +37,8 @@ OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& 
       }) {
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
-                    DocumentChange::Fabric | DocumentChange::Settings)) {
+                    DocumentChange::Fabric | DocumentChange::Settings | DocumentChange::Seams |
+                    DocumentChange::Proof)) {
             ask();
         }
     });
@@ -44,9 +46,10 @@ OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& 
 }
 
 void OverlayWatcher::ask() {
-    const OverlayQuestion question{document_.scene(),
-                                   placesOf(document_.settings(), {}, document_.state().materials),
-                                   document_.fabric(), document_.view().overlay};
+    const OverlayQuestion question{
+        document_.scene(), placesOf(document_.settings(), {}, document_.state().materials),
+        document_.fabric(), document_.view().overlay,
+        isOfProof(document_.view().overlay) ? sewnOf(document_) : nullptr};
     answerer_.ask(question);
     if (answerer_.isBusy()) {
         // Overlay and scale are known at once.
@@ -63,7 +66,7 @@ void OverlayWatcher::show(OverlayFigures figures) {
 
 bool OverlayWatcher::isOfTheSame(const OverlayFigures& other) const {
     return other.scene == figures_.scene && other.overlay == figures_.overlay &&
-           other.scale == figures_.scale;
+           other.sewn == figures_.sewn && other.scale == figures_.scale;
 }
 
 }  // namespace toile::app

@@ -103,6 +103,7 @@ void PlayBar::setStops(const std::vector<double>& shares) {
 }
 
 void PlayBar::stopOnTheWay(int action) {
+    animation_->stop();  // a key says where to, too
     const int from = slider_->value(), to = slider_->sliderPosition();
     if (action == QAbstractSlider::SliderToMinimum || action == QAbstractSlider::SliderToMaximum) {
         return;

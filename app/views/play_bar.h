@@ -19,6 +19,8 @@ class PlayBar : public QWidget {
 public:
     /// Goes to the other end of the way by itself; called again, it stops. Nothing while hidden.
     void play();
+    /// To the beginning, and stops.
+    void rewind();
     /// Of the whole way, in [0, 1].
     double share() const;
 
@@ -42,8 +44,6 @@ protected:
     void setStops(const std::vector<double>& shares);
     /// Plays no more.
     void stop();
-    /// To the beginning, and stops.
-    void rewind();
     /// To the middle of the view's foot, as far as there is room.
     void place();
     QSlider& slider() { return *slider_; }

@@ -37,7 +37,8 @@ constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Settings | DocumentChange::Fabric |
                                      DocumentChange::Selection | DocumentChange::SeamSelection |
-                                     DocumentChange::Mark | DocumentChange::Reference;
+                                     DocumentChange::Mark | DocumentChange::Reference |
+                                     DocumentChange::Seams | DocumentChange::Proof;
 
 bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
     return !std::ranges::equal(a, b, {}, &SheetPlace::placement, &SheetPlace::placement);
@@ -107,7 +108,7 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what.testFlag(DocumentChange::Garment)) {
         hover_.reset();  // what the label is about may be no more
     } else if (what & (DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
-                       DocumentChange::View | DocumentChange::Fabric)) {
+                       DocumentChange::View | DocumentChange::Fabric | DocumentChange::Proof)) {
         hover_.writeAgain();
     }
     update();

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/document/document.h"
+#include "app/document/shown_proof.h"
 #include "app/render/scene_builder.h"
 #include "app/text/figures.h"
 #include "app/views/reference_gaps.h"
@@ -164,6 +165,16 @@ std::vector<Feature> markedFeatures(const Document& document) {
     return features;
 }
 
+std::shared_ptr<const SewnCloth> sewnOf(const Document& document) {
+    for (const auto& shown : {document.sewing(), document.proof()}) {
+        if (shown && shown->cloth && shown->cloth->scene == document.scene() &&
+            document.isOfThisPattern(*shown)) {
+            return shown->cloth;
+        }
+    }
+    return nullptr;
+}
+
 SceneContent contentOf(const Document& document) {
     return {.scene = document.scene(),
             .reference = referenceLinesOf(document),
@@ -172,6 +183,7 @@ SceneContent contentOf(const Document& document) {
             .seam = document.seam(),
             .marks = markedFeatures(document),
             .hover = document.hover(),
+            .sewn = sewnOf(document),
             .fabric = document.fabric(),
             .squareSide = checkerSquare()};
 }

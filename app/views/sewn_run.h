@@ -41,6 +41,10 @@ RunLengths runLengths(const Garment& garment, const PieceResults& results, const
 /// by whole edges.
 std::vector<Feature> markedFeatures(const Document& document);
 
+/// The pattern sewn back together, or on its way there; null where that is not of the pattern and
+/// the scene as they are now.
+std::shared_ptr<const SewnCloth> sewnOf(const Document& document);
+
 /// All that the views show of the document.
 SceneContent contentOf(const Document& document);
 

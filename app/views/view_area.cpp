@@ -15,6 +15,7 @@
 #include "app/views/morph_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
+#include "app/views/sewn_bar.h"
 #include "app/views/walk_bar.h"
 
 namespace toile::app {
@@ -35,7 +36,7 @@ ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
     // The value at a place follows at once, however long the figures take.
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Settings | DocumentChange::View | DocumentChange::Fabric |
-                    DocumentChange::Garment | DocumentChange::Results)) {
+                    DocumentChange::Garment | DocumentChange::Results | DocumentChange::Proof)) {
             showPointedValue();
         }
     });
@@ -66,6 +67,7 @@ void ViewArea::makeViews() {
     }
     legend_ = ColourBar::inCorner(*patternView_);
     morphBar_ = new MorphBar(document_, *garmentView_);
+    sewnBar_ = new SewnBar(document_, *garmentView_, *morphBar_);
     walkBar_ = new WalkBar(document_, *patternView_, *garmentView_);
     splitter_->setChildrenCollapsible(false);
     splitter_->setHandleWidth(5);

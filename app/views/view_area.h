@@ -21,6 +21,7 @@ class MorphBar;
 class OverlayWatcher;
 class PatternView;
 class SceneView;
+class SewnBar;
 class ToolChoice;
 class WalkBar;
 
@@ -43,6 +44,8 @@ public:
     void takeKeyboard(ViewKind view);
     /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
     MorphBar* morphBar() const { return morphBar_; }
+    /// The slider from the design to the pattern as sewn; null where there is no OpenGL 3.3.
+    SewnBar* sewnBar() const { return sewnBar_; }
     /// The walk along the selected seam; null where there is no OpenGL 3.3.
     WalkBar* walkBar() const { return walkBar_; }
     void setNavigation(Navigation navigation);
@@ -81,6 +84,7 @@ private:
     PatternView* patternView_ = nullptr;
     std::vector<SceneView*> views_;  ///< both, or none
     MorphBar* morphBar_ = nullptr;
+    SewnBar* sewnBar_ = nullptr;
     WalkBar* walkBar_ = nullptr;
     std::optional<SurfaceHit> pointed_;
     ViewKind viewInUse_ = ViewKind::Garment;

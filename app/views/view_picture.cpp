@@ -33,8 +33,9 @@ public:
           options_(options),
           style_(renderStyle(options.palette)),
           places_(placesOf(document.settings(), document.colours(), document.state().materials)),
-          figures_(overlayFigures(
-              {document.scene(), places_, document.fabric(), document.view().overlay})),
+          figures_(
+              overlayFigures({document.scene(), places_, document.fabric(), document.view().overlay,
+                              isOfProof(document.view().overlay) ? sewnOf(document) : nullptr})),
           spots_{figures_.spots, figures_.overlay} {}
 
     QImage draw();
@@ -104,11 +105,13 @@ void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
     }
     const Morph morph = morphBefore(camera, document_.scene().get(), options_.morph);
     drawScene<GarmentRenderer>(picture, part, [&](GarmentRenderer& renderer) {
-        renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1, morph);
+        renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1, morph,
+                       options_.sewn);
     });
     beginText(picture, part);
     paintGarmentText(picture, style_,
-                     {document_, camera, QRect(QPoint(), part.size()), spots_, options_.morph});
+                     {document_, camera, QRect(QPoint(), part.size()), spots_, options_.morph,
+                      sewnOf(document_) ? options_.sewn : 0});
     picture.restore();
 }
 

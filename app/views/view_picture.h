@@ -18,7 +18,8 @@ struct PictureOptions {
     ViewsShown views = ViewsShown::Both;
     std::optional<ViewDirection> direction{};  ///< of the garment; none: as the window begins
     double morph = 0;                          ///< the garment's way to the pattern, 0 to 1
-    bool legend = true;                        ///< the colour bar below
+    double sewn = 0;     ///< and to the cloth sewn of it, where the document has been proved
+    bool legend = true;  ///< the colour bar below
     QFont font{};
     QPalette palette{};
 };

@@ -122,6 +122,8 @@ void MainWindow::connectParts() {
         views().takeKeyboard(ViewKind::Garment);
     };
     connect(docks_.get(), &WindowDocks::dartWanted, this, proposeDart);
+    connect(docks_.get(), &WindowDocks::bodyWanted, garmentActions_.get(),
+            &GarmentActions::askForBody);
     connect(docks_.get(), &WindowDocks::unitWanted, centre_.get(), &WindowCentre::askAgain);
     actions_.on(ActionId::DartHere, this, [this, proposeDart] {
         if (const auto spot = contextMenus_->placeForDart()) {

@@ -16,6 +16,7 @@
 #include "app/views/garment_view.h"
 #include "app/views/morph_bar.h"
 #include "app/views/pattern_view.h"
+#include "app/views/sewn_bar.h"
 #include "app/views/tools/tool_box.h"
 #include "app/views/view_area.h"
 #include "app/views/walk_bar.h"
@@ -163,6 +164,7 @@ void WindowCentre::connectLooks(const ActionRegistry& actions) {
     connect(view, &GarmentView::orthographicChanged, &actions[ActionId::Orthographic],
             &QAction::setChecked);
     actions.on(ActionId::PlayMorph, views_->morphBar(), &MorphBar::play);
+    actions.on(ActionId::PlaySewn, views_->sewnBar(), &SewnBar::play);
     actions.on(ActionId::WalkSeam, views_->walkBar(), &WalkBar::begin);
 }
 

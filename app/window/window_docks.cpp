@@ -11,14 +11,19 @@
 #include <QUndoView>
 
 #include "app/actions/action_registry.h"
+#include "app/actions/pattern_proof.h"
 #include "app/actions/workspace.h"
+#include "app/document/shown_proof.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/lines_panel.h"
 #include "app/panels/piece_panel.h"
 #include "app/panels/pieces_panel.h"
 #include "app/panels/problems_panel.h"
+#include "app/panels/proof_form.h"
+#include "app/panels/proof_panel.h"
 #include "app/panels/seams_panel.h"
 #include "app/panels/symmetry_panel.h"
+#include "app/render/piece_values.h"
 #include "app/render/scene.h"
 #include "app/settings/preferences.h"
 #include "app/views/pattern_view.h"
@@ -46,6 +51,8 @@ std::optional<Overlay> overlayFor(FindingKind kind) {
             return Overlay::Strain;
         case FindingKind::FlippedTriangles:
             return Overlay::Area;  // what is flipped has lost more than all of its area
+        case FindingKind::SewnGap:
+            return Overlay::Gap;
         default:
             return std::nullopt;
     }
@@ -67,6 +74,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       history_(new QUndoView(&document_.history())),
       lines_(new LinesPanel(document_)),
       symmetry_(new SymmetryPanel(document_)),
+      proof_(new ProofPanel(document_, workspace.proof(), actions[ActionId::ProveBySewing],
+                            actions[ActionId::SaveProof])),
       piece_(new PiecePanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
@@ -80,6 +89,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         actions[ActionId::GoToLines]);
     add(tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
         actions[ActionId::GoToSymmetry]);
+    add(tr("Proof"), "proofDock", proof_, proof_->firstField(), actions[ActionId::GoToProof]);
     add(tr("Piece"), "pieceDock", scrolledColumn(*piece_, &window_), piece_->placeField(),
         actions[ActionId::GoToPosition]);
     add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
@@ -123,6 +133,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
             }
         });
     }
+    connectProof(workspace);
     actions.on(ActionId::ReadyToCut, this, [this] { goTo(Panel::ProblemList); });
     actions.on(ActionId::RenamePiece, this, [this] {
         goTo(Panel::Pieces);
@@ -137,6 +148,51 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         seams_->editEase();
     });
     actions.on(ActionId::ResetLayout, this, &WindowDocks::reset);
+}
+
+void WindowDocks::connectProof(Workspace& workspace) {
+    connect(&workspace.proof(), &PatternProof::wanted, this, [this] { goTo(Panel::Proof); });
+    connect(&proof_->form(), &ProofForm::bodyWanted, this, &WindowDocks::bodyWanted);
+    connect(proof_, &ProofPanel::pieceWanted, this, &WindowDocks::showLargestGap);
+    connect(proof_, &ProofPanel::placeWanted, this, [this](const QList<int>& pieces, int seam) {
+        if (seam >= 0) {
+            document_.setSeam(seam);
+            views_.frameSeam();
+        } else if (!pieces.isEmpty()) {
+            document_.setSelection({pieces.begin(), pieces.end()});
+            views_.frameSelection();
+        }
+    });
+    // What has just been found is to be seen.
+    connect(&workspace.proof(), &PatternProof::proved, this, [this] {
+        if (document_.isProofCurrent() && !isOfProof(document_.view().overlay)) {
+            document_.setOverlay(Overlay::Gap);
+        }
+    });
+}
+
+void WindowDocks::showLargestGap(int piece) {
+    const auto& shown = document_.proof();
+    const Scene* scene = document_.scene().get();
+    const auto at = static_cast<std::size_t>(piece);
+    if (!shown || !scene || at >= shown->proof->pieces.size() || piece >= document_.pieceCount()) {
+        return;
+    }
+    document_.setSelection({piece});
+    const int vertex = shown->proof->pieces[at].gapFigures.place;
+    const PieceResult* result = document_.result(piece);
+    const Piece& cloth = *document_.garment()->pieces[at];
+    if (!result || !result->flat || vertex < 0 || vertex >= result->flat->Q.rows()) {
+        views_.frameSelection();
+        return;
+    }
+    WorstSpot spot;
+    spot.piece = piece;
+    spot.flat = result->flat->Q.row(vertex).transpose();
+    spot.position = cloth.mesh.V.row(vertex).transpose() - scene->origin;
+    spot.normal = vertexNormals(cloth.mesh).row(vertex).transpose();
+    spot.sewn = shown->proof->pieces[at].sewn.row(vertex).transpose() - scene->origin;
+    views_.showSpot(spot);
 }
 
 WindowDocks::~WindowDocks() {

@@ -25,6 +25,7 @@ class PiecesPanel;
 class PiecePanel;
 class Preferences;
 class ProblemsPanel;
+class ProofPanel;
 class SeamsPanel;
 class SymmetryPanel;
 class ViewArea;
@@ -56,6 +57,8 @@ public:
 signals:
     /// A dart from the nearest edge to this place is to be proposed.
     void dartWanted(int piece, const Eigen::Vector2d& flat);
+    /// A mesh to wear the sewn pattern on is to be asked for.
+    void bodyWanted();
     /// The unit of the file, or the garment's height, is to be asked for.
     void unitWanted();
 
@@ -68,6 +71,7 @@ private:
         History,
         Lines,
         Symmetry,
+        Proof,
         PieceDock,
         FabricDock
     };
@@ -81,6 +85,9 @@ private:
     void show();
     /// As at the first start.
     void reset();
+    void connectProof(Workspace& workspace);
+    /// Shows the place of a piece that is farthest from the design once sewn.
+    void showLargestGap(int piece);
     /// Selects and frames what these findings of the checker are about.
     void showFindings(const QList<int>& indices);
     /// What helps pieces that are not flat, at their places in the pattern view.
@@ -101,6 +108,7 @@ private:
     QUndoView* history_;
     LinesPanel* lines_;
     SymmetryPanel* symmetry_;
+    ProofPanel* proof_;
     PiecePanel* piece_;
     FabricPanel* fabric_;
     QList<QDockWidget*> docks_;

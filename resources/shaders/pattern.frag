@@ -3,6 +3,7 @@ in vec3 wornNormal;
 in vec2 millimetres;
 in vec4 vertexValues;
 in vec3 vertexMetric;
+in vec3 vertexSewn;
 flat in vec2 grain;
 flat in vec2 ownRange;
 flat in vec3 pieceColour;
@@ -12,7 +13,7 @@ out vec4 colour;
 
 void main() {
     vec3 cloth = clothColour(pieceColour, pieceFlags, wornNormal, millimetres, vertexValues,
-                             vertexMetric, grain, ownRange);
+                             vertexMetric, vertexSewn, grain, ownRange);
     if ((pieceFlags & kPieceSelected) != 0 && !isRead()) {
         cloth = mix(cloth, vec3(1.0), kSelectedLight);
     }

@@ -4,6 +4,7 @@ layout(location = 2) in vec2 flatPoint;
 layout(location = 3) in vec4 values;
 layout(location = 4) in float piece;
 layout(location = 5) in vec3 metric;
+layout(location = 10) in vec3 sewnValues;  // gap, strain, whether it is sewn
 
 uniform mat4 viewProjection;
 
@@ -11,6 +12,7 @@ out vec3 wornNormal;
 out vec2 millimetres;
 out vec4 vertexValues;
 out vec3 vertexMetric;
+out vec3 vertexSewn;
 flat out vec2 grain;
 flat out vec2 ownRange;
 flat out vec3 pieceColour;
@@ -22,6 +24,7 @@ void main() {
     millimetres = flatPoint;
     vertexValues = values;
     vertexMetric = metric;
+    vertexSewn = sewnValues;
     grain = pieceGrain(piece);
     ownRange = pieceRange(piece);
     pieceColour = entry.rgb;

@@ -14,6 +14,8 @@ const int kOverlayBias = 7;
 const int kOverlayPrincipal = 8;
 const int kOverlayDirichlet = 9;
 const int kOverlayNormal = 10;
+const int kOverlayGap = 11;
+const int kOverlayWornStrain = 12;
 
 const int kPieceSelected = 1;
 const int kPieceFlat = 2;
@@ -32,6 +34,7 @@ const int kFaceTableWidth = 2048;
 uniform int overlay;
 uniform float squareSide;     // of the checkerboard, mm
 uniform vec2 overlayRange;    // values at the two ends of the colour map
+uniform bool isProved;        // sewn cloth has been measured
 uniform bool overlayLimited;  // the ends are the fabric's limits: hatching beyond the piece's
 uniform bool triangleTable;   // the triangles' own values are in faceTable
 uniform bool perTriangle;     // colours are of them, too
@@ -145,9 +148,10 @@ float hatching(bool stretched) {
 }
 
 // Colour of the cloth of a piece before light falls on it.
-// worn: the normal of the cloth on the garment; ownRange: pieceRange of piece_table.glsl
+// worn: the normal of the cloth on the garment; sewn: gap, strain, and whether it is sewn;
+// ownRange: pieceRange of piece_table.glsl
 vec3 clothColour(vec3 piece, int flags, vec3 worn, vec2 millimetres, vec4 values, vec3 metric,
-                 vec2 grain, vec2 ownRange) {
+                 vec3 sewn, vec2 grain, vec2 ownRange) {
     // Called outside of any branch: derivatives are undefined inside.
     float square = checker(millimetres);
     if (overlay == kOverlayNormal) {
@@ -164,6 +168,10 @@ vec3 clothColour(vec3 piece, int flags, vec3 worn, vec2 millimetres, vec4 values
         vec3 light = mix(piece, vec3(1.0), 0.56);
         return mix(dark, light, square);
     }
+    bool isOfProof = overlay == kOverlayGap || overlay == kOverlayWornStrain;
+    if (isOfProof && !(isProved && sewn.z >= 0.999)) {
+        return piece;
+    }
     vec4 ownValues = values;
     vec3 ownMetric = metric;
     if (triangleTable) {
@@ -175,8 +183,11 @@ vec3 clothColour(vec3 piece, int flags, vec3 worn, vec2 millimetres, vec4 values
     vec2 range = ownRange.y > ownRange.x ? ownRange : overlayRange;
     // Stripes are of the triangle itself, as the shares beside the colour bar: what is smoothed away
     // is still beyond the fabric.
-    float own = overlayValue(ownValues, ownMetric, grain, range);
-    vec3 painted = valueColour(perTriangle ? own : overlayValue(values, metric, grain, range));
+    float proven = overlay == kOverlayGap ? sewn.x : sewn.y;
+    float own = isOfProof ? proven : overlayValue(ownValues, ownMetric, grain, range);
+    vec3 painted = valueColour(perTriangle || isOfProof
+                                   ? own
+                                   : overlayValue(values, metric, grain, range));
     // Crosses are drawn over it, and they carry the colours.
     vec3 ground = overlay == kOverlayPrincipal ? valueColour(0.0) : painted;
     bool isLimited = ownRange.y > ownRange.x || (overlayLimited && ownRange.y == ownRange.x);

@@ -320,7 +320,9 @@ QString GuideWalker::see(const QString& text, bool inList) {
 void GuideWalker::answerWith(const QString& opened, const QString& saved) {
     FileDialogs& dialogs = fixture_.window().garmentActions().fileDialogs();
     dialogs.open = [opened](QWidget*, const QString&) -> QStringList { return {opened}; };
+    dialogs.openBody = [opened](QWidget*, const QString&) { return opened; };
     dialogs.save = [saved](QWidget*, const QString&, const QString&) { return saved; };
+    dialogs.saveReport = dialogs.save;
     dialogs.saveProject = [saved](QWidget*, const QString&) { return saved; };
 }
 

@@ -86,9 +86,11 @@ Monkey::Monkey(MainWindow& window, Generator& random, QString folder)
     dialogs.open = [](QWidget*, const QString&) -> QStringList { return {}; };
     dialogs.openSeams = [maybe](QWidget*, const QString&) -> QString { return maybe("cuts.json"); };
     dialogs.openPattern = [maybe](QWidget*, const QString&) -> QString { return maybe("out.dxf"); };
+    dialogs.openBody = [](QWidget*, const QString&) -> QString { return {}; };
     dialogs.save = [maybe](QWidget*, const QString& suggested, const QString& filter) -> QString {
         return maybe(filter.contains("eams") ? "cuts.json" : "out." + suggested.right(3));
     };
+    dialogs.saveReport = dialogs.save;
     dialogs.saveProject = [maybe](QWidget*, const QString&) -> QString {
         return maybe("monkey.toile");
     };

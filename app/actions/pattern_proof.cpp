@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/actions/pattern_proof.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/document/document.h"
+#include "app/render/sewn_cloth.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr DocumentChanges kTouchesCloth = DocumentChange::Garment | DocumentChange::Results |
+                                          DocumentChange::Options | DocumentChange::Seams |
+                                          DocumentChange::Loading | DocumentChange::Fabric |
+                                          DocumentChange::Settings | DocumentChange::Reference;
+
+}  // namespace
+
+PatternProof::PatternProof(Document& document, JobRunner& runner)
+    : document_(document), runner_(runner) {
+    poll_.setInterval(kPause);
+    connect(&poll_, &QTimer::timeout, this, &PatternProof::fetch);
+    connect(&runner_, &JobRunner::started, this, &PatternProof::changed);
+    connect(&runner_, &JobRunner::idle, this, &PatternProof::onIdle);
+    connect(&document_, &Document::changed, this, &PatternProof::onChanged);
+}
+
+PatternProof::~PatternProof() = default;
+
+void PatternProof::setPlan(const ProofPlan& plan) {
+    if (!(plan == plan_)) {
+        plan_ = plan;
+        emit changed();
+    }
+}
+
+bool PatternProof::canProve() const {
+    return document_.scene() && document_.isFlattened() &&
+           std::ranges::any_of(document_.results(),
+                               [](const auto& result) { return result->flat.has_value(); });
+}
+
+void PatternProof::begin() {
+    if (!canProve()) {
+        return;
+    }
+    tray_ = std::make_shared<ProofTray>();
+    runner_.replace(
+        proofJob(document_, plan_, tray_, [this](std::shared_ptr<const ShownProof> found) {
+            document_.showProof(std::move(found));
+            document_.showSewing(nullptr);
+            fit();
+            emit proved();
+        }));
+    poll_.start();
+    emit changed();
+}
+
+void PatternProof::fetch() {
+    std::shared_ptr<const ShownProof> sewing;
+    {
+        const std::lock_guard lock(tray_->mutex);
+        sewing = std::exchange(tray_->sewing, nullptr);
+    }
+    if (sewing && sewing->ground.garment == document_.garment()) {
+        document_.showSewing(std::move(sewing));
+    }
+}
+
+void PatternProof::onIdle() {
+    poll_.stop();
+    document_.showSewing(nullptr);
+    emit changed();
+}
+
+void PatternProof::fit() {
+    const auto& shown = document_.proof();
+    if (!shown || !shown->cloth || !document_.scene() || shown->cloth->scene == document_.scene() ||
+        !document_.isProofCurrent()) {
+        return;
+    }
+    ShownProof fitting = *shown;
+    fitting.cloth = sewnCloth(document_.scene(), *shown->proof, shown->plan.sewn);
+    document_.showProof(std::make_shared<const ShownProof>(std::move(fitting)));
+}
+
+void PatternProof::onChanged(DocumentChanges what) {
+    ProofPlan plan = plan_;
+    if (what.testFlag(DocumentChange::Opened)) {
+        runner_.cancel();
+        plan.body.clear();  // that of another garment
+        plan.sewn = SewnPattern::Own;
+    }
+    if (plan.sewn == SewnPattern::Reference && !document_.state().reference.file) {
+        plan.sewn = SewnPattern::Own;
+    }
+    setPlan(plan);
+    if (what & kTouchesCloth) {
+        fit();
+    }
+    if (what & (DocumentChange::Results | DocumentChange::Garment | DocumentChange::Options |
+                DocumentChange::Reference)) {
+        emit changed();
+    }
+}
+
+}  // namespace toile::app

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/views/sewn_bar.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+
+#include "app/document/document.h"
+#include "app/document/shown_proof.h"
+#include "app/render/sewn_cloth.h"
+#include "app/views/garment_view.h"
+#include "app/views/morph_bar.h"
+#include "app/views/sewn_run.h"
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kSewnMilliseconds = 1400;
+/// To the right of the axis cross, above the other bar.
+constexpr int kSewnLeft = 92, kSewnFoot = 50;
+
+}  // namespace
+
+SewnBar::SewnBar(Document& document, GarmentView& view, MorphBar& morph)
+    : PlayBar(view, "sewn", kSewnMilliseconds, {.left = kSewnLeft, .foot = kSewnFoot}),
+      document_(document),
+      morph_(morph) {
+    slider().setAccessibleName(tr("From the design to the pattern as sewn"));
+    slider().setToolTip(
+        tr("Shows what sewing the pattern comes to: the design on the left, sewn on the right"));
+    button().setToolTip(tr("Play the way from the design to the pattern as sewn and back"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 2, 10, 2);
+    row->setSpacing(6);
+    row->addWidget(&button());
+    row->addWidget(makeLabel(tr("Design")));
+    row->addWidget(&slider(), 1);
+    row->addWidget(makeLabel(tr("Sewn")));
+    connect(this, &PlayBar::moved, &view, [&view, &morph](double share) {
+        if (share > 0 && morph.share() > 0) {
+            morph.rewind();
+        }
+        view.setSewnWay(share);
+    });
+    connect(&morph, &PlayBar::moved, this, [this](double way) {
+        if (way > 0 && share() > 0) {
+            rewind();
+        }
+    });
+    connect(&document_, &Document::changed, this, &SewnBar::onChanged);
+    setVisible(false);
+}
+
+void SewnBar::onChanged(DocumentChanges what) {
+    if (!(what & (DocumentChange::Opened | DocumentChange::Proof | DocumentChange::Results |
+                  DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Settings |
+                  DocumentChange::Fabric | DocumentChange::Options))) {
+        return;
+    }
+    if (what.testFlag(DocumentChange::Opened)) {
+        seen_.reset();
+    }
+    const auto cloth = sewnOf(document_);
+    const bool isThere = cloth && cloth->isMeasured;
+    const bool isNew = isThere && document_.proof()->proof != seen_;
+    if (isThere == isThere_ && !isNew) {
+        return;
+    }
+    if (isThere_) {
+        left_ = slider().value();
+    }
+    isThere_ = isThere;
+    rewind();
+    setVisible(isThere_);
+    place();
+    if (isThere_) {
+        seen_ = document_.proof()->proof;
+    }
+    if (!isThere_ || morph_.share() > 0) {
+        return;
+    }
+    slider().setValue(isNew ? slider().maximum() : left_);
+    if (isNew) {  // from where it came to rest back to the design
+        play();
+    }
+}
+
+}  // namespace toile::app
