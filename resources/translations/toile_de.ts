@@ -98,6 +98,22 @@
         <source>all within the fabric</source>
         <translation>alles innerhalb des Stoffs</translation>
     </message>
+    <message>
+        <source>not sewn yet, or since the last change: prove it by sewing</source>
+        <translation>noch nicht oder nicht seit der letzten Änderung genäht: durch Nähen prüfen</translation>
+    </message>
+    <message>
+        <source>it is being sewn</source>
+        <translation>wird gerade genäht</translation>
+    </message>
+    <message>
+        <source>of the designer&apos;s panels · %1</source>
+        <translation>der Teile des Entwerfers · %1</translation>
+    </message>
+    <message>
+        <source>of the reference pattern · %1</source>
+        <translation>des Vergleichsschnitts · %1</translation>
+    </message>
 </context>
 <context>
     <name>ExportJob</name>
@@ -250,6 +266,18 @@
     <message>
         <source>Drawings (%1);;All files (*)</source>
         <translation>Zeichnungen (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a body</source>
+        <translation>Körper öffnen</translation>
+    </message>
+    <message>
+        <source>Meshes (%1);;All files (*)</source>
+        <translation>Netze (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Bericht speichern</translation>
     </message>
 </context>
 <context>
@@ -417,6 +445,22 @@ veraltet</translation>
         <source>squares of 1/2 in on the flat cloth</source>
         <translation>Quadrate von 1/2 in auf dem flachen Stoff</translation>
     </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>sewn against designed: orange lies outside, blue inside</source>
+        <translation>genäht gegen Entwurf: Orange liegt außen, Blau innen</translation>
+    </message>
+    <message>
+        <source>Worn strain</source>
+        <translation>Dehnung genäht</translation>
+    </message>
+    <message>
+        <source>of the cloth as sewn: orange pulls, blue is slack</source>
+        <translation>des genähten Stoffs: Orange spannt, Blau ist lose</translation>
+    </message>
 </context>
 <context>
     <name>PatternView</name>
@@ -473,6 +517,13 @@ veraltet</translation>
     <message>
         <source>Reading %1</source>
         <translation>%1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>ProofJob</name>
+    <message>
+        <source>Sewing the pattern back together</source>
+        <translation>Der Schnitt wird zusammengenäht</translation>
     </message>
 </context>
 <context>
@@ -2927,6 +2978,150 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 is not laid: there is no room left for it</source>
         <translation>%1 ist nicht ausgelegt: dafür ist kein Platz mehr</translation>
+    </message>
+    <message>
+        <source>on the design, %1 Pa</source>
+        <translation>auf dem Entwurf, %1 Pa</translation>
+    </message>
+    <message>
+        <source>on a body, %1 Pa</source>
+        <translation>auf einem Körper, %1 Pa</translation>
+    </message>
+    <message>
+        <source>on %1, %2 Pa</source>
+        <translation>auf %1, %2 Pa</translation>
+    </message>
+    <message>
+        <source>, gravity</source>
+        <translation>, mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>, %1 times as large</source>
+        <translation>, %1-mal so groß</translation>
+    </message>
+    <message>
+        <source>, cloth as typed</source>
+        <translation>, Stoff wie eingegeben</translation>
+    </message>
+    <message>
+        <source>; the seam %1 pulls %2 %, more than the fabric gives</source>
+        <translation>; die Naht %1 spannt um %2 %, mehr als der Stoff nachgibt</translation>
+    </message>
+    <message>
+        <source>; %1 pulls %2 %, more than the fabric gives</source>
+        <translation>; %1 spannt um %2 %, mehr als der Stoff nachgibt</translation>
+    </message>
+    <message>
+        <source>; the seam %1 pulls %2 %, which the fabric gives</source>
+        <translation>; die Naht %1 spannt um %2 %, was der Stoff nachgibt</translation>
+    </message>
+    <message>
+        <source>; %1 pulls %2 %, which the fabric gives</source>
+        <translation>; %1 spannt um %2 %, was der Stoff nachgibt</translation>
+    </message>
+    <message>
+        <source>; the seam %1 pulls %2 %</source>
+        <translation>; die Naht %1 spannt um %2 %</translation>
+    </message>
+    <message>
+        <source>; %1 pulls %2 %</source>
+        <translation>; %1 spannt um %2 %</translation>
+    </message>
+    <message>
+        <source>; %1 bags by %2 %</source>
+        <translation>; %1 beutelt um %2 %</translation>
+    </message>
+    <message>
+        <source>sewn back, the cloth has not come to rest, so that the gap says little</source>
+        <translation>wieder zusammengenäht ist der Stoff nicht zur Ruhe gekommen, sodass der Abstand wenig sagt</translation>
+    </message>
+    <message>
+        <source>the sides of %1 are sewn to each other, so that nothing of it is left</source>
+        <translation>die Seiten von %1 sind aneinandergenäht, sodass nichts davon bleibt</translation>
+    </message>
+    <message>
+        <source>; %1 of %2 pieces are not in it</source>
+        <translation>; %1 von %2 Teilen sind nicht dabei</translation>
+    </message>
+    <message>
+        <source>Sewn back it sits %1 mm from the design on average, %2 mm at the worst twentieth</source>
+        <translation>Wieder zusammengenäht liegt der Schnitt im Mittel %1 mm vom Entwurf, beim schlechtesten Zwanzigstel %2 mm</translation>
+    </message>
+    <message>
+        <source>; %1 % of it hangs free</source>
+        <translation>; %1 % davon hängen frei</translation>
+    </message>
+    <message>
+        <source>Faults found by sewing</source>
+        <translation>Beim Nähen gefundene Fehler</translation>
+    </message>
+    <message>
+        <source>Look at it in the pattern, put it right, and prove again</source>
+        <translation>Im Schnitt ansehen, in Ordnung bringen und erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Far from the design</source>
+        <translation>Weit vom Entwurf</translation>
+    </message>
+    <message>
+        <source>sewn back, the pattern sits %1 from the design on average, %2 at the worst twentieth; this piece is the farthest off, %3 on average</source>
+        <translation>wieder zusammengenäht liegt der Schnitt im Mittel %1 vom Entwurf, beim schlechtesten Zwanzigstel %2; dieses Schnittteil liegt am weitesten weg, im Mittel %3</translation>
+    </message>
+    <message>
+        <source>Look where it is with the overlay Gap; try another method, a dart or a seam there, and prove again</source>
+        <translation>Mit der Einfärbung „Abstand“ ansehen, wo das ist; dort ein anderes Verfahren, einen Abnäher oder eine Naht versuchen und erneut prüfen</translation>
+    </message>
+    <message>
+        <source>it lies nowhere near the garment: its unit or its axes are others</source>
+        <translation>er liegt nirgends in der Nähe des Kleidungsstücks: Einheit oder Achsen sind andere</translation>
+    </message>
+    <message>
+        <source>nothing of the pattern is a piece of the garment that is flat</source>
+        <translation>nichts von dem Schnitt ist ein flaches Schnittteil des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>the designer&apos;s panels</source>
+        <translation>die Teile des Entwerfers</translation>
+    </message>
+    <message>
+        <source>ASTM DXF, read back</source>
+        <translation>ASTM-DXF, wieder gelesen</translation>
+    </message>
+    <message>
+        <source>the pattern has no piece %1</source>
+        <translation>der Schnitt hat kein Schnittteil %1</translation>
+    </message>
+    <message>
+        <source>the outline of %1 crosses itself in the pattern; it is left out</source>
+        <translation>der Umriss von %1 kreuzt sich im Schnitt selbst; das Teil ist ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 of the pattern is no piece of the garment</source>
+        <translation>%1 im Schnitt ist kein Schnittteil des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>%1 is mirrored in the pattern; it is turned over to be sewn</source>
+        <translation>%1 ist im Schnitt gespiegelt; zum Nähen wird es gewendet</translation>
+    </message>
+    <message>
+        <source>what the pattern calls %1 does not fit %2 but %3</source>
+        <translation>was im Schnitt %1 heißt, passt nicht zu %2, sondern zu %3</translation>
+    </message>
+    <message>
+        <source>%1: the two sides differ by %2 mm more than their ease</source>
+        <translation>%1: die beiden Seiten unterscheiden sich um %2 mm mehr als ihre Einhalteweite</translation>
+    </message>
+    <message>
+        <source>%1: the side of %2 is %3 mm longer than what it is sewn to</source>
+        <translation>%1: die Seite von %2 ist %3 mm länger als das, woran sie genäht wird</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm longer in the pattern than on the design</source>
+        <translation>%1 ist im Schnitt %2 mm länger als auf dem Entwurf</translation>
+    </message>
+    <message>
+        <source>%1 is %2 mm shorter in the pattern than on the design</source>
+        <translation>%1 ist im Schnitt %2 mm kürzer als auf dem Entwurf</translation>
     </message>
 </context>
 <context>
@@ -5530,6 +5725,62 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Lay the pieces on their cloth so that little of it is left over: the marker, with its length</source>
         <translation>Die Teile so auf ihren Stoff legen, dass wenig davon übrig bleibt: das Schnittbild mit seiner Länge</translation>
     </message>
+    <message>
+        <source>How far the pattern, sewn back together, lies outside or inside of the design</source>
+        <translation>Wie weit der Schnitt, wieder zusammengenäht, außerhalb oder innerhalb des Entwurfs liegt</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>&amp;Worn strain of the sewn cloth</source>
+        <translation>Dehn&amp;ung des genähten Stoffs</translation>
+    </message>
+    <message>
+        <source>How far the cloth is strained where the pattern is sewn back together</source>
+        <translation>Wie weit der Stoff gedehnt wird, wenn der Schnitt wieder zusammengenäht ist</translation>
+    </message>
+    <message>
+        <source>Worn strain</source>
+        <translation>Dehnung genäht</translation>
+    </message>
+    <message>
+        <source>Watch the cloth go from the design to where the sewn pattern comes to rest</source>
+        <translation>Zusehen, wie der Stoff vom Entwurf dorthin geht, wo der genähte Schnitt zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>Prove by se&amp;wing</source>
+        <translation>Durch &amp;Nähen prüfen</translation>
+    </message>
+    <message>
+        <source>Sew the pattern back together over the design, as its lines are written, and measure how far from the design it comes to rest</source>
+        <translation>Den Schnitt über dem Entwurf wieder zusammennähen, so wie seine Linien geschrieben werden, und messen, wie weit vom Entwurf er zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>Write what sewing the pattern has shown to a JSON file</source>
+        <translation>Was das Nähen des Schnitts gezeigt hat, in eine JSON-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Show what sewing the pattern back together has shown and move the keyboard there</source>
+        <translation>Zeigen, was das Zusammennähen des Schnitts ergeben hat, und die Tastatur dorthin lenken</translation>
+    </message>
+    <message>
+        <source>Gap of the sewn c&amp;loth</source>
+        <translation>A&amp;bstand des genähten Stoffs</translation>
+    </message>
+    <message>
+        <source>Play from design to sew&amp;n</source>
+        <translation>Vom &amp;Entwurf zum Genähten abspielen</translation>
+    </message>
+    <message>
+        <source>Save report o&amp;f the proof…</source>
+        <translation>Prüf&amp;bericht speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Go to proof</source>
+        <translation>Zur &amp;Nähprobe</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -6494,6 +6745,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Undo: Move of a proposed cut</source>
         <translation>&amp;Rückgängig: Verschieben eines vorgeschlagenen Schnitts</translation>
+    </message>
+    <message>
+        <source>Reports of proofs (*.json)</source>
+        <translation>Prüfberichte (*.json)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -8258,6 +8517,247 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::ProofForm</name>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>This pattern</source>
+        <translation>Diesen Schnitt</translation>
+    </message>
+    <message>
+        <source>The designer&apos;s panels</source>
+        <translation>Die Teile des Entwerfers</translation>
+    </message>
+    <message>
+        <source>The reference pattern</source>
+        <translation>Den Vergleichsschnitt</translation>
+    </message>
+    <message>
+        <source>What is sewn: the pattern as it is written to a file and read back, or another to compare with</source>
+        <translation>Was genäht wird: der Schnitt, wie er in eine Datei geschrieben und wieder gelesen wird, oder ein anderer zum Vergleich</translation>
+    </message>
+    <message>
+        <source>The design</source>
+        <translation>Dem Entwurf</translation>
+    </message>
+    <message>
+        <source>A body…</source>
+        <translation>Einem Körper…</translation>
+    </message>
+    <message>
+        <source>Another body…</source>
+        <translation>Einem anderen Körper…</translation>
+    </message>
+    <message>
+        <source>What the cloth lies on while it is sewn: the design&apos;s own surface, or the mesh of a body in the garment&apos;s place</source>
+        <translation>Worauf der Stoff liegt, während er genäht wird: die Fläche des Entwurfs selbst oder das Netz eines Körpers am Ort des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source> Pa</source>
+        <translation> Pa</translation>
+    </message>
+    <message>
+        <source>Presses the cloth onto what holds it; below 0 it is filled as a cushion is. 10 Pa are 1 g on 10 cm²</source>
+        <translation>Drückt den Stoff auf das, was ihn hält; unter 0 wird er gefüllt wie ein Kissen. 10 Pa sind 1 g auf 10 cm²</translation>
+    </message>
+    <message>
+        <source>As the garment has them</source>
+        <translation>Wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Length of the edges of the triangles that are sewn; the shorter, the finer, and the longer it takes. 0: as the garment has them</source>
+        <translation>Kantenlänge der Dreiecke, die genäht werden; je kürzer, desto feiner, und desto länger dauert es. 0: wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Let the cloth hang by its weight</source>
+        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Sew</source>
+        <translation>Nähen</translation>
+    </message>
+    <message>
+        <source>Held by</source>
+        <translation>Gehalten von</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ProofModel</name>
+    <message>
+        <source>Piece</source>
+        <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Piece of the garment; a click goes to its largest gap</source>
+        <translation>Schnittteil des Kleidungsstücks; ein Klick führt zu seinem größten Abstand</translation>
+    </message>
+    <message>
+        <source>Gap (%1)</source>
+        <translation>Abstand (%1)</translation>
+    </message>
+    <message>
+        <source>How far it lies from the design, on average</source>
+        <translation>Wie weit es im Mittel vom Entwurf liegt</translation>
+    </message>
+    <message>
+        <source>95 % (%1)</source>
+        <translation>95 % (%1)</translation>
+    </message>
+    <message>
+        <source>What a twentieth of its area exceeds</source>
+        <translation>Was ein Zwanzigstel seiner Fläche übersteigt</translation>
+    </message>
+    <message>
+        <source>Largest (%1)</source>
+        <translation>Größter (%1)</translation>
+    </message>
+    <message>
+        <source>The largest gap</source>
+        <translation>Der größte Abstand</translation>
+    </message>
+    <message>
+        <source>Pulls (%)</source>
+        <translation>Spannt (%)</translation>
+    </message>
+    <message>
+        <source>Stretch that a twentieth of its area exceeds</source>
+        <translation>Dehnung, die ein Zwanzigstel seiner Fläche übersteigt</translation>
+    </message>
+    <message>
+        <source>Slack (%)</source>
+        <translation>Lose (%)</translation>
+    </message>
+    <message>
+        <source>Surplus that a twentieth of its area exceeds</source>
+        <translation>Überschuss, den ein Zwanzigstel seiner Fläche übersteigt</translation>
+    </message>
+    <message>
+        <source>Hangs free (%)</source>
+        <translation>Hängt frei (%)</translation>
+    </message>
+    <message>
+        <source>How much of its area touches nothing</source>
+        <translation>Wie viel seiner Fläche nichts berührt</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::ProofPanel</name>
+    <message>
+        <source>Of an earlier pattern</source>
+        <translation>Von einem früheren Schnitt</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nähprobe</translation>
+    </message>
+    <message>
+        <source>The pattern, its fabric or its seams have changed since it was sewn: prove it again</source>
+        <translation>Der Schnitt, sein Stoff oder seine Nähte haben sich geändert, seit er genäht wurde: erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Save report…</source>
+        <translation>Bericht speichern…</translation>
+    </message>
+    <message>
+        <source>Sewn pieces</source>
+        <translation>Genähte Schnittteile</translation>
+    </message>
+    <message>
+        <source>What does not fit</source>
+        <translation>Was nicht passt</translation>
+    </message>
+    <message>
+        <source>Gap %1 on average, 95 % %2, at most %3 %4</source>
+        <translation>Abstand im Mittel %1, 95 % %2, höchstens %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 % hangs free</source>
+        <translation>%1 % hängen frei</translation>
+    </message>
+    <message>
+        <source>settled after %1 steps, %2 s</source>
+        <translation>nach %1 Schritten zur Ruhe gekommen, %2 s</translation>
+    </message>
+    <message>
+        <source>not settled after %1 steps: figures are rough</source>
+        <translation>nach %1 Schritten nicht zur Ruhe gekommen: die Zahlen sind grob</translation>
+    </message>
+    <message>
+        <source>seam %1</source>
+        <translation>Naht %1</translation>
+    </message>
+    <message>
+        <source>Slips by %1</source>
+        <translation>Versatz von %1</translation>
+    </message>
+    <message>
+        <source>Does not fit (%1)</source>
+        <translation>Passt nicht (%1)</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Every seam and piece fits</source>
+        <translation>Alle Nähte und Schnittteile passen</translation>
+    </message>
+    <message>
+        <source>Prove again</source>
+        <translation>Erneut prüfen</translation>
+    </message>
+    <message>
+        <source>Prove by sewing</source>
+        <translation>Durch Nähen prüfen</translation>
+    </message>
+    <message>
+        <source>The cloth is on its way: the garment view shows where it is.</source>
+        <translation>Der Stoff ist unterwegs: die Ansicht des Kleidungsstücks zeigt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Sews the pattern back together over the design, as its lines are written to a file, and measures how far from the design it comes to rest: where it stands off, where it pulls, and which seams do not fit.</source>
+        <translation>Näht den Schnitt über dem Entwurf wieder zusammen, so wie seine Linien in eine Datei geschrieben werden, und misst, wie weit vom Entwurf er zur Ruhe kommt: wo er absteht, wo er spannt und welche Nähte nicht passen.</translation>
+    </message>
+    <message>
+        <source>Nothing is flat yet that could be sewn.</source>
+        <translation>Noch ist nichts flach, das genäht werden könnte.</translation>
+    </message>
+    <message>
+        <source>%1 triangles with edges of %2</source>
+        <translation>%1 Dreiecke mit Kanten von %2</translation>
+    </message>
+    <message>
+        <source>%1 triangles</source>
+        <translation>%1 Dreiecke</translation>
+    </message>
+    <message>
+        <source>Sewn by other settings</source>
+        <translation>Mit anderen Angaben genäht</translation>
+    </message>
+    <message>
+        <source>On the left something else is said than what it was sewn by: prove it again</source>
+        <translation>Links steht anderes, als womit genäht wurde: erneut prüfen</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::ProposalsForm</name>
     <message>
         <source>%1 %</source>
@@ -8826,6 +9326,29 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::SewnBar</name>
+    <message>
+        <source>From the design to the pattern as sewn</source>
+        <translation>Vom Entwurf zum genähten Schnitt</translation>
+    </message>
+    <message>
+        <source>Shows what sewing the pattern comes to: the design on the left, sewn on the right</source>
+        <translation>Zeigt, was das Nähen des Schnitts ergibt: links der Entwurf, rechts genäht</translation>
+    </message>
+    <message>
+        <source>Play the way from the design to the pattern as sewn and back</source>
+        <translation>Den Weg vom Entwurf zum genähten Schnitt und zurück abspielen</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Sewn</source>
+        <translation>Genäht</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::SewnRows</name>
     <message>
         <source>As in 3D</source>
@@ -9186,6 +9709,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>Piece</source>
         <translation>Schnittteil</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nähprobe</translation>
     </message>
 </context>
 <context>
