@@ -7,6 +7,7 @@
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
 #   docs/make_pictures.sh methods lscm abf    for these
 #   docs/make_pictures.sh patterns            those of the page on patterns, but for the ones that a test takes
+#   docs/make_pictures.sh proofs              those of the page on proofs
 #   docs/make_pictures.sh readme              those of the README
 #   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
 #   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
@@ -59,6 +60,14 @@ make_patterns_to_cut() { # with allowances and notches
     echo "$images/pattern-cut.png"
 }
 
+make_proofs() { # the shirt sewn back together: where it stands off, and where it pulls
+    local name
+    for name in gap worn-strain; do
+        env -u DISPLAY "$toile" prove "$samples/tshirt.obj" --unit mm --up y --overlay $name \
+            --size 1500x700 -o "$images/prove-$name.png" > /dev/null
+    done
+}
+
 make_readme() {
     window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
     window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
@@ -70,7 +79,8 @@ make_readme() {
 case ${1:-all} in
     methods) make_methods "${@:2}" ;;
     patterns) make_patterns && make_patterns_to_cut ;;
+    proofs) make_proofs ;;
     readme) make_readme ;;
-    all) make_methods && make_patterns && make_patterns_to_cut && make_readme ;;
-    *) sed -n '3,13s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    all) make_methods && make_patterns && make_patterns_to_cut && make_proofs && make_readme ;;
+    *) sed -n '3,14s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac
