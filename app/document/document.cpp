@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Longer than a file mostly is: state, what is shown of it and selection change together, and every
+// change is told once.
 #include "app/document/document.h"
 
 #include <QString>

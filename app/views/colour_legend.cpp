@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Longer than a file mostly is: what each overlay is called and means, what of it is said in words
+// and how that is painted belong to one small picture, which pictures without a window draw too.
 #include "app/views/colour_legend.h"
 
 #include <QCoreApplication>
