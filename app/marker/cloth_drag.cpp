@@ -22,7 +22,8 @@ double deviationOf(const Pattern& pattern, const Placement& placement, int piece
 }
 
 Placement turnedAboutMiddle(const Pattern& pattern, const LaidCopy& copy, double angle) {
-    return turnedAbout(copy.placement, boxAround(laidOutline(pattern, copy)).center(), angle);
+    return turnedAbout(copy.placement, geometry::boxAround(laidOutline(pattern, copy)).center(),
+                       angle);
 }
 
 Points2 joined(const std::vector<Points2>& lines) {
@@ -40,14 +41,6 @@ Points2 joined(const std::vector<Points2>& lines) {
 }
 
 }  // namespace
-
-Eigen::AlignedBox2d boxAround(const Points2& line) {
-    Eigen::AlignedBox2d box;
-    for (Eigen::Index k = 0; k < line.rows(); ++k) {
-        box.extend(Eigen::Vector2d(line.row(k)));
-    }
-    return box;
-}
 
 std::optional<Placement> nextTurn(const Pattern& pattern, const LaidCopy& copy,
                                   const MarkerSettings& settings, bool clockwise) {
@@ -79,7 +72,7 @@ ClothDrag::ClothDrag(const Pattern& pattern, const ClothMarker& marker,
     std::vector<Points2> corners;
     for (std::size_t c = 0; c < marker.copies.size(); ++c) {
         const Points2 line = laidOutline(pattern, marker.copies[c]);
-        Eigen::AlignedBox2d box = boxAround(line);
+        Eigen::AlignedBox2d box = geometry::boxAround(line);
         if (static_cast<int>(c) == copy) {
             box_ = box;
             corners_ = snapPoints(line);
@@ -94,7 +87,7 @@ ClothDrag::ClothDrag(const Pattern& pattern, const ClothMarker& marker,
         targets_.boxes.emplace_back(box.min() + border, box.max() - border);
     };
     for (const ClothPart& part : marker.parts) {
-        addCloth(boxAround(part.outline));
+        addCloth(geometry::boxAround(part.outline));
     }
     if (marker.parts.empty()) {
         addCloth({Eigen::Vector2d::Zero(), Eigen::Vector2d(marker.length, marker.width)});

@@ -44,7 +44,4 @@ private:
     SnappedMove move_{};
 };
 
-/// Around a line.
-Eigen::AlignedBox2d boxAround(const Points2& line);
-
 }  // namespace toile::app

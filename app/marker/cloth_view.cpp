@@ -98,7 +98,7 @@ void ClothView::follow() {
             Eigen::Vector2d::Zero(),
             Eigen::Vector2d(std::max(marker->length, 1.0), std::max(marker->width, 1.0)));
         for (const ClothPart& part : marker->parts) {
-            box.extend(boxAround(part.outline));
+            box.extend(geometry::boxAround(part.outline));
         }
         camera_.frame(box, kAround);
     }
@@ -124,7 +124,7 @@ std::optional<QPointF> ClothView::handle() const {
     if (copy < 0 || !desk_.marker() || !turnsByDegrees(desk_.settings())) {
         return std::nullopt;
     }
-    const QRectF box = map()(boxAround(shapes_[static_cast<std::size_t>(copy)].edge));
+    const QRectF box = map()(geometry::boxAround(shapes_[static_cast<std::size_t>(copy)].edge));
     return QPointF(box.center().x(), box.top() - kHandleAway);
 }
 
@@ -242,7 +242,7 @@ void ClothView::mousePressEvent(QMouseEvent* event) {
     if (const auto at = handle(); at && QLineF(*at, event->position()).length() <= 2 * kHandle) {
         const int copy = selected();
         Turning turning{desk_.marker()->copies[static_cast<std::size_t>(copy)]};
-        turning.middle = boxAround(shapes_[static_cast<std::size_t>(copy)].edge).center();
+        turning.middle = geometry::boxAround(shapes_[static_cast<std::size_t>(copy)].edge).center();
         turning.from = directionTo(turning.middle, onCloth(event->position()));
         turning_ = turning;
         return;
@@ -482,7 +482,7 @@ void ClothView::paintEvent(QPaintEvent*) {
     const int chosen = selected();
     paintRulers(painter, style, rect(), onScreen, camera_.visible(), camera_.pixelsPerMillimetre(),
                 chosen < 0 ? Eigen::AlignedBox2d()
-                           : boxAround(shapes_[static_cast<std::size_t>(chosen)].edge));
+                           : geometry::boxAround(shapes_[static_cast<std::size_t>(chosen)].edge));
 }
 
 }  // namespace toile::app

@@ -11,7 +11,6 @@
 #include "app/marker/cloth_drag.h"
 #include "app/text/error_text.h"
 #include "core/geometry/polygon.h"
-#include "core/marker/cloth_parts.h"
 
 namespace toile::app {
 
@@ -38,57 +37,13 @@ bool liesAlike(const ClothGround& one, const ClothGround& other) {
            pattern.facings.size() == otherPattern.facings.size();
 }
 
-/// On sheets or hides: how many are used now.
-void layOnParts(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
-    std::vector<ClothPart> parts = cloth::clothParts(settings, marker.copies.size());
-    int last = -1;
-    double area = 0;
-    marker.length = 0;
-    for (LaidCopy& copy : marker.copies) {
-        const Points2 line = laidOutline(pattern, copy);
-        copy.sheet = cloth::partAt(parts, line.col(0).minCoeff());
-        last = std::max(last, copy.sheet);
-        area += std::abs(geometry::signedAreaOf(line));
-        marker.length = std::max(marker.length, line.col(0).maxCoeff());
-    }
-    parts.resize(static_cast<std::size_t>(last) + 1);
-    marker.parts = std::move(parts);
-    marker.sheets = last + 1;
-    marker.clothArea = 0;
-    for (const ClothPart& part : marker.parts) {
-        marker.clothArea += cloth::areaOf(part);
-    }
-    marker.use = marker.clothArea > 0 ? area / marker.clothArea : 0;
-}
-
-/// A marker in which copies lie where they are to: how long it is then, and how well used.
-void lay(ClothMarker& marker, const Pattern& pattern, const MarkerSettings& settings) {
-    if (!marker.isRoll) {
-        return layOnParts(marker, pattern, settings);
-    }
-    if (!(marker.length > 0)) {
-        return;
-    }
-    double end = 0;
-    for (const LaidCopy& copy : marker.copies) {
-        end = std::max(end, laidOutline(pattern, copy).col(0).maxCoeff());
-    }
-    const double length = std::max(end + settings.border, 1.0);
-    marker.use *= marker.length / length;
-    marker.clothArea *= length / marker.length;
-    marker.length = length;
-    for (ClothPart& part : marker.parts) {
-        part.outline.col(0) = (part.outline.col(0).array() > 0).select(length, part.outline.col(0));
-    }
-}
-
 /// On which sheet or hide a copy has come to lie; beyond all of them it stays of its own.
 int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
            const Placement& placement) {
     copy.placement = placement;
-    const double middle = boxAround(laidOutline(pattern, copy)).center().x();
+    const double middle = geometry::boxAround(laidOutline(pattern, copy)).center().x();
     for (std::size_t part = 0; part < marker.parts.size(); ++part) {
-        const Eigen::AlignedBox2d box = boxAround(marker.parts[part].outline);
+        const Eigen::AlignedBox2d box = geometry::boxAround(marker.parts[part].outline);
         if (box.min().x() <= middle && middle <= box.max().x()) {
             return static_cast<int>(part);
         }
@@ -419,7 +374,7 @@ void MarkerDesk::findMisplaced() {
     std::size_t dragged = 0;
     for (const LaidCopy& copy : marker_->copies) {
         dragged = copy.key == tried_->first ? boxes.size() : dragged;
-        boxes.push_back(boxAround(laidOutline(*pattern(), copy)));
+        boxes.push_back(geometry::boxAround(laidOutline(*pattern(), copy)));
     }
     std::vector<int> others, near;
     for (std::size_t copy = 0; copy < boxes.size(); ++copy) {
@@ -461,7 +416,7 @@ void MarkerDesk::compose() {
             copy.placement = place;
         }
         if (isMoved) {
-            lay(*marker_, *pattern(), plan_.settings);
+            measureMoved(*pattern(), plan_.settings, *marker_);
         }
         if (isByHand || isMoved) {  // else it is known to be well
             findMisplaced();

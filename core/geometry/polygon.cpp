@@ -36,6 +36,14 @@ bool isInside(const Polygon& closed, const Eigen::Vector2d& point) {
     return inside;
 }
 
+Eigen::AlignedBox2d boxAround(const Polygon& points) {
+    Eigen::AlignedBox2d box;
+    for (const auto& row : points.rowwise()) {
+        box.extend(row.transpose());
+    }
+    return box;
+}
+
 Polygon antiClockwise(const Polygon& closed) {
     return signedAreaOf(closed) < 0 ? Polygon(closed.colwise().reverse()) : closed;
 }

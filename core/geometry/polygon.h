@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace toile::geometry {
 
@@ -15,6 +16,8 @@ double perimeterOf(const Polygon& closed);
 double signedAreaOf(const Polygon& closed);
 /// By crossings of a ray, an odd number of them.
 bool isInside(const Polygon& closed, const Eigen::Vector2d& point);
+/// Empty where it has no point.
+Eigen::AlignedBox2d boxAround(const Polygon& points);
 /// The same line anti-clockwise: as it is, or from its last point to its first.
 Polygon antiClockwise(const Polygon& closed);
 

@@ -65,6 +65,17 @@ Points2 laidOutline(const Pattern& pattern, const LaidCopy& copy) {
                          copy.placement);
 }
 
+void measureMoved(const Pattern& pattern, const MarkerSettings& settings, ClothMarker& marker) {
+    const std::vector<ClothPart> parts = cloth::clothParts(settings, marker.copies.size());
+    marker.length = 0;
+    for (const LaidCopy& copy : marker.copies) {
+        const double end = laidOutline(pattern, copy).col(0).maxCoeff();
+        marker.length = std::max(marker.length, end + (parts.empty() ? settings.border : 0));
+    }
+    marker.length = std::max(marker.length, 1.0);
+    cloth::measureOn(parts, pattern, marker);
+}
+
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings) {
     const std::vector<ClothPart> parts = cloth::clothParts(settings, marker.copies.size());

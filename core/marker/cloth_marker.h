@@ -94,6 +94,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
+/// Measures a marker anew whose copies have been moved: parts, length, cloth and use. A roll ends
+/// by the border behind the last copy. Cost: linear.
+void measureMoved(const Pattern& pattern, const MarkerSettings& settings, ClothMarker& marker);
+
 /// Which laid copies lie on another, beyond the cloth, in a hole of it or in a zone too bad for
 /// them: by exact arithmetic, as indices. Gap and border are not looked at; a roll has no end.
 /// Cost: that of the edges in the common parts of boxes. Pure.

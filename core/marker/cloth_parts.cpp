@@ -121,4 +121,26 @@ double areaOf(const ClothPart& part) {
     return area;
 }
 
+void measureOn(const std::vector<ClothPart>& parts, const Pattern& pattern, ClothMarker& marker) {
+    double area = 0;
+    int last = -1;
+    for (LaidCopy& copy : marker.copies) {
+        const Polygon line = laidOutline(pattern, copy);
+        copy.sheet = partAt(parts, line.col(0).minCoeff());
+        last = std::max(last, copy.sheet);
+        area += std::abs(geometry::signedAreaOf(line));
+        marker.length = std::max(marker.length, line.col(0).maxCoeff());
+    }
+    marker.parts.assign(parts.begin(), parts.begin() + (parts.empty() ? 0 : last + 1));
+    marker.sheets = last + 1;
+    if (parts.empty()) {
+        marker.parts = {{rectangleOf(0, 0, marker.length, marker.width)}};
+    }
+    marker.clothArea = 0;
+    for (const ClothPart& part : marker.parts) {
+        marker.clothArea += areaOf(part);
+    }
+    marker.use = marker.clothArea > 0 ? area / marker.clothArea : 0;
+}
+
 }  // namespace toile::cloth

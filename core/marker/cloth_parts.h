@@ -21,6 +21,10 @@ double widthOnCloth(const MarkerSettings& settings, const Fabric& fabric);
 void addParts(const std::vector<ClothPart>& parts, const std::vector<int>& grades,
               NestInstance& instance);
 
+/// Of a marker whose copies lie where they are to: on which parts, how much of these is used. Its
+/// length is at least what it says, and up to the last copy.
+void measureOn(const std::vector<ClothPart>& parts, const Pattern& pattern, ClothMarker& marker);
+
 /// Index of the part in which a line lies, by its leftmost point.
 int partAt(const std::vector<ClothPart>& parts, double x);
 

@@ -309,28 +309,7 @@ struct MarkerNester::State {
                 copyOf(piece, piece.numbers[next[item]++], form.placement(placed)));
         }
         best.copies.insert(best.copies.end(), onTop.begin(), onTop.end());
-        double area = 0;
-        int last = -1;
-        for (LaidCopy& copy : best.copies) {
-            const Polygon line = cloth::lineOf(pieceOf(copy.piece), copy.isImage, copy.placement);
-            copy.sheet = cloth::partAt(parts, line.col(0).minCoeff());
-            last = std::max(last, copy.sheet);
-            area += std::abs(geometry::signedAreaOf(line));
-            best.length = std::max(best.length, line.col(0).maxCoeff());
-        }
-        best.parts.assign(parts.begin(), parts.begin() + (parts.empty() ? 0 : last + 1));
-        best.sheets = last + 1;
-        if (parts.empty()) {
-            ClothPart roll;
-            roll.outline.resize(4, 2);
-            roll.outline << 0, 0, best.length, 0, best.length, best.width, 0, best.width;
-            best.parts = {roll};
-        }
-        best.clothArea = 0;
-        for (const ClothPart& part : best.parts) {
-            best.clothArea += cloth::areaOf(part);
-        }
-        best.use = best.clothArea > 0 ? area / best.clothArea : 0;
+        cloth::measureOn(parts, *pattern, best);
     }
 
     std::map<std::string, int> missing{};  ///< copies for which there is no room

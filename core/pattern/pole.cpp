@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/geometry/buckets.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 
 namespace toile {
@@ -263,10 +264,6 @@ Vector2d centroid(const Points2& loop, const Eigen::AlignedBox2d& box) {
     return area != 0 && box.contains(middle) ? middle : box.center();
 }
 
-Eigen::AlignedBox2d boxAround(const Points2& loop) {
-    return {loop.colwise().minCoeff().transpose(), loop.colwise().maxCoeff().transpose()};
-}
-
 std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUnit, bool isRound,
                              const PoleSearch& search) {
     if (cloth.loops.empty() || cloth.loops.front().rows() < 3 || !cloth.loops.front().allFinite() ||
@@ -275,8 +272,8 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
     }
     const Eigen::Matrix2d toCloth = toUnit.inverse();
     const PoleLines lines(cloth, toUnit, isRound);
-    PoleSquares squares(lines, boxAround(cloth.loops.front() * toUnit.transpose()));
-    const Vector2d centre = centroid(cloth.loops.front(), boxAround(cloth.loops.front()));
+    PoleSquares squares(lines, geometry::boxAround(cloth.loops.front() * toUnit.transpose()));
+    const Vector2d centre = centroid(cloth.loops.front(), geometry::boxAround(cloth.loops.front()));
     // The centroid first: of equals it is the best.
     Pole best{centre, squares.roomAt(toUnit * centre)};
     const double atCentre = best.room;
@@ -296,7 +293,8 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
         return Pole{centre, atCentre};
     }
     double off = (best.place - centre).norm();
-    const double nearEnough = kNearEnough * boxAround(cloth.loops.front()).diagonal().norm();
+    const double nearEnough =
+        kNearEnough * geometry::boxAround(cloth.loops.front()).diagonal().norm();
     const Vector2d unitCentre = toUnit * centre;
     if (least < best.room) {
         squares.search([&](const PoleSquare& square) -> std::optional<double> {

@@ -22,14 +22,6 @@ constexpr double kSeamLineShare = 0.3;
 constexpr std::size_t kMostOuterLines = 2000;  // of a drawing
 constexpr double kMostSteps = 5e8;             // of looking what is in what
 
-Eigen::AlignedBox2d boxAround(const Points2& points) {
-    Eigen::AlignedBox2d box;
-    for (const auto& row : points.rowwise()) {
-        box.extend(row.transpose());
-    }
-    return box;
-}
-
 bool isClosedLine(const SvgLine& line) {
     const Eigen::Index last = line.points.rows() - 1;
     return last > 1 &&
@@ -115,7 +107,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
     std::vector<Eigen::AlignedBox2d> boxes;
     double steps = 0;
     for (const Closed& line : closed) {
-        const auto box = boxAround(line.points);
+        const auto box = geometry::boxAround(line.points);
         FilePiece* outer = nullptr;
         bool isThere = false;  // the same line once more, as of a fill and its edge
         for (std::size_t k = 0; k < pieces.size() && steps < kMostSteps && !outer; ++k) {
