@@ -3,6 +3,7 @@
 
 #include <QBuffer>
 #include <QGuiApplication>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -79,53 +80,57 @@ QByteArray drawnAsPng(const Document& document, const PictureOptions& options) {
     return !picture.isNull() && picture.save(&buffer, "PNG") ? png : QByteArray();
 }
 
+/// Draws what can be seen of a source; does nothing where nothing can be drawn.
+void drawWith(const ExportSource& source, const std::function<void(Document&)>& draw) {
+    makeApplication();
+    const auto context = makeEglContext();
+    if (context && hasGl()) {
+        Document document;
+        openIn(document, source);
+        draw(document);
+    }
+}
+
+PictureOptions optionsOf(const Document& document, QSize size, bool isDark = false) {
+    PictureOptions options;
+    options.size = size;
+    options.legend = isMeasured(document.view().overlay);
+    options.font = QFont("Sans Serif", 9);
+    options.palette = isDark ? darkPalette() : lightPalette();
+    return options;
+}
+
 }  // namespace
 
 std::vector<ReportPicture> reportPictures(const ExportSource& source) {
-    makeApplication();
-    const auto context = makeEglContext();
-    if (!context || !hasGl()) {
-        return {};
-    }
-    Document document;
-    openIn(document, source);
     std::vector<ReportPicture> pictures;
-    for (const auto& [overlay, caption] : kPictures) {
-        document.setOverlay(overlay);
-        PictureOptions options;
-        options.size = kPictureSize;
-        options.legend = isMeasured(overlay);
-        options.font = QFont("Sans Serif", 9);
-        options.palette = lightPalette();
-        const QByteArray png = drawnAsPng(document, options);
-        if (png.isEmpty()) {
-            return {};
+    drawWith(source, [&pictures](Document& document) {
+        for (const auto& [overlay, caption] : kPictures) {
+            document.setOverlay(overlay);
+            const QByteArray png = drawnAsPng(document, optionsOf(document, kPictureSize));
+            if (png.isEmpty()) {
+                return pictures.clear();
+            }
+            pictures.push_back({caption, png.toBase64().toStdString()});
         }
-        pictures.push_back({caption, png.toBase64().toStdString()});
-    }
+    });
     return pictures;
 }
 
 std::string proofPicture(const ExportSource& source, const std::shared_ptr<const Proof>& proof,
                          const ProofPicture& wanted) {
-    makeApplication();
-    const auto context = makeEglContext();
-    if (!context || !hasGl()) {
-        return {};
-    }
-    Document document;
-    openIn(document, source);
-    document.setOverlay(wanted.overlay);
-    showProof(document, proof);
-    PictureOptions options;
-    options.size = QSize(wanted.width, wanted.height);
-    options.views = wanted.views;
-    options.direction = wanted.direction;
-    options.legend = isMeasured(wanted.overlay);
-    options.sewn = wanted.sewn;
-    options.font = QFont("Sans Serif", 9);
-    options.palette = wanted.dark ? darkPalette() : lightPalette();
-    return drawnAsPng(document, options).toStdString();
+    std::string picture;
+    drawWith(source, [&](Document& document) {
+        document.setOverlay(wanted.overlay);
+        showProof(document, proof);
+        PictureOptions options =
+            optionsOf(document, QSize(wanted.width, wanted.height), wanted.dark);
+        options.views = wanted.views;
+        options.direction = wanted.direction;
+        options.sewn = wanted.sewn;
+        picture = drawnAsPng(document, options).toStdString();
+    });
+    return picture;
 }
 
 }  // namespace toile::app

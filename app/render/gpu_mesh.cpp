@@ -33,9 +33,34 @@ constexpr VertexAttribute kGlyphAttributes[] = {
     {6, 1, offsetof(GlyphVertex, piece)},
 };
 
+/// What goes into a buffer.
+struct BufferData {
+    const void* data;
+    std::size_t bytes, stride;
+    GLenum usage;
+};
+
 /// Bytes into the bound buffer, which OpenGL takes as a pointer.
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
+}
+
+/// Fills a buffer and tells the bound vertex array, which it leaves, where the attributes lie;
+/// without bytes every vertex has zeros.
+void fill(GLuint buffer, const BufferData& from, std::span<const VertexAttribute> attributes) {
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(from.bytes), from.data, from.usage);
+    for (const VertexAttribute& attribute : attributes) {
+        if (from.bytes == 0) {
+            glDisableVertexAttribArray(attribute.location);
+            continue;
+        }
+        glEnableVertexAttribArray(attribute.location);
+        glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
+                              static_cast<GLsizei>(from.stride), bufferOffset(attribute.offset));
+    }
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 }  // namespace
@@ -46,15 +71,7 @@ void GpuBuffers::uploadBytes(const void* data, std::size_t bytes, std::size_t st
     glGenBuffers(1, &vertices_);
     glGenVertexArrays(1, &array_);
     glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
-    for (const VertexAttribute& attribute : attributes) {
-        glEnableVertexAttribArray(attribute.location);
-        glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
-                              static_cast<GLsizei>(stride), bufferOffset(attribute.offset));
-    }
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    fill(vertices_, {data, bytes, stride, GL_STATIC_DRAW}, attributes);
     counts_.uploadedBytes += bytes;
 }
 
@@ -67,19 +84,7 @@ void GpuBuffers::besideBytes(const void* data, std::size_t bytes, std::size_t st
         glGenBuffers(1, &beside_);
     }
     glBindVertexArray(array_);
-    glBindBuffer(GL_ARRAY_BUFFER, beside_);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), data, GL_DYNAMIC_DRAW);
-    for (const VertexAttribute& attribute : attributes) {
-        if (bytes == 0) {  // then every vertex has zeros
-            glDisableVertexAttribArray(attribute.location);
-            continue;
-        }
-        glEnableVertexAttribArray(attribute.location);
-        glVertexAttribPointer(attribute.location, attribute.size, GL_FLOAT, GL_FALSE,
-                              static_cast<GLsizei>(stride), bufferOffset(attribute.offset));
-    }
-    glBindVertexArray(0);
-    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    fill(beside_, {data, bytes, stride, GL_DYNAMIC_DRAW}, attributes);
     counts_.uploadedBytes += bytes;
 }
 
