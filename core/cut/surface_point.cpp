@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cut/surface_point.h"
 
-#include <cstdint>
-#include <limits>
+#include "core/cut/nearest_search.h"
 
 namespace toile {
 
@@ -53,32 +52,10 @@ Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3
     return {1 - weights[1] - weights[2], weights[1], weights[2]};
 }
 
-NearestSurface::NearestSurface(const MeshArrays& mesh)
-    : mesh_(mesh),
-      tree_(mesh.V.data(), 3,
-            {reinterpret_cast<const std::uint32_t*>(mesh.F.data()),  // indices are not negative
-             static_cast<std::size_t>(mesh.F.size())}) {}
+NearestSurface::NearestSurface(const MeshArrays& mesh) : mesh_(mesh), tree_(treeOf(mesh)) {}
 
 SurfacePoint NearestSurface::find(const Eigen::Vector3d& p) const {
-    SurfacePoint best{0, {1, 0, 0}};  // of a point so far away that no distance is a number
-    double least = std::numeric_limits<double>::infinity();
-    const auto distanceTo = [&](const auto& box) {
-        const Eigen::Map<const Eigen::Vector3d> low(box.low.data()), high(box.high.data());
-        const double distance = (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-        return distance > least ? decltype(tree_)::kMissed : distance;
-    };
-    tree_.search(distanceTo, [&](std::uint32_t triangle) {
-        const int f = static_cast<int>(triangle);
-        const SurfacePoint point{
-            f, nearestInTriangle(p, mesh_.V.row(mesh_.F(f, 0)), mesh_.V.row(mesh_.F(f, 1)),
-                                 mesh_.V.row(mesh_.F(f, 2)))};
-        const double distance = (positionOf(mesh_, point) - p).squaredNorm();
-        if (distance < least || (distance == least && f < best.face)) {
-            least = distance;
-            best = point;
-        }
-    });
-    return best;
+    return nearestOn(mesh_, tree_, p);
 }
 
 }  // namespace toile

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
+#include "core/cut/nearest_search.h"
 #include "core/mesh/edge_table.h"
 
 namespace toile::sew {
@@ -49,11 +49,7 @@ Eigen::Matrix3d pastCorner(const Eigen::Vector3d& offset, const Eigen::Vector3d&
 
 }  // namespace
 
-WornSurface::WornSurface(MeshArrays mesh)
-    : mesh_(std::move(mesh)),
-      tree_(mesh_.V.data(), 3,
-            {reinterpret_cast<const std::uint32_t*>(mesh_.F.data()),  // indices are not negative
-             static_cast<std::size_t>(mesh_.F.size())}) {
+WornSurface::WornSurface(MeshArrays mesh) : mesh_(std::move(mesh)), tree_(treeOf(mesh_)) {
     const EdgeTable table = buildEdgeTable(mesh_.F, static_cast<int>(mesh_.V.rows()));
     faceEdges_ = table.faceEdges;
     faceNormals_.resize(mesh_.F.rows(), 3);
@@ -97,34 +93,8 @@ WornSurface::WornSurface(MeshArrays mesh)
     }
 }
 
-SurfacePoint WornSurface::nearest(const Eigen::Vector3d& p, int near) const {
-    SurfacePoint best{0, {1, 0, 0}};
-    double least = std::numeric_limits<double>::infinity();
-    const auto visit = [&](std::uint32_t triangle) {
-        const int f = static_cast<int>(triangle);
-        const SurfacePoint point{
-            f, nearestInTriangle(p, mesh_.V.row(mesh_.F(f, 0)), mesh_.V.row(mesh_.F(f, 1)),
-                                 mesh_.V.row(mesh_.F(f, 2)))};
-        const double distance = (positionOf(mesh_, point) - p).squaredNorm();
-        if (distance < least || (distance == least && f < best.face)) {
-            least = distance;
-            best = point;
-        }
-    };
-    if (near >= 0) {
-        visit(static_cast<std::uint32_t>(near));
-    }
-    const auto distanceTo = [&](const auto& box) {
-        const Eigen::Map<const Eigen::Vector3d> low(box.low.data()), high(box.high.data());
-        const double distance = (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
-        return distance > least ? decltype(tree_)::kMissed : distance;
-    };
-    tree_.search(distanceTo, visit);
-    return best;
-}
-
 WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p, int near) const {
-    const SurfacePoint found = nearest(p, near);
+    const SurfacePoint found = nearestOn(mesh_, tree_, p, near);
     const int f = found.face;
     const Eigen::Vector3d offset = p - positionOf(mesh_, found);
     int zeros = 0, zero = 0, other = 0;
@@ -170,7 +140,7 @@ WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p, int near) cons
 }
 
 double WornSurface::distanceTo(const Eigen::Vector3d& p) const {
-    return (p - positionOf(mesh_, nearest(p, -1))).norm();
+    return (p - positionOf(mesh_, nearestOn(mesh_, tree_, p))).norm();
 }
 
 }  // namespace toile::sew

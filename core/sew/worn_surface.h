@@ -39,8 +39,6 @@ public:
     const MeshArrays& mesh() const { return mesh_; }
 
 private:
-    SurfacePoint nearest(const Eigen::Vector3d& p, int near) const;
-
     const MeshArrays mesh_;
     geometry::TriangleTree<3, double> tree_;
     Triangles faceEdges_;

@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "core/cut/surface_point.h"
+#include "core/cut/nearest_search.h"
 #include "core/symmetry/garment_surface.h"
 
 namespace toile {
@@ -62,15 +62,16 @@ class PlaneSearch {
 public:
     PlaneSearch(const GarmentSurface& surface, const Progress& progress)
         : surface_(surface),
-          nearest_(surface.mesh),
+          tree_(treeOf(surface.mesh)),
           radius_(surface.radius()),
           progress_(progress) {}
 
     /// The plane where the rounds come to rest, or the last.
     MirrorPlane improved(MirrorPlane plane, int most) const {
         const std::vector<int> vertices = surface_.sampled(most);
+        std::vector<int> faces(vertices.size(), -1);
         for (int round = 0; round < kRounds && !progress_.isCancelled(); ++round) {
-            ReflectedPairs pairs = pairsOf(vertices, plane);
+            ReflectedPairs pairs = pairsOf(vertices, plane, faces);
             leaveOutFarPairs(pairs);
             if (!(pairs.weight.sum() > 0)) {
                 break;
@@ -87,7 +88,9 @@ public:
 
     /// The plane with its deviation.
     MirrorPlane measured(MirrorPlane plane, int most) const {
-        const ReflectedPairs pairs = pairsOf(surface_.sampled(most), plane);
+        const std::vector<int> vertices = surface_.sampled(most);
+        std::vector<int> faces(vertices.size(), -1);
+        const ReflectedPairs pairs = pairsOf(vertices, plane, faces);
         const double square = pairs.weight.dot(pairs.distance.cwiseAbs2()) / pairs.weight.sum();
         plane.deviation = std::sqrt(square);
         plane.farthest = pairs.distance.maxCoeff();
@@ -95,14 +98,19 @@ public:
     }
 
 private:
-    ReflectedPairs pairsOf(const std::vector<int>& vertices, const MirrorPlane& plane) const {
+    /// @param faces  that images lay on in the round before, or -1; those of this round come out
+    ReflectedPairs pairsOf(const std::vector<int>& vertices, const MirrorPlane& plane,
+                           std::vector<int>& faces) const {
         const auto count = static_cast<Eigen::Index>(vertices.size());
         ReflectedPairs pairs{Points3::Zero(count, 3), Points3::Zero(count, 3),
                              Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
         for (Eigen::Index i = 0; i < count && !progress_.isCancelled(); ++i) {
             const int v = vertices[static_cast<std::size_t>(i)];
             const Eigen::Vector3d image = plane.reflected(surface_.mesh.V.row(v));
-            const Eigen::Vector3d there = positionOf(surface_.mesh, nearest_.find(image));
+            int& face = faces[static_cast<std::size_t>(i)];
+            const SurfacePoint nearest = nearestOn(surface_.mesh, tree_, image, face);
+            face = nearest.face;
+            const Eigen::Vector3d there = positionOf(surface_.mesh, nearest);
             pairs.from.row(i) = surface_.mesh.V.row(v);
             pairs.to.row(i) = there;
             pairs.distance[i] = (there - image).norm();
@@ -120,7 +128,7 @@ private:
     }
 
     const GarmentSurface& surface_;
-    NearestSurface nearest_;
+    geometry::TriangleTree<3, double> tree_;
     double radius_;
     const Progress& progress_;
 };
