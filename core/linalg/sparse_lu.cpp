@@ -5,6 +5,8 @@
 
 #include <umfpack.h>
 
+#include "core/linalg/blas_call.h"
+
 namespace toile::linalg {
 namespace {
 
@@ -33,6 +35,10 @@ Error failureOf(int status) {
 
 Result<Eigen::MatrixXd> solveUnsymmetric(const std::vector<Eigen::Triplet<double>>& entries,
                                          const Eigen::MatrixXd& B) {
+    const BlasCall blas;
+    if (blas.room() == 0) {
+        return failureOf(UMFPACK_ERROR_out_of_memory);
+    }
     Eigen::SparseMatrix<double> A(B.rows(), B.rows());
     A.setFromTriplets(entries.begin(), entries.end());
     const int* const start = A.outerIndexPtr();

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/linalg/front_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <utility>
+
+#include "core/linalg/cholmod_workspace.h"
+
+namespace toile::linalg {
+namespace {
+
+/// What is below this part of all the work is one task: enough of them to keep a few threads busy.
+constexpr double kWholeTask = 1.0 / 24;
+
+/// CHOLMOD's supernodes are the fronts.
+Result<void> layFronts(const SymmetricMatrix& pattern, const std::vector<int>& order,
+                       FrontTree& tree) {
+    CholmodWorkspace workspace;
+    cholmod_common& common = workspace.common;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+    cholmod_sparse view = cholmodView(pattern);
+    cholmod_factor* factor = cholmod_analyze_p(
+        &view, order.empty() ? nullptr : const_cast<int*>(order.data()), nullptr, 0, &common);
+    if (factor == nullptr) {
+        return Error{ErrorCode::OutOfMemory, {}, "ordering"};
+    }
+    const int* const perm = static_cast<const int*>(factor->Perm);
+    const int* const super = static_cast<const int*>(factor->super);
+    const int* const start = static_cast<const int*>(factor->pi);
+    const int* const row = static_cast<const int*>(factor->s);
+    tree.order.assign(perm, perm + factor->n);
+    tree.row.assign(row, row + factor->ssize);
+    tree.fronts.resize(factor->nsuper);
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
+        Front& front = tree.fronts[s];
+        front.first = super[s];
+        front.columns = super[s + 1] - super[s];
+        front.rows = start[s + 1] - start[s];
+        front.rowStart = static_cast<std::size_t>(start[s]);
+        front.start = tree.factorSize;
+        tree.factorSize += static_cast<std::size_t>(front.rows) * front.columns;
+    }
+    cholmod_free_factor(&factor, &common);
+    return {};
+}
+
+/// Which front eliminates each place of the order.
+std::vector<int> frontOfPlace(const FrontTree& tree) {
+    std::vector<int> frontOf(tree.order.size());
+    for (int s = 0; s < static_cast<int>(tree.fronts.size()); ++s) {
+        const Front& front = tree.fronts[s];
+        std::fill_n(frontOf.begin() + front.first, front.columns, s);
+    }
+    return frontOf;
+}
+
+void findParents(const std::vector<int>& frontOf, FrontTree& tree) {
+    tree.placeInParent.assign(tree.row.size(), -1);
+    for (Front& front : tree.fronts) {
+        if (front.left() == 0) {
+            continue;
+        }
+        const int* const rows = &tree.row[front.rowStart];
+        front.parent = frontOf[rows[front.columns]];
+        const Front& parent = tree.fronts[front.parent];
+        const int* const ofParent = &tree.row[parent.rowStart];
+        int place = 0;
+        for (int k = front.columns; k < front.rows; ++k) {
+            while (ofParent[place] != rows[k]) {
+                ++place;
+                assert(place < parent.rows);
+            }
+            tree.placeInParent[front.rowStart + k] = place;
+        }
+    }
+}
+
+/// Where the matrix's entries go.
+void placeEntries(const SymmetricMatrix& pattern, const std::vector<int>& frontOf,
+                  FrontTree& tree) {
+    std::vector<int> placeOf(tree.order.size());
+    for (int k = 0; k < pattern.size; ++k) {
+        placeOf[tree.order[k]] = k;
+    }
+    tree.place.resize(pattern.row.size());
+    tree.entries = geometry::Buckets<>(static_cast<int>(tree.fronts.size()), [&](auto add) {
+        for (int j = 0; j < pattern.size; ++j) {
+            for (int k = pattern.columnStart[j]; k < pattern.columnStart[j + 1]; ++k) {
+                add(frontOf[std::min(placeOf[j], placeOf[pattern.row[k]])], k);
+            }
+        }
+    });
+    for (int j = 0; j < pattern.size; ++j) {
+        for (int k = pattern.columnStart[j]; k < pattern.columnStart[j + 1]; ++k) {
+            const auto [column, row] = std::minmax(placeOf[j], placeOf[pattern.row[k]]);
+            const Front& front = tree.fronts[frontOf[column]];
+            const auto first = tree.row.begin() + static_cast<std::ptrdiff_t>(front.rowStart);
+            const auto found = std::lower_bound(first, first + front.rows, row);
+            tree.place[k] = (column - front.first) * front.rows + static_cast<int>(found - first);
+        }
+    }
+}
+
+/// Multiplications of each front.
+double workOf(const Front& front) {
+    const double columns = front.columns, left = front.left();
+    return columns * (columns * columns / 3 + columns * left + left * left);
+}
+
+void findTasks(FrontTree& tree) {
+    const int count = static_cast<int>(tree.fronts.size());
+    std::vector<double> below(tree.fronts.size());  // work of all below it, and its own
+    std::vector<int> firstBelow(tree.fronts.size());
+    double whole = 0;
+    for (int s = 0; s < count; ++s) {
+        below[s] += workOf(tree.fronts[s]);
+        whole += workOf(tree.fronts[s]);
+        firstBelow[s] = tree.children[s].empty() ? s : firstBelow[tree.children[s].front()];
+        if (tree.fronts[s].parent >= 0) {
+            below[tree.fronts[s].parent] += below[s];
+        }
+    }
+    const auto isShared = [&](int s) { return s < 0 || below[s] > kWholeTask * whole; };
+    std::vector<int> taskOf(tree.fronts.size(), -1);  // of its last front
+    for (int s = 0; s < count; ++s) {
+        if (isShared(tree.fronts[s].parent) || isShared(s)) {
+            taskOf[s] = static_cast<int>(tree.tasks.size());
+            tree.tasks.push_back({isShared(s) ? s : firstBelow[s], s, -1, 0});
+        }
+    }
+    for (int t = static_cast<int>(tree.tasks.size()) - 1; t >= 0; --t) {
+        FrontTask& task = tree.tasks[t];
+        const Front& last = tree.fronts[task.last];
+        task.way = task.first == task.last ? workOf(last) : below[task.last];
+        if (last.parent >= 0) {
+            task.parent = taskOf[last.parent];
+            task.way += tree.tasks[task.parent].way;
+        }
+    }
+    tree.taskChildren = geometry::Buckets<>(static_cast<int>(tree.tasks.size()), [&tree](auto add) {
+        for (int t = 0; t < static_cast<int>(tree.tasks.size()); ++t) {
+            if (tree.tasks[t].parent >= 0) {
+                add(tree.tasks[t].parent, t);
+            }
+        }
+    });
+}
+
+/// Each task has two stacks in turns: a front at an even depth leaves its rest on one, and takes up
+/// from the other what its children left on top of it.
+void layStacks(FrontTree& tree) {
+    std::vector<unsigned char> depth(tree.fronts.size());
+    for (int s = static_cast<int>(tree.fronts.size()) - 1; s >= 0; --s) {
+        const int parent = tree.fronts[s].parent;
+        depth[s] = static_cast<unsigned char>(parent >= 0 && depth[parent] == 0);
+    }
+    for (const FrontTask& task : tree.tasks) {
+        std::array<std::size_t, 2> top{}, highest{};
+        for (int s = task.first; s <= task.last; ++s) {
+            Front& front = tree.fronts[s];
+            const int stack = depth[s];
+            front.kept = top[stack];
+            top[stack] += static_cast<std::size_t>(front.left()) * front.left();
+            highest[stack] = std::max(highest[stack], top[stack]);
+            const auto children = tree.children[s];
+            if (!children.empty() && children.front() >= task.first) {
+                top[1 - stack] = tree.fronts[children.front()].kept;
+            }
+        }
+        for (int s = task.first; s <= task.last; ++s) {
+            tree.fronts[s].kept += tree.workSize + (depth[s] != 0 ? highest[0] : 0);
+        }
+        tree.workSize += highest[0] + highest[1];
+    }
+}
+
+}  // namespace
+
+Result<FrontTree> frontTree(const SymmetricMatrix& pattern, const std::vector<int>& order) {
+    FrontTree tree;
+    if (const auto done = layFronts(pattern, order, tree); !done) {
+        return done.error();
+    }
+    const std::vector<int> frontOf = frontOfPlace(tree);
+    findParents(frontOf, tree);
+    placeEntries(pattern, frontOf, tree);
+    tree.children = geometry::Buckets<>(static_cast<int>(tree.fronts.size()), [&tree](auto add) {
+        for (int s = 0; s < static_cast<int>(tree.fronts.size()); ++s) {
+            if (tree.fronts[s].parent >= 0) {
+                add(tree.fronts[s].parent, s);
+            }
+        }
+    });
+    findTasks(tree);
+    layStacks(tree);
+    return tree;
+}
+
+}  // namespace toile::linalg
