@@ -11,6 +11,9 @@ namespace {
 /// of this size can have: N/mm³.
 constexpr double kDamping = 1e-4;
 
+/// Cloth nearer to cloth than this times its thickness may soon touch it.
+constexpr double kNearlyTouching = 3;
+
 constexpr double kGramsPerArea = 1e-9;  // g/m² m/s² in N/mm²
 
 /// What gravity does to the vertices, N.
@@ -30,7 +33,7 @@ Eigen::VectorXd weightsOf(const Cloth& cloth, const SettleOptions& options) {
 }  // namespace
 
 ClothForces::ClothForces(const Cloth& cloth, const WornSurface& surface,
-                         const SettleOptions& options)
+                         const SettleOptions& options, const Progress& progress)
     : cloth_(cloth),
       options_(options),
       areas_(vertexAreas(cloth)),
@@ -42,6 +45,9 @@ ClothForces::ClothForces(const Cloth& cloth, const WornSurface& surface,
       bentH_(pairs(), static_cast<int>(cloth.X.rows())),
       H_(bentH_) {
     bending_.addHessian(bentH_);
+    if (options.touchesItself) {
+        self_.emplace(cloth, options.thickness, options.threads, progress);
+    }
     if (std::ranges::count(sewn_, 1) == 0) {
         std::ranges::fill(sewn_, 1);
     }
@@ -59,14 +65,14 @@ void ClothForces::hold(const ClothHold& hold) {
 }
 
 ClothForces::Point ClothForces::at(Points3 X) const {
-    Point point{std::move(X), {}, 0, 0};
+    Point point{.X = std::move(X)};
     point.places = contact_.placesOf(point.X);
     weigh(point);
     return point;
 }
 
 ClothForces::Point ClothForces::at(Points3 X, const Point& before) const {
-    Point point{std::move(X), {}, 0, 0};
+    Point point{.X = std::move(X)};
     point.places =
         hold_.contact > 0 ? contact_.placesOf(point.X, before.X, before.places) : before.places;
     weigh(point);
@@ -74,11 +80,15 @@ ClothForces::Point ClothForces::at(Points3 X, const Point& before) const {
 }
 
 void ClothForces::weigh(Point& point) const {
+    if (touchesItself()) {
+        point.touches = self_->touchesAt(point.X, self_->thickness());
+    }
     const Points3 moved = point.X - cloth_.X;
     const double parts[] = {
         membrane_.energy(point.X),
         bending_.energy(point.X),
         hold_.contact > 0 ? contact_.energy(point.places) : 0,
+        touchesItself() ? self_->energy(point.touches, selfStiffness()) : 0,
         hold_.pin / 2 * areas_.dot(moved.rowwise().squaredNorm()),
         weights_.dot(moved.col(1)),
     };
@@ -96,14 +106,23 @@ Points3 ClothForces::gradient(const Point& point) const {
     if (hold_.contact > 0) {
         contact_.addGradient(point.places, g);
     }
+    if (touchesItself()) {
+        self_->addGradient(point.touches, selfStiffness(), g);
+    }
     return g;
 }
 
 const linalg::SymmetricMatrix& ClothForces::hessian(const Point& point, double caution) {
+    if (touchesItself()) {
+        layOut(point);
+    }
     H_ = bentH_;
-    membrane_.addHessian(point.X, H_);
+    membrane_.addHessian(point.X, H_, options_.threads);
     if (hold_.contact > 0) {
         contact_.addHessian(point.places, std::min(caution, 1.0), H_);
+    }
+    if (touchesItself()) {
+        self_->addHessian(point.touches, selfStiffness(), H_);
     }
     for (Eigen::Index v = 0; v < areas_.size(); ++v) {
         H_.addToDiagonal(static_cast<int>(v), (hold_.pin + caution * kDamping) * areas_[v]);
@@ -126,6 +145,30 @@ void ClothForces::judge(const Point& point, const Points3& g, SettledCloth& resu
         }
     }
     result.seamForce = std::sqrt(sum / count);
+}
+
+double ClothForces::freeWay(const Point& point, const Points3& step) const {
+    return touchesItself() ? self_->freeWay(point.X, step) : 1;
+}
+
+void ClothForces::layOut(const Point& point) {
+    std::vector<std::pair<int, int>> now;
+    self_->addPairs(point.touches, now);
+    const auto isKnown = [this](const auto& pair) {
+        return std::ranges::binary_search(touching_, pair);
+    };
+    if (std::ranges::all_of(now, isKnown)) {
+        return;
+    }
+    // With those that may touch next, so that the pattern lasts for some steps.
+    touching_.clear();
+    self_->addPairs(self_->touchesAt(point.X, kNearlyTouching * self_->thickness()), touching_);
+    std::ranges::sort(touching_);
+    std::vector<std::pair<int, int>> all = pairs();
+    all.insert(all.end(), touching_.begin(), touching_.end());
+    bentH_ = SpaceMatrix(std::move(all), static_cast<int>(cloth_.X.rows()));
+    bending_.addHessian(bentH_);
+    ++layout_;
 }
 
 std::vector<std::pair<int, int>> ClothForces::pairs() const {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/sew/membrane.h"
 
+#include <algorithm>
+
 #include <Eigen/Eigenvalues>
+
+#include "core/sew/side_by_side.h"
 
 namespace toile::sew {
 namespace {
@@ -25,7 +29,15 @@ Eigen::Matrix2d tensionOf(const Eigen::Matrix2d& stress) {
 }  // namespace
 
 Membrane::Membrane(const Cloth& cloth, const PieceStiffness& stiffness)
-    : cloth_(cloth), rest_(restShapes(cloth)), moduli_(pieceCount(cloth)) {
+    : cloth_(cloth),
+      rest_(restShapes(cloth)),
+      corners_(static_cast<int>(cloth.X.rows()),
+               [&cloth](auto add) {
+                   for (int corner = 0; corner < static_cast<int>(cloth.F.size()); ++corner) {
+                       add(cloth.F(corner / 3, corner % 3), corner);
+                   }
+               }),
+      moduli_(pieceCount(cloth)) {
     for (std::size_t piece = 0; piece < moduli_.size(); ++piece) {
         const ClothStiffness& of = stiffnessOf(stiffness, static_cast<int>(piece));
         moduli_[piece] << of.weft, of.coupling, 0,  //
@@ -71,26 +83,43 @@ void Membrane::addForceSizes(const Points3& X, Eigen::VectorXd& sizes) const {
     forEachForce(X, [&](int v, const Eigen::Vector3d& force) { sizes[v] += force.norm(); });
 }
 
-void Membrane::addHessian(const Points3& X, SpaceMatrix& H) const {
-    for (Eigen::Index f = 0; f < cloth_.F.rows(); ++f) {
-        const RestShape& rest = rest_[f];
-        const Deformation F = deformation(rest, cloth_.F, f, X);
-        const Eigen::Matrix2d tension = tensionOf(stress(f, greenStrain(F)));
-        Eigen::Matrix3d byStrain[3];  // derivatives of E11, E22 and 2 E12 by each corner
-        for (int k = 0; k < 3; ++k) {
-            const Eigen::Vector2d& b = rest.b[k];
-            byStrain[k] << F.col(0) * b[0], F.col(1) * b[1], F.col(0) * b[1] + F.col(1) * b[0];
-        }
-        for (int i = 0; i < 3; ++i) {
-            const Eigen::Matrix3d pulled = rest.area * byStrain[i] * moduliOf(f);
-            for (int j = 0; j <= i; ++j) {
-                const double along = rest.area * rest.b[i].dot(tension * rest.b[j]);
-                Eigen::Matrix3d block = pulled * byStrain[j].transpose();
+void Membrane::addHessian(const Points3& X, SpaceMatrix& H, int threads) const {
+    struct Pull {
+        Deformation F;
+        Eigen::Matrix2d tension;
+    };
+    std::vector<Pull> pulls(rest_.size());
+    sideBySide(threads, pulls.size(), [&](std::size_t f) {
+        const auto row = static_cast<Eigen::Index>(f);
+        pulls[f].F = deformation(rest_[f], cloth_.F, row, X);
+        pulls[f].tension = tensionOf(stress(row, greenStrain(pulls[f].F)));
+    });
+    // Derivatives of E11, E22 and 2 E12 by a corner.
+    const auto byStrain = [](const Deformation& F, const Eigen::Vector2d& b) {
+        Eigen::Matrix3d by;
+        by << F.col(0) * b[0], F.col(1) * b[1], F.col(0) * b[1] + F.col(1) * b[0];
+        return by;
+    };
+    // A pair of corners is added where the smaller of their vertices is: nobody else writes there.
+    sideBySide(threads, static_cast<std::size_t>(X.rows()), [&](std::size_t vertex) {
+        const int v = static_cast<int>(vertex);
+        for (const int corner : corners_[v]) {
+            const int f = corner / 3;
+            const RestShape& rest = rest_[f];
+            for (int k = 0; k < 3; ++k) {
+                if (cloth_.F(f, k) < v) {
+                    continue;
+                }
+                const int other = corner % 3, i = std::max(k, other), j = std::min(k, other);
+                const double along = rest.area * rest.b[i].dot(pulls[f].tension * rest.b[j]);
+                const Eigen::Matrix3d pulled =
+                    rest.area * byStrain(pulls[f].F, rest.b[i]) * moduliOf(f);
+                Eigen::Matrix3d block = pulled * byStrain(pulls[f].F, rest.b[j]).transpose();
                 block.diagonal().array() += along;
                 H.add(cloth_.F(f, i), cloth_.F(f, j), block);
             }
         }
-    }
+    });
 }
 
 void Membrane::addPairs(std::vector<std::pair<int, int>>& pairs) const {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/buckets.h"
 #include "core/sew/cloth.h"
 #include "core/sew/cloth_stiffness.h"
 #include "core/sew/space_matrix.h"
@@ -24,8 +25,9 @@ public:
     /// Adds the derivative by every coordinate: minus the forces on the vertices, N.
     void addGradient(const Points3& X, Points3& g) const;
     /// Adds the second derivative, N/mm, made positive semidefinite triangle by triangle: the part
-    /// of the strain's change is so by itself, of that of the stress only tension is taken.
-    void addHessian(const Points3& X, SpaceMatrix& H) const;
+    /// of the strain's change is so by itself, of that of the stress only tension is taken. The
+    /// same bytes for any number of threads.
+    void addHessian(const Points3& X, SpaceMatrix& H, int threads = 1) const;
     /// Adds per vertex the sizes of its triangles' forces, N: what balances there.
     void addForceSizes(const Points3& X, Eigen::VectorXd& sizes) const;
     /// The vertices that act on each other.
@@ -40,6 +42,7 @@ private:
 
     const Cloth& cloth_;
     std::vector<RestShape> rest_;
+    geometry::Buckets<> corners_;          ///< 3 f + k: the triangles' corners at each vertex
     std::vector<Eigen::Matrix3d> moduli_;  ///< per piece: from (E11, E22, 2 E12), N/mm
 };
 

@@ -126,10 +126,10 @@ private:
 
 class SeamSewer {
 public:
-    SeamSewer(const Garment& garment, const std::vector<PatternPart>& parts)
-        : garment_(garment), parts_(parts) {
-        for (std::size_t p = 0; p < parts.size(); ++p) {
-            divided_.emplace_back(*garment.pieces[p], parts[p].flat);
+    SeamSewer(const Garment& garment, const std::vector<Points2>& flat)
+        : garment_(garment), flat_(flat) {
+        for (std::size_t p = 0; p < flat.size(); ++p) {
+            divided_.emplace_back(*garment.pieces[p], flat[p]);
         }
     }
 
@@ -156,7 +156,7 @@ public:
         CutCloth cut;
         std::vector<int> first;
         Eigen::Index points = 0, faces = 0;
-        for (std::size_t p = 0; p < parts_.size(); ++p) {
+        for (std::size_t p = 0; p < flat_.size(); ++p) {
             first.push_back(static_cast<int>(points));
             points += isHere(p) ? divided_[p].V.rows() : 0;
             faces += isHere(p) ? divided_[p].F.rows() : 0;
@@ -165,17 +165,12 @@ public:
         cut.V.resize(points, 3);
         cut.F.resize(faces, 3);
         Eigen::Index f = 0;
-        for (std::size_t p = 0; p < parts_.size(); ++p) {
+        for (std::size_t p = 0; p < flat_.size(); ++p) {
             if (!isHere(p)) {
                 continue;
             }
             const DividedPiece& piece = divided_[p];
-            const double turn = std::numbers::pi / 2 - parts_[p].warp;
-            Eigen::Matrix2d rotation;  // of rows
-            rotation << std::cos(turn), std::sin(turn), -std::sin(turn), std::cos(turn);
-            const bool isUpright = turn == 0;  // then to the last bit
-            cut.Q.middleRows(first[p], piece.Q.rows()) =
-                isUpright ? piece.Q : Points2(piece.Q * rotation);
+            cut.Q.middleRows(first[p], piece.Q.rows()) = piece.Q;
             cut.V.middleRows(first[p], piece.V.rows()) = piece.V;
             cut.F.middleRows(f, piece.F.rows()) = piece.F.array() + first[p];
             f += piece.F.rows();
@@ -189,7 +184,7 @@ public:
     }
 
 private:
-    bool isHere(std::size_t piece) const { return parts_[piece].flat.rows() > 0; }
+    bool isHere(std::size_t piece) const { return flat_[piece].rows() > 0; }
     bool isHere(const SeamSide& side) const {
         return side.piece >= 0 && isHere(static_cast<std::size_t>(side.piece));
     }
@@ -221,7 +216,7 @@ private:
     }
 
     const Garment& garment_;
-    const std::vector<PatternPart>& parts_;
+    const std::vector<Points2>& flat_;
     std::vector<DividedPiece> divided_;
     using Vertex = std::pair<int, int>;  ///< piece, vertex of it
     std::vector<std::pair<Vertex, Vertex>> sewn_;
@@ -229,30 +224,8 @@ private:
 
 }  // namespace
 
-std::vector<PatternPart> partsOf(const PieceResults& results) {
-    std::vector<PatternPart> parts;
-    for (const auto& result : results) {
-        parts.emplace_back();
-        if (result && result->flat) {
-            parts.back().flat = result->flat->Q;
-        }
-    }
-    return parts;
-}
-
-std::vector<PatternPart> referenceParts(const Garment& garment) {
-    std::vector<PatternPart> parts;
-    for (const auto& piece : garment.pieces) {
-        parts.emplace_back();
-        if (piece->reference) {
-            parts.back().flat = *piece->reference;
-        }
-    }
-    return parts;
-}
-
-Result<CutCloth> cutAlongSeams(const Garment& garment, const std::vector<PatternPart>& parts) {
-    SeamSewer sewer(garment, parts);
+Result<CutCloth> cutAlongSeams(const Garment& garment, const std::vector<Points2>& flat) {
+    SeamSewer sewer(garment, flat);
     for (const Seam& seam : garment.seams.seams) {
         sewer.sew(seam);
     }

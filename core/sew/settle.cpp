@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/linalg/elimination_order.h"
-#include "core/linalg/sparse_cholesky.h"
+#include "core/linalg/frontal_cholesky.h"
 #include "core/sew/cloth_forces.h"
 
 namespace toile::sew {
@@ -58,8 +58,9 @@ bool isAtRest(const SettledCloth& cloth, double share) {
 
 class Settling {
 public:
-    Settling(const Cloth& cloth, const WornSurface& surface, const SettleOptions& options)
-        : forces_(cloth, surface, options) {}
+    Settling(const Cloth& cloth, const WornSurface& surface, const SettleOptions& options,
+             const Progress& progress)
+        : forces_(cloth, surface, options, progress), factor_(options.threads) {}
 
     /// Goes on until the cloth is at rest as the hold wants it, or nothing helps any more.
     Result<void> settle(const ClothHold& hold, const SettleOptions& options,
@@ -114,13 +115,13 @@ private:
     /// The step that the quadratic model finds best; none where that has no best.
     Result<Points3> step(const Points3& g) {
         const linalg::SymmetricMatrix& H = forces_.hessian(point_, caution_);
-        if (!isLaidOut_) {
-            std::vector<int> order =
+        if (layout_ != forces_.layout()) {
+            const std::vector<int> order =
                 H.size >= kDissected ? linalg::dissectedOrder(H, 3) : std::vector<int>{};
-            if (const auto done = factor_.analyse(H, std::move(order)); !done) {
+            if (const auto done = factor_.analyse(H, order); !done) {
                 return done.error();
             }
-            isLaidOut_ = true;
+            layout_ = forces_.layout();
         }
         if (const auto done = factor_.refactorise(H); !done) {
             if (done.error().code == ErrorCode::FactorisationFailed && caution_ < kMostCaution) {
@@ -128,7 +129,7 @@ private:
             }
             return done.error();
         }
-        const Eigen::MatrixXd right =
+        const Eigen::VectorXd right =
             -Eigen::Map<const Eigen::VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
         const auto solved = factor_.solve(right);
         if (!solved) {
@@ -143,14 +144,14 @@ private:
     /// Moves along a step as far as it helps. @return whether it does
     bool take(const Points3& P, const Points3& g) {
         const double slope = g.cwiseProduct(P).sum();
-        double t = 1;
+        double t = forces_.freeWay(point_, P);
         for (int k = 0; k < kMaxHalvings; ++k, t /= 2) {
             ClothForces::Point next = forces_.at(point_.X + t * P, point_);
             const double fall = point_.energy - next.energy;
             // A fall that rounding hides is no reason to stay.
             const double hidden = kRounding * (point_.scale + next.scale);
             if (fall >= -kSufficientDecrease * t * slope - hidden) {
-                if (k == 0 && fall >= -kKept * slope / 2 - hidden) {
+                if (k == 0 && fall >= -kKept * t * slope / 2 - hidden) {
                     caution_ = std::max(kBolder * caution_, kLeastCaution);
                 } else if (k > 1) {
                     caution_ = std::min(kTimider * caution_, kMostCaution);
@@ -164,9 +165,9 @@ private:
 
     ClothForces forces_;
     ClothForces::Point point_;
-    linalg::SparseCholesky factor_;
+    linalg::FrontalCholesky factor_;
     double caution_ = kFirstCaution;
-    bool isLaidOut_ = false;
+    int layout_ = -1;          ///< of the matrix, that the factor is laid out for
     bool isTouching_ = false;  ///< the point knows which sheet of the surface each vertex is on
 };
 
@@ -180,7 +181,10 @@ Result<SettledCloth> settle(const Cloth& cloth, const Points3& start, const Worn
     if (!start.allFinite() || !cloth.X.allFinite()) {
         return Error{ErrorCode::NotFinite, {}, "the cloth's start"};
     }
-    Settling settling(cloth, surface, options);
+    Settling settling(cloth, surface, options, progress);
+    if (progress.isCancelled()) {
+        return Error{ErrorCode::Cancelled};
+    }
     settling.result.X = start;
     for (const ClothHold& hold : holdsOf(options)) {
         if (const auto done = settling.settle(hold, options, progress); !done) {

@@ -18,6 +18,10 @@ struct SettleOptions {
     double gravity = 0;              ///< along -y, m/s² (9.81)
     int threads = 1;                 ///< the same bytes for any number; at least 1
     double contactStiffness = 0.02;  ///< of the surface against what is in it, N/mm³
+    /// It keeps off itself, and stays on the side of itself on which the design, or where it is not
+    /// held first its start, has it: see `SelfContact`. False: cloth goes through cloth.
+    bool touchesItself = false;
+    double thickness = 1;  ///< that it keeps off itself, mm, above 0
     /// It is pinned to where `Cloth::X` has it first, and let go by and by: then it ends in the
     /// same place from wherever it starts. False: cloth that buckles may rest in many places, and
     /// the start decides.

@@ -3,23 +3,27 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <system_error>
+#include <exception>
 #include <thread>
 #include <vector>
 
 namespace toile::sew {
 
-/// Does work(0) ... work(count - 1), each once, in stretches on several threads. What one does
-/// must not depend on another, and must not throw: then it leaves no trace how many there were.
+/// Does work(first, last) for stretches that make up 0 ... count, on several threads. What is done
+/// for one number must not depend on another: then it leaves no trace how many there were.
+/// What it throws is thrown on the calling thread, when the others have ended.
 template <class Work>
-void sideBySide(int threads, std::size_t count, const Work& work) {
+void stretchesSideBySide(int threads, std::size_t count, const Work& work) {
     constexpr std::size_t kLeast = 500;  // for less no thread is worth its start
     const std::size_t most = count / kLeast;
     const std::size_t parts =
         threads > 1 && most > 1 ? std::min(static_cast<std::size_t>(threads), most) : 1;
+    std::vector<std::exception_ptr> faults(parts);
     const auto stretch = [&](std::size_t part) {
-        for (std::size_t i = count * part / parts; i < count * (part + 1) / parts; ++i) {
-            work(i);
+        try {
+            work(count * part / parts, count * (part + 1) / parts);
+        } catch (...) {
+            faults[part] = std::current_exception();
         }
     };
     std::vector<std::thread> others;
@@ -29,7 +33,7 @@ void sideBySide(int threads, std::size_t count, const Work& work) {
         for (; mine < parts; ++mine) {
             others.emplace_back(stretch, mine);
         }
-    } catch (const std::system_error&) {  // the system has no more threads
+    } catch (const std::exception&) {  // the system has no more threads, or no memory for one
     }
     stretch(0);
     for (; mine < parts; ++mine) {
@@ -38,6 +42,21 @@ void sideBySide(int threads, std::size_t count, const Work& work) {
     for (std::thread& other : others) {
         other.join();
     }
+    for (const std::exception_ptr& fault : faults) {
+        if (fault) {
+            std::rethrow_exception(fault);
+        }
+    }
+}
+
+/// Does work(0) ... work(count - 1), each once, in such stretches.
+template <class Work>
+void sideBySide(int threads, std::size_t count, const Work& work) {
+    stretchesSideBySide(threads, count, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            work(i);
+        }
+    });
 }
 
 }  // namespace toile::sew

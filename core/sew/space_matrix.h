@@ -21,6 +21,7 @@ public:
     void setZero();
     /// Adds a block to the rows of v and the columns of w, and its mirror image. Where both are the
     /// same it is symmetric. Precondition: the pair is in the pattern. Cost: a binary search.
+    /// Several threads may add at a time where their blocks' smaller vertices differ.
     void add(int v, int w, const Eigen::Matrix3d& block);
     void addToDiagonal(int v, double value);
 

@@ -66,10 +66,10 @@ Garment twoStrips(int leftRows, int rightRows) {
     return garment;
 }
 
-std::vector<PatternPart> asTheyLie(const Garment& garment) {
-    std::vector<PatternPart> parts;
+std::vector<Points2> asTheyLie(const Garment& garment) {
+    std::vector<Points2> parts;
     for (const auto& piece : garment.pieces) {
-        parts.push_back({piece->mesh.V.leftCols<2>()});
+        parts.emplace_back(piece->mesh.V.leftCols<2>());
     }
     return parts;
 }
@@ -157,8 +157,8 @@ TEST(Cloth, SidesWithOtherSamplesAreDividedWhereTheOtherHasAVertex) {
 
 TEST(Cloth, EaseIsSpreadEvenly) {
     Garment garment = twoStrips(4, 4);
-    std::vector<PatternPart> parts = asTheyLie(garment);
-    parts[0].flat.col(1) *= 1.1;
+    std::vector<Points2> parts = asTheyLie(garment);
+    parts[0].col(1) *= 1.1;
     const auto cut = cutAlongSeams(garment, parts);
     ASSERT_TRUE(cut);
     const Cloth cloth = sewTogether(*cut);
@@ -166,25 +166,14 @@ TEST(Cloth, EaseIsSpreadEvenly) {
     EXPECT_NEAR(restAreas(cloth).sum(), 1.1 * 120 * 60 + 120 * 60, 1e-6);
 }
 
-TEST(Cloth, WarpLiesAlongY) {
-    const Garment garment = twoStrips(2, 2);
-    std::vector<PatternPart> parts = asTheyLie(garment);
-    parts[0].warp = 0;
-    const auto cut = cutAlongSeams(garment, parts);
-    ASSERT_TRUE(cut);
-    const Eigen::RowVector2d along = parts[0].flat.row(3) - parts[0].flat.row(0);
-    const Eigen::RowVector2d turned = cut->Q.row(3) - cut->Q.row(0);
-    EXPECT_NEAR((turned - Eigen::RowVector2d(-along[1], along[0])).norm(), 0, 1e-9);
-}
-
 TEST(Cloth, PieceThatIsNotFlatIsLeftOut) {
     const Garment garment = twoStrips(2, 2);
-    std::vector<PatternPart> parts = asTheyLie(garment);
-    parts[1].flat.resize(0, 2);
+    std::vector<Points2> parts = asTheyLie(garment);
+    parts[1].resize(0, 2);
     const auto cut = cutAlongSeams(garment, parts);
     ASSERT_TRUE(cut);
     EXPECT_EQ(cut->F.rows(), garment.pieces[0]->mesh.F.rows());
-    parts[0].flat.resize(0, 2);
+    parts[0].resize(0, 2);
     EXPECT_EQ(cutAlongSeams(garment, parts).error().code, ErrorCode::NoGeometry);
 }
 

@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/sew/carried_over.h"
 #include "core/sew/cloth_forces.h"
 #include "core/sew/gap.h"
 #include "tests/core/sew/cloth_shapes.h"
@@ -245,21 +244,6 @@ TEST(Settle, AsManyThreadsTheSameBytes) {
     EXPECT_TRUE((one->X.array() == three->X.array()).all());
 }
 
-TEST(Settle, FineClothStartsWhereCoarseClothHasSettled) {
-    const auto tube = [](int columns, int rows) {
-        CutCloth cut = test::tubeCloth(columns, rows, 60, 90);
-        cut.Q.col(0) *= 1.02;
-        return sewTogether(cut);
-    };
-    const Cloth coarse = tube(24, 4), fine = tube(48, 8);
-    Points3 moved = coarse.X;
-    moved.col(1).array() += 3;
-    const Points3 start = carriedOver(coarse, moved, fine);
-    EXPECT_NEAR((start.col(1) - fine.X.col(1)).minCoeff(), 3, 1e-9);
-    EXPECT_NEAR((start.col(1) - fine.X.col(1)).maxCoeff(), 3, 1e-9);
-    EXPECT_NEAR((start - fine.X).rowwise().norm().maxCoeff(), 3, 1e-9);
-}
-
 TEST(Settle, SameInputSameBytes) {
     const Cloth cloth = sewTogether(test::coneCloth(10, 3, 60, 160, 0.4));
     const WornSurface surface(cloth.surface());
@@ -289,6 +273,11 @@ TEST(Settle, ReportsAndCanBeCancelled) {
     EXPECT_EQ(settled.error().code, ErrorCode::Cancelled);
     EXPECT_EQ(steps, 2);
     EXPECT_GT(progress.fraction(), 0);
+    options.touchesItself = true;  // what belongs together is looked for before the first step
+    const auto none = settle(cloth, cloth.X, surface, options, progress);
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().code, ErrorCode::Cancelled);
+    EXPECT_EQ(steps, 2);
 }
 
 }  // namespace

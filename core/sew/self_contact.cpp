@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/sew/self_contact.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/cut/surface_point.h"
+#include "core/sew/face_boxes.h"
+#include "core/sew/side_by_side.h"
+
+namespace toile::sew {
+namespace {
+
+constexpr int kRings = 2;
+constexpr double kApart = 3;  // times the thickness, along the cloth
+/// Of a distance, what a step leaves of it at least, and which part of what may be lost is gone at
+/// once.
+constexpr double kLeft = 0.1, kBold = 0.9;
+/// Parts of the thickness: what is nearer than this is not held apart any more, so that nothing
+/// gets stuck.
+constexpr double kLost = 1e-3;
+constexpr int kMostAdvances = 200;
+
+using Neighbours = std::vector<std::vector<std::pair<int, double>>>;  // with lengths at rest, mm
+
+Neighbours neighboursOf(const Cloth& cloth) {
+    Neighbours neighbours(static_cast<std::size_t>(cloth.X.rows()));
+    for (Eigen::Index f = 0; f < cloth.F.rows(); ++f) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = cloth.F(f, k), b = cloth.F(f, (k + 1) % 3);
+            const double length =
+                (cloth.Q.row(cloth.patternF(f, k)) - cloth.Q.row(cloth.patternF(f, (k + 1) % 3)))
+                    .norm();
+            neighbours[a].emplace_back(b, length);
+            neighbours[b].emplace_back(a, length);
+        }
+    }
+    return neighbours;
+}
+
+/// What lies round vertices, one after the other, in memory that is kept from one to the next.
+class VerticesAround {
+public:
+    VerticesAround(const Neighbours& neighbours, double far)
+        : neighbours_(neighbours), far_(far), askedAt_(neighbours.size()) {}
+
+    /// The vertices within some rings, or nearer than `far` along the way there that has the fewest
+    /// edges, of some. Cost: linear in what comes out, and sorting it.
+    std::vector<int> of(std::vector<int> seeds) {
+        std::ranges::sort(seeds);
+        seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+        ++asked_;
+        reached_.clear();
+        for (const int seed : seeds) {
+            reach({seed, 0, 0});
+        }
+        for (std::size_t next = 0; next < reached_.size(); ++next) {
+            const Reached from = reached_[next];
+            for (const auto& [vertex, length] : neighbours_[from.vertex]) {
+                const Reached to{vertex, from.rings + 1, from.way + length};
+                if (to.rings <= kRings || to.way <= far_) {
+                    reach(to);
+                }
+            }
+        }
+        std::vector<int> around;
+        around.reserve(reached_.size());
+        for (const Reached& one : reached_) {
+            around.push_back(one.vertex);
+        }
+        std::ranges::sort(around);
+        return around;
+    }
+
+private:
+    struct Reached {
+        int vertex, rings;
+        double way;
+    };
+
+    void reach(const Reached& to) {
+        if (askedAt_[to.vertex] != asked_) {
+            askedAt_[to.vertex] = asked_;
+            reached_.push_back(to);
+        }
+    }
+
+    const Neighbours& neighbours_;
+    double far_;
+    std::vector<Reached> reached_;
+    std::vector<int> askedAt_;  ///< per vertex: for which question it was reached last
+    int asked_ = 0;
+};
+
+struct Corners {
+    Eigen::Vector3d p, a, b, c;
+
+    Eigen::Vector3d nearest() const { return nearestInTriangle(p, a, b, c); }
+    Eigen::Vector3d offset(const Eigen::Vector3d& weights) const {
+        return p - weights[0] * a - weights[1] * b - weights[2] * c;
+    }
+    double distance() const { return offset(nearest()).norm(); }
+};
+
+Corners cornersOf(const Points3& X, const Triangles& F, int vertex, int face) {
+    return {X.row(vertex).transpose(), X.row(F(face, 0)).transpose(), X.row(F(face, 1)).transpose(),
+            X.row(F(face, 2)).transpose()};
+}
+
+/// How far a vertex and a triangle may go along a step, by advances that cannot reach each other.
+double freeWayOf(const Corners& at, const Corners& step, double lost, double most) {
+    const double speed =
+        std::max({(step.p - step.a).norm(), (step.p - step.b).norm(), (step.p - step.c).norm()});
+    const double first = at.distance(), least = kLeft * first;
+    if (first < lost || first - least > speed * most) {
+        return most;
+    }
+    double way = 0, distance = first;
+    for (int k = 0; k < kMostAdvances; ++k) {
+        const double advance = kBold * (distance - least) / speed;
+        way += advance;
+        if (way >= most) {
+            return most;
+        }
+        const Corners now{at.p + way * step.p, at.a + way * step.a, at.b + way * step.b,
+                          at.c + way * step.c};
+        distance = now.distance();
+        if (distance - least < kLeft * least) {
+            break;
+        }
+    }
+    return way;
+}
+
+}  // namespace
+
+SelfContact::SelfContact(const Cloth& cloth, double thickness, int threads,
+                         const Progress& progress)
+    : cloth_(cloth),
+      thickness_(thickness),
+      threads_(threads),
+      areas_(vertexAreas(cloth)),
+      kin_(static_cast<std::size_t>(cloth.X.rows())) {
+    std::vector<std::vector<int>> seeds(kin_.size());
+    for (std::size_t v = 0; v < seeds.size(); ++v) {
+        seeds[v] = {static_cast<int>(v)};
+    }
+    for (const Touch& touch : touchesAt(cloth.X, thickness, progress)) {
+        for (int k = 0; k < 3; ++k) {
+            const int corner = cloth.F(touch.face, k);
+            seeds[touch.vertex].push_back(corner);
+            seeds[corner].push_back(touch.vertex);
+        }
+    }
+    const Neighbours neighbours = neighboursOf(cloth);
+    stretchesSideBySide(threads, kin_.size(), [&](std::size_t first, std::size_t last) {
+        VerticesAround around(neighbours, kApart * thickness);
+        for (std::size_t v = first; v < last && !progress.isCancelled(); ++v) {
+            kin_[v] = around.of(std::move(seeds[v]));
+        }
+    });
+}
+
+bool SelfContact::belongTogether(int vertex, int face) const {
+    const std::vector<int>& kin = kin_[vertex];
+    for (int k = 0; k < 3; ++k) {
+        const int corner = cloth_.F(face, k);
+        if (corner == vertex || std::ranges::binary_search(kin, corner)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::vector<SelfContact::Touch> SelfContact::touchesAt(const Points3& X, double within) const {
+    return touchesAt(X, within, {});
+}
+
+std::vector<SelfContact::Touch> SelfContact::touchesAt(const Points3& X, double within,
+                                                       const Progress& progress) const {
+    const FaceBoxes boxes(X, X, cloth_.F);
+    std::vector<std::vector<Touch>> found(kin_.size());
+    sideBySide(threads_, found.size(), [&](std::size_t v) {
+        if (progress.isCancelled()) {
+            return;
+        }
+        const int vertex = static_cast<int>(v);
+        const Eigen::RowVector3d p = X.row(vertex);
+        boxes.visitMet(p.array() - within, p.array() + within, [&](int face) {
+            if (belongTogether(vertex, face)) {
+                return;
+            }
+            const Corners corners = cornersOf(X, cloth_.F, vertex, face);
+            const Eigen::Vector3d weights = corners.nearest(), offset = corners.offset(weights);
+            const double distance = offset.norm();
+            if (distance < within) {
+                found[v].push_back(
+                    {vertex, static_cast<int>(face), weights,
+                     distance > 0 ? Eigen::Vector3d(offset / distance) : Eigen::Vector3d::Zero(),
+                     distance});
+            }
+        });
+        std::ranges::sort(found[v], {}, &Touch::face);
+    });
+    std::vector<Touch> all;
+    for (const auto& some : found) {
+        all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+}
+
+double SelfContact::freeWay(const Points3& X, const Points3& step) const {
+    const Points3 ends = X + step;
+    const FaceBoxes boxes(X, ends, cloth_.F);
+    const double lost = kLost * thickness_;
+    std::vector<double> free(kin_.size(), 1);
+    sideBySide(threads_, free.size(), [&](std::size_t v) {
+        const int vertex = static_cast<int>(v);
+        const Eigen::RowVector3d from = X.row(vertex), to = ends.row(vertex);
+        const Eigen::RowVector3d low = from.cwiseMin(to).array() - lost;
+        const Eigen::RowVector3d high = from.cwiseMax(to).array() + lost;
+        boxes.visitMet(low, high, [&](int face) {
+            if (!belongTogether(vertex, face)) {
+                free[v] = freeWayOf(cornersOf(X, cloth_.F, vertex, face),
+                                    cornersOf(step, cloth_.F, vertex, face), lost, free[v]);
+            }
+        });
+    });
+    return free.empty() ? 1 : *std::ranges::min_element(free);
+}
+
+double SelfContact::energy(const std::vector<Touch>& touches, double stiffness) const {
+    double sum = 0;
+    for (const Touch& touch : touches) {
+        const double inside = std::max(thickness_ - touch.distance, 0.0);
+        sum += stiffness * areas_[touch.vertex] * inside * inside / 2;
+    }
+    return sum;
+}
+
+void SelfContact::addGradient(const std::vector<Touch>& touches, double stiffness,
+                              Points3& g) const {
+    for (const Touch& touch : touches) {
+        const double inside = std::max(thickness_ - touch.distance, 0.0);
+        const Eigen::RowVector3d push =
+            stiffness * areas_[touch.vertex] * inside * touch.away.transpose();
+        g.row(touch.vertex) -= push;
+        for (int k = 0; k < 3; ++k) {
+            g.row(cloth_.F(touch.face, k)) += touch.weights[k] * push;
+        }
+    }
+}
+
+void SelfContact::addHessian(const std::vector<Touch>& touches, double stiffness,
+                             SpaceMatrix& H) const {
+    for (const Touch& touch : touches) {
+        if (touch.distance >= thickness_) {
+            continue;
+        }
+        const Eigen::Matrix3d block =
+            stiffness * areas_[touch.vertex] * touch.away * touch.away.transpose();
+        const std::array<int, 4> vertex{touch.vertex, cloth_.F(touch.face, 0),
+                                        cloth_.F(touch.face, 1), cloth_.F(touch.face, 2)};
+        const std::array<double, 4> weight{1, -touch.weights[0], -touch.weights[1],
+                                           -touch.weights[2]};
+        for (int i = 0; i < 4; ++i) {
+            for (int j = i; j < 4; ++j) {
+                H.add(vertex[i], vertex[j], weight[i] * weight[j] * block);
+            }
+        }
+    }
+}
+
+void SelfContact::addPairs(const std::vector<Touch>& touches,
+                           std::vector<std::pair<int, int>>& pairs) const {
+    for (const Touch& touch : touches) {
+        for (int k = 0; k < 3; ++k) {
+            pairs.emplace_back(touch.vertex, cloth_.F(touch.face, k));
+        }
+    }
+}
+
+}  // namespace toile::sew
