@@ -94,7 +94,7 @@ std::string wrongOutputs(const Arguments& arguments) {
             if (std::string wrong = wrongEnding(output); !wrong.empty()) {
                 return wrong;
             }
-        } else if (!isPicture(output)) {
+        } else if (!isPicture(output) && arguments.picture.thumbnail == 0) {
             const Format* format = isProof ? formatOf(output) : nullptr;
             if (format && format->write) {
                 return "a pattern such as \"" + output.string() +

@@ -52,7 +52,7 @@ std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& p
     const LaidOutPattern laid = laidOut(arguments, *plan.garment, plan.results);
     const ExportSource source(*plan.garment, plan.results, laid, arguments.exporting, {},
                               arguments.lines, plan.fabric);
-    const auto proof = proofOf(source, {}, progress);
+    const auto proof = proofOf(source, {.settings = arguments.prove.settings}, progress);
     if (!proof) {
         err << "toile: " << sentence(proof.error()) << '\n';
         return nullptr;

@@ -48,8 +48,8 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
         const LaidOutPattern laid = laidOut(exact, garment, method.results);
         const ExportSource source(garment, method.results, laid, {}, {}, {},
                                   arguments.fabric.value_or(fabricPresets().front()));
-        const auto proof =
-            proofOf(source, {}, Progress(progress, 1.0 / double(comparison.methods.size())));
+        const auto proof = proofOf(source, {.settings = arguments.prove.settings},
+                                   Progress(progress, 1.0 / double(comparison.methods.size())));
         if (!proof) {
             err << "toile: " << name(method.method) << ": " << sentence(proof.error()) << '\n';
             failed = true;

@@ -18,7 +18,6 @@ constexpr double kMostWeight = 1e5;                      // g/m²
 constexpr double kMicro = 1e-6;
 constexpr double kLeastScale = 0.5, kMostScale = 2;
 constexpr int kMostRounds = 100;
-constexpr int kMostProveThreads = 64;
 constexpr Word<bool> kProvenReferenceWords[] = {{true, "uv"}};
 
 CLI::Option* addUnit(CLI::App& command, const char* option, std::optional<FileUnit>& unit,
@@ -101,6 +100,20 @@ void addStiffness(CLI::App& command, StatedStiffness& stated) {
 
 }  // namespace
 
+void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed) {
+    ProofSettings& settings = arguments.prove.settings;
+    CLI::Option* touches = command.add_flag("--self-contact", settings.touchesItself,
+                                            "Cloth keeps off itself [cloth goes through cloth]");
+    command.add_option("--cloth-thickness", settings.thickness, "How far it keeps off itself")
+        ->type_name("MM")
+        ->check(CLI::Range(kLeastThickness, kMostThickness))
+        ->capture_default_str()
+        ->needs(touches);
+    if (needed != nullptr) {
+        touches->needs(needed);
+    }
+}
+
 void addProveOptions(CLI::App& command, Arguments& arguments) {
     command
         .add_option("--sewn", arguments.prove.sewn,
@@ -119,6 +132,7 @@ void addProveOptions(CLI::App& command, Arguments& arguments) {
         ->check(CLI::Range(-kMostPressure, kMostPressure))
         ->capture_default_str();
     command.add_flag("--gravity", settings.hasGravity, "Let the cloth's weight pull down");
+    addSelfContact(command, arguments);
     CLI::Option* improve = command.add_flag(
         "--prove-improve", [&arguments](std::int64_t) { arguments.prove.rounds = kImproveRounds; },
         "Improve the pattern, round by round: as cloth that hangs by its weight sags, and comes to "
@@ -133,7 +147,7 @@ void addProveOptions(CLI::App& command, Arguments& arguments) {
         ->needs(improve);
     command.add_option("--threads", settings.threads, "To work with; the result is the same [all]")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostProveThreads));
+        ->check(CLI::Range(1, kMostThreads));
     command
         .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")
         ->type_name("FILE.json")

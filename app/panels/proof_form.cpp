@@ -48,6 +48,7 @@ ProofForm::ProofForm(const Document& document, PatternProof& proof, QWidget* par
       pressure_(new QDoubleSpinBox(this)),
       edge_(new LengthEdit(this)),
       gravity_(new QCheckBox(tr("Gravity"), this)),
+      touching_(new QCheckBox(tr("Cloth touches itself"), this)),
       cloth_(new QLabel(this)) {
     makeFields();
     auto* form = new QFormLayout(this);
@@ -59,7 +60,7 @@ ProofForm::ProofForm(const Document& document, PatternProof& proof, QWidget* par
     form->addRow(tr("Pressure"), pressure_);
     form->addRow(tr("Triangles"), edge_);
     form->addRow(tr("Fabric"), cloth_);
-    form->addRow(gravity_);
+    form->addRow(gravity_, touching_);
     connect(&proof_, &PatternProof::changed, this, &ProofForm::show);
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric |
@@ -101,6 +102,9 @@ void ProofForm::makeFields() {
            "finer, and the longer it takes. 0: as the garment has them"));
     gravity_->setObjectName("proofGravity");
     gravity_->setToolTip(tr("Let the cloth hang by its weight"));
+    touching_->setObjectName("proofSelfContact");
+    touching_->setToolTip(
+        tr("Layers of cloth keep off each other; it takes longer. Else cloth goes through cloth"));
     cloth_->setObjectName("proofFabric");
     for (QWidget* field : {static_cast<QWidget*>(sewn_), static_cast<QWidget*>(holder_),
                            static_cast<QWidget*>(pressure_), static_cast<QWidget*>(edge_)}) {
@@ -121,6 +125,9 @@ void ProofForm::makeFields() {
     });
     connect(gravity_, &QCheckBox::clicked, this,
             [this](bool on) { change([on](ProofPlan& plan) { plan.settings.hasGravity = on; }); });
+    connect(touching_, &QCheckBox::clicked, this, [this](bool on) {
+        change([on](ProofPlan& plan) { plan.settings.touchesItself = on; });
+    });
 }
 
 template <class Change>
@@ -154,6 +161,7 @@ void ProofForm::show() {
     pressure_->setValue(plan.settings.pressure);
     edge_->setValue(plan.settings.edge);
     gravity_->setChecked(plan.settings.hasGravity);
+    touching_->setChecked(plan.settings.touchesItself);
     cloth_->setText(fabricName(document_.fabric()));
 }
 

@@ -44,7 +44,7 @@ private:
     QComboBox *sewn_, *holder_;
     QDoubleSpinBox* pressure_;
     LengthEdit* edge_;
-    QCheckBox* gravity_;
+    QCheckBox *gravity_, *touching_;
     QLabel* cloth_;
 };
 

@@ -62,12 +62,12 @@ std::vector<char> turnedPieces(const sew::CutCloth& cut, const Triangles& F, std
 }  // namespace
 
 Result<MeshArrays> designSurface(const Garment& garment) {
-    std::vector<sew::PatternPart> parts;
+    std::vector<Points2> flat;
     for (const auto& piece : garment.pieces) {
         // Nobody asks for its plane: a piece that stands upright has no area there.
-        parts.push_back({Points2(piece->mesh.V.leftCols<2>())});
+        flat.emplace_back(piece->mesh.V.leftCols<2>());
     }
-    const auto cut = sew::cutAlongSeams(garment, parts);
+    const auto cut = sew::cutAlongSeams(garment, flat);
     if (!cut) {
         return cut.error();
     }

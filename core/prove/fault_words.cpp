@@ -38,6 +38,12 @@ Wording nothingToSew() {
     return worded("nothing of the pattern is a piece of the garment that is flat");
 }
 
+Wording edgesTooFine(double edge, double triangles, double least) {
+    return worded(
+        "edges of %1 mm make %2 triangles; from %3 mm on there are few enough of them to be sewn",
+        {figure(edge, 1), figure(triangles, 0), figure(std::ceil(10 * least) / 10, 1)});
+}
+
 Wording sourceIsReference() {
     return worded("the designer's panels");
 }

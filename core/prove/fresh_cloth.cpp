@@ -22,26 +22,49 @@ constexpr double kMostEdge = 30;  // mm
 /// triangles then, and a doll's may be as short as they are.
 constexpr double kMostSquares = 50000;
 
+/// More take minutes for each step, and a step cannot be cancelled.
+constexpr double kMostTriangles = 300000;
+
 struct UsualEdge {
     double own;   ///< the median of the garment's own triangles' edges, mm
     double made;  ///< what is made of it
 };
 
+double flatAreaOf(const Garment& garment, const RestPattern& pattern) {
+    double area = 0;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        if (pattern.pieces[p]) {
+            area += std::abs(geometry::signedAreaOf(
+                pattern.pieces[p]->flat(garment.pieces[p]->boundary, Eigen::all)));
+        }
+    }
+    return area;
+}
+
+/// Where an edge would make more triangles than can be sewn.
+std::optional<Error> tooFine(double edge, double area) {
+    const double perSquare = 4 / std::sqrt(3.0);  // equal ones
+    const double count = perSquare * area / (edge * edge);
+    if (count <= kMostTriangles) {
+        return std::nullopt;
+    }
+    const double least = std::sqrt(perSquare * area / kMostTriangles);
+    return Error{ErrorCode::OutOfMemory, {}, edgesTooFine(edge, count, least)};
+}
+
 UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {
     std::vector<double> lengths;
-    double area = 0;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
         if (pattern.pieces[p]) {
             const Piece& piece = *garment.pieces[p];
             const Eigen::VectorXd edges = edgeLengths3d(piece.mesh.V, piece.table.edges);
             lengths.insert(lengths.end(), edges.begin(), edges.end());
-            area += std::abs(
-                geometry::signedAreaOf(pattern.pieces[p]->flat(piece.boundary, Eigen::all)));
         }
     }
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::ranges::nth_element(lengths, middle);
-    const double least = std::min(std::sqrt(area / kMostSquares), kMostEdge);
+    const double least =
+        std::min(std::sqrt(flatAreaOf(garment, pattern) / kMostSquares), kMostEdge);
     return {*middle, std::clamp(*middle, least, kMostEdge)};
 }
 
@@ -226,6 +249,9 @@ Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& orde
     // Of points that are too close, or too far, nothing good can be made.
     const bool hasGrid = order.settings.edge > 0 || usual.made != usual.own;
     const double edge = order.settings.edge > 0 ? order.settings.edge : usual.made;
+    if (auto error = tooFine(edge, hasGrid ? flatAreaOf(garment, pattern) : 0)) {
+        return *std::move(error);
+    }
     const Stations stations = placeStations(garment.seams, pattern, edge, !hasGrid);
     std::vector<std::optional<PieceCloth>> pieces(garment.pieces.size());
     for (std::size_t p = 0; p < pieces.size(); ++p) {

@@ -47,6 +47,8 @@ sew::SettleOptions settleOptions(const ProofSettings& settings,
     sew::SettleOptions options;
     options.pressure = settings.pressure * kPascal;
     options.gravity = settings.hasGravity ? kGravity : 0;
+    options.touchesItself = settings.touchesItself;
+    options.thickness = settings.thickness;
     options.share = kShare;
     options.threads = settings.threads > 0
                           ? settings.threads

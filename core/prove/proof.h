@@ -21,6 +21,9 @@ namespace toile {
 /// Limits of `ProofSettings::edge` where a person states it, mm.
 inline constexpr double kLeastProofEdge = 1, kMostProofEdge = 500;
 
+/// Limits of `ProofSettings::thickness`, mm.
+inline constexpr double kLeastThickness = 0.1, kMostThickness = 10;
+
 /// How a pattern is sewn and what holds it meanwhile, as a person has said it.
 struct ProofSettings {
     /// Length of the edges of the fresh triangles, mm; 0: as the garment's own are.
@@ -29,6 +32,8 @@ struct ProofSettings {
     /// cushion's filling.
     double pressure = 10;
     bool hasGravity = false;      ///< down the y axis
+    bool touchesItself = false;   ///< else cloth goes through cloth
+    double thickness = 1;         ///< that cloth keeps off itself then, mm
     StatedStiffness stiffness{};  ///< in place of what the pieces' fabrics have
     int threads = 0;              ///< 0: as many as the machine has cores; the same bytes for any
 

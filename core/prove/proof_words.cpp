@@ -125,6 +125,9 @@ Wording howHeld(const Proof& proof) {
     if (settings.hasGravity) {
         said += worded(", gravity");
     }
+    if (settings.touchesItself) {
+        said += worded(", %1 mm off itself", {typedFigure(settings.thickness)});
+    }
     if (proof.scale != 1) {
         said += worded(", %1 times as large", {typedFigure(proof.scale)});
     }

@@ -71,17 +71,19 @@ Json heldJson(const Proof& proof) {
     const auto typed = [](const std::optional<double>& value) -> Json {
         return value ? number(*value) : Json(nullptr);
     };
-    return {{"on", proof.hasBody ? "body" : "design"},
-            {"body", proof.bodyName.empty() ? Json(nullptr) : text(proof.bodyName)},
-            {"pressure_pa", number(settings.pressure)},
-            {"gravity", settings.hasGravity},
-            {"scale", number(proof.scale)},
-            {"stiffness",
-             {{"warp", typed(stated.warp)},
-              {"weft", typed(stated.weft)},
-              {"shear", typed(stated.shear)},
-              {"bending", typed(stated.bending)},
-              {"weight", typed(stated.weight)}}}};
+    return {
+        {"on", proof.hasBody ? "body" : "design"},
+        {"body", proof.bodyName.empty() ? Json(nullptr) : text(proof.bodyName)},
+        {"pressure_pa", number(settings.pressure)},
+        {"gravity", settings.hasGravity},
+        {"self_contact_mm", settings.touchesItself ? number(settings.thickness) : Json(nullptr)},
+        {"scale", number(proof.scale)},
+        {"stiffness",
+         {{"warp", typed(stated.warp)},
+          {"weft", typed(stated.weft)},
+          {"shear", typed(stated.shear)},
+          {"bending", typed(stated.bending)},
+          {"weight", typed(stated.weight)}}}};
 }
 
 }  // namespace

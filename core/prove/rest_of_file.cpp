@@ -158,10 +158,10 @@ private:
             const std::string plain = plainName(facing);
             return plain == called || (piece.name.size() >= kCutOff && plain.starts_with(called));
         };
-        return !called.empty() &&
-               std::ranges::any_of(source_.laid().pattern.facings, [&](const FacingPiece& facing) {
-                   return isIt(facing.strip.slug) || isIt(facing.strip.name);
-               });
+        const auto& facings = source_.laid().wholePattern.facings;
+        return !called.empty() && std::ranges::any_of(facings, [&](const FacingPiece& facing) {
+            return isIt(facing.strip.slug) || isIt(facing.strip.name);
+        });
     }
 
     /// Another piece that what the file has for this one fits better than what it has for that.

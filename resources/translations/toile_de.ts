@@ -3123,6 +3123,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>%1 is %2 mm shorter in the pattern than on the design</source>
         <translation>%1 ist im Schnitt %2 mm kürzer als auf dem Entwurf</translation>
     </message>
+    <message>
+        <source>, %1 mm off itself</source>
+        <translation>, %1 mm Abstand von sich selbst</translation>
+    </message>
+    <message>
+        <source>edges of %1 mm make %2 triangles; from %3 mm on there are few enough of them to be sewn</source>
+        <translation>Kanten von %1 mm ergeben %2 Dreiecke; ab %3 mm sind es wenig genug, um genäht zu werden</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -8593,6 +8601,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Cloth touches itself</source>
+        <translation>Stoff berührt sich selbst</translation>
+    </message>
+    <message>
+        <source>Layers of cloth keep off each other; it takes longer. Else cloth goes through cloth</source>
+        <translation>Lagen von Stoff halten sich voneinander ab; das dauert länger. Sonst geht Stoff durch Stoff hindurch</translation>
     </message>
 </context>
 <context>

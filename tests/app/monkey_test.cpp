@@ -30,6 +30,7 @@ constexpr int kActionsPerGarment = 3340;
 constexpr int kActionsPerRound = 600;  ///< then back to the start
 constexpr int kMaxSteps = 440;         ///< the history forgets its beginning past 500
 constexpr int kActionsPerLook = 40;
+constexpr unsigned kLongAfterTheEnd = 1600;  ///< seconds, a little before the test is cut off
 
 int numberFrom(const char* variable, int otherwise) {
     const QByteArray text = qgetenv(variable);
@@ -205,8 +206,11 @@ private slots:
             QSKIP(qPrintable(glProblem()));
         }
         theSeed = numberFrom("TOILE_MONKEY_SEED", 20240611);
-        for (const int number : {SIGSEGV, SIGABRT, SIGFPE}) {
+        for (const int number : {SIGSEGV, SIGABRT, SIGFPE, SIGALRM}) {
             std::signal(number, onCrash);
+        }
+        if (!qEnvironmentVariableIsSet("TOILE_MONKEY_SEED")) {  // by night it takes its time
+            alarm(kLongAfterTheEnd);                            // who hangs is to say where
         }
     }
 

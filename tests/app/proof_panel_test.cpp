@@ -413,6 +413,8 @@ private slots:
         QCOMPARE(proof().plan().settings.pressure, 25.0);
         find<QAbstractButton>("proofGravity").click();
         QVERIFY(proof().plan().settings.hasGravity);
+        find<QAbstractButton>("proofSelfContact").click();
+        QVERIFY(proof().plan().settings.touchesItself);
         fixture_.window().garmentActions().fileDialogs().openBody =
             [this](QWidget*, const QString&) { return fixture_.path("tshirt.obj"); };
         emit fixture_.window().findChild<ProofForm*>()->bodyWanted();

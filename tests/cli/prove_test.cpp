@@ -221,11 +221,12 @@ TEST_F(ProveCommand, AnInterruptEndsItAndIsSaid) {
 TEST_F(ProveCommand, SaysWhatHeldTheCloth) {
     const auto plain = run("prove");
     EXPECT_NE(plain.out.find("; on the design, 10 Pa; "), std::string::npos) << plain.out;
-    const auto other = run("prove", {"--body", barrel_, "--body-unit", "mm", "--gravity", "--scale",
-                                     "1.05", "--pressure", "12.5", "--stretch", "900", "--report",
-                                     (folder_ / "proof.json").string()});
-    EXPECT_NE(other.out.find("; on barrel.obj, 12.5 Pa, gravity, 1.05 times as large, cloth as "
-                             "typed; "),
+    const auto other =
+        run("prove", {"--body", barrel_, "--body-unit", "mm", "--gravity", "--scale", "1.05",
+                      "--pressure", "12.5", "--stretch", "900", "--self-contact",
+                      "--cloth-thickness", "0.8", "--report", (folder_ / "proof.json").string()});
+    EXPECT_NE(other.out.find("; on barrel.obj, 12.5 Pa, gravity, 0.8 mm off itself, 1.05 times as "
+                             "large, cloth as typed; "),
               std::string::npos)
         << other.out << other.err;
     const auto held = nlohmann::json::parse(folder_.read("proof.json"))["held"];
@@ -233,6 +234,7 @@ TEST_F(ProveCommand, SaysWhatHeldTheCloth) {
     EXPECT_EQ(held["body"], "barrel.obj");
     EXPECT_EQ(held["pressure_pa"], 12.5);
     EXPECT_EQ(held["gravity"], true);
+    EXPECT_EQ(held["self_contact_mm"], 0.8);
     EXPECT_EQ(held["scale"], 1.05);
     EXPECT_EQ(held["stiffness"]["weft"], 900);
     EXPECT_TRUE(held["stiffness"]["shear"].is_null());

@@ -131,6 +131,54 @@ TEST(ImprovePattern, WithoutRoundsThePatternIsProvedAsItIs) {
     EXPECT_EQ(improved->gain(), 0);
 }
 
+TEST(ImprovePattern, EndsWhereARoundGainsLittle) {
+    const Garment garment = bell();
+    ImproveOrder order;  // pressed on, which folds its excess
+    order.rounds = 12;
+    Progress progress;
+    const auto improved = improvePattern(garment, flatOfGarment(garment), order, progress);
+    ASSERT_TRUE(improved) << sentence(improved.error());
+    EXPECT_EQ(improved->ended, ImproveEnd::LittleGain);
+    EXPECT_LT(improved->rounds.size(), 12U);
+    EXPECT_GE(improved->rounds.back().gain, 0);
+    EXPECT_LT(improved->rounds.back().gain, kLeastGain);
+    EXPECT_GT(improved->gain(), 0);
+}
+
+TEST(ImprovePattern, EndsWhereTheGapGrowsHoweverItIsMoved) {
+    const Garment garment = bell();
+    ImproveOrder order;
+    order.proof.settings.stiffness.bending = 0.01;  // as a board
+    order.rounds = 12;
+    Progress progress;
+    const auto improved = improvePattern(garment, flatOfGarment(garment), order, progress);
+    ASSERT_TRUE(improved) << sentence(improved.error());
+    EXPECT_EQ(improved->ended, ImproveEnd::GapGrows);
+    const auto& rounds = improved->rounds;
+    ASSERT_GT(rounds.size(), 3U);
+    EXPECT_LT(rounds.back().gain, 0);
+    EXPECT_TRUE(rounds.back().isSmooth);
+    EXPECT_LT(rounds.back().share, 1);
+    EXPECT_EQ(improved->proof->gap.mean, std::ranges::min(rounds, {}, [](const ImproveRound& r) {
+                                             return r.gap.mean;
+                                         }).gap.mean);
+}
+
+TEST(ImprovePattern, KeepsTheBestWhereTheNextCannotBeFlattened) {
+    const Garment garment = bell();
+    const PieceResults results = flatOfGarment(garment);
+    ImproveOrder order = hungSoftly();
+    order.flattening.method = static_cast<Method>(99);  // there is none
+    Progress progress;
+    const auto improved = improvePattern(garment, results, order, progress);
+    ASSERT_TRUE(improved) << sentence(improved.error());
+    EXPECT_EQ(improved->ended, ImproveEnd::NotFlat);
+    ASSERT_TRUE(improved->why);
+    EXPECT_EQ(improved->why->code, ErrorCode::NotFinite);
+    EXPECT_EQ(improved->results, results);
+    EXPECT_EQ(improved->rounds.size(), 1U);
+}
+
 TEST(ImprovePattern, CanBeCancelledBetweenRounds) {
     const Garment garment = bell();
     Progress progress;

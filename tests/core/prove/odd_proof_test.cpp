@@ -188,6 +188,57 @@ TEST(OddProof, AConeWithItsTipIsSewn) {
     }
 }
 
+/// A million triangles would take minutes a step, in which nobody is heard.
+TEST(OddProof, EdgesThatMakeTooManyTrianglesAreRefused) {
+    const Garment garment =
+        oddGarment({test::meshOf({{0, 0, 0}, {1000, 0, 0}, {0, 800, 0}}, {{0, 1, 2}})});  // 0.4 m2
+    const PieceResults results = flatResults(garment);
+    const LaidOutPattern laid = inRows(garment, results);
+    ProofOrder order;
+    order.settings.edge = kLeastProofEdge;
+    const auto proof = proofOf(ExportSource(garment, results, laid), order, {});
+    ASSERT_FALSE(proof);
+    EXPECT_EQ(proof.error().code, ErrorCode::OutOfMemory);
+    // 400 000 mm2 are 923 760 equal triangles.
+    EXPECT_NE(sentence(proof.error()).find("from 1.8 mm on"), std::string::npos)
+        << sentence(proof.error());
+}
+
+TEST(OddProof, AThirdLayerIsSewnIntoTheSameSeam) {
+    const MeshArrays sheet = test::planeGrid(6, 6, 20);
+    MeshArrays flap = sheet;
+    for (Eigen::Index v = 0; v < flap.V.rows(); ++v) {  // stands off the second sheet
+        const double x = flap.V(v, 0);
+        flap.V(v, 0) = 120 + 0.8 * x;
+        flap.V(v, 2) = 0.6 * x;
+    }
+    const Garment garment = oddGarment({sheet, moved(sheet, 120), flap});
+    EXPECT_EQ(std::ranges::count(garment.seams.seams, true, &Seam::stacked), 1);
+    const auto proof = proofOfResults(garment, flatResults(garment));
+    ASSERT_TRUE(proof) << sentence(proof.error());
+    expectFinite(garment, **proof);
+    EXPECT_TRUE((*proof)->hasSettled);
+    EXPECT_TRUE((*proof)->faults.empty());
+    const auto atSeam = [&](std::size_t p) {
+        std::vector<Eigen::RowVector3d> places;  // along y
+        for (Eigen::Index v = 0; v < sheet.V.rows(); ++v) {
+            if (std::abs(garment.pieces[p]->mesh.V(v, 0) - 120) < 1e-9) {
+                places.emplace_back((*proof)->pieces[p].sewn.row(v));
+            }
+        }
+        return places;
+    };
+    const auto first = atSeam(0);
+    ASSERT_EQ(first.size(), 7U);
+    for (const std::size_t p : {1, 2}) {
+        const auto other = atSeam(p);
+        ASSERT_EQ(other.size(), first.size());
+        for (std::size_t k = 0; k < first.size(); ++k) {
+            EXPECT_LT((first[k] - other[k]).norm(), 1e-6) << p << " " << k;
+        }
+    }
+}
+
 TEST(OddProof, SingleTrianglesAreCloth) {
     const Garment garment =
         oddGarment({test::meshOf({{0, 0, 0}, {60, 0, 0}, {0, 80, 0}}, {{0, 1, 2}}),

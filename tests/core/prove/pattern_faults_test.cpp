@@ -174,6 +174,29 @@ TEST(PatternFaults, NamesWhatIsMissingAndWhatIsTooMuch) {
               "not-needed: pocket of the pattern is no piece of the garment\n");
 }
 
+TEST(PatternFaults, OurOwnFacingsAreNotTooMuch) {
+    const ExportSource& plain = trousers().source();
+    const int waistband = trousers().pieceCalled("waistband");
+    LineSettings lines;
+    lines.facings.push_back(
+        {"facing of the waist", {plain.laid().pattern.pieces[waistband].segments[0].place}, 30});
+    const LaidOutPattern laid = inRows(trousers().garment(), plain.results(), lines);
+    ASSERT_FALSE(laid.pattern.facings.empty());
+    const ExportSource source(trousers().garment(), plain.results(), laid, {}, {}, lines);
+    const auto file = readPattern(writeApparelDxf(source), PatternFileKind::Dxf, "pattern.dxf");
+    ASSERT_TRUE(file);
+    EXPECT_GT(file->pieces.size(), trousers().file().pieces.size());
+    ProofOrder order;
+    order.file = *file;
+    const auto ofOurs = freshCloth(source, order, {}), readBack = freshCloth(source, {}, {});
+    ASSERT_TRUE(ofOurs && readBack);
+    EXPECT_EQ(kindsOf(ofOurs->faults), "");
+    EXPECT_EQ(kindsOf(readBack->faults), "");
+    // A garment that has none says so.
+    EXPECT_NE(kindsOf(faultsOf(*file)).find("not-needed: FACING_OF_THE_WAIST"), std::string::npos)
+        << kindsOf(faultsOf(*file));
+}
+
 TEST(PatternFaults, LeavesOutAPieceWhoseOutlineCrossesItself) {
     PatternFile file = trousers().file();
     FilePiece& band = test::ProvedGarment::pieceOf(file, "waistband");

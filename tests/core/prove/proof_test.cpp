@@ -33,8 +33,12 @@ TEST(Proof, MeasuresEveryPieceOfASample) {
     EXPECT_LT((*proof)->gap.mean, 1);
 }
 
-TEST(Proof, ASampleEndsInTheSamePlaceFromTheDesignAndFromOneTenMillimetresOff) {
-    const test::ProvedGarment garment(test::sourceFile("resources/samples/tshirt.obj"));
+class ProofStarts : public testing::TestWithParam<const char*> {};
+
+TEST_P(ProofStarts, EndInTheSamePlaceFromTheDesignAndFromTenMillimetresOff) {
+    const auto path = test::dataFile(GetParam());
+    TOILE_NEEDS_SHARED(path);
+    const test::ProvedGarment garment(path);
     const auto fresh = prove::freshCloth(garment.source(), {}, {});
     ASSERT_TRUE(fresh);
     const sew::Cloth& cloth = fresh->cloth;
@@ -51,6 +55,9 @@ TEST(Proof, ASampleEndsInTheSamePlaceFromTheDesignAndFromOneTenMillimetresOff) {
     EXPECT_TRUE(fromDesign->hasSettled && fromOff->hasSettled);
     EXPECT_LT((fromDesign->X - fromOff->X).rowwise().norm().mean(), 0.05);
 }
+
+INSTANTIATE_TEST_SUITE_P(Proof, ProofStarts,
+                         testing::Values("samples/tshirt.obj", "garments/polo.obj"));
 
 }  // namespace
 }  // namespace toile

@@ -97,10 +97,12 @@ TEST(ProofWords, HowItWasHeldIsToldAsItWasAsked) {
     EXPECT_EQ(howHeld(proof), "on a body, -0.25 Pa");
     proof.bodyName = "avatar.obj";
     proof.settings.hasGravity = true;
+    proof.settings.touchesItself = true;
     proof.scale = 0.97;
     proof.settings.stiffness.shear = 20;
-    EXPECT_EQ(howHeld(proof),
-              "on avatar.obj, -0.25 Pa, gravity, 0.97 times as large, cloth as typed");
+    EXPECT_EQ(
+        howHeld(proof),
+        "on avatar.obj, -0.25 Pa, gravity, 1 mm off itself, 0.97 times as large, cloth as typed");
 }
 
 TEST(ProofWriter, WritesWhatWasFoundAndNeverNaN) {
