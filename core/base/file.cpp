@@ -253,7 +253,7 @@ Result<std::string> readFile(const fs::path& path) {
             }
         }
     } catch (const std::bad_alloc&) {
-        return unreadable(path, "there is not enough memory for it");
+        return Error{ErrorCode::OutOfMemory, Subject::file(path.string())};
     }
     if (file.bad()) {
         return unreadable(path, "reading stopped half-way");

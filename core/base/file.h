@@ -10,7 +10,7 @@
 namespace toile {
 
 /// The whole file as bytes. Errors: FileUnreadable (missing, a folder, no permission, longer than 2
-/// GiB or than there is memory).
+/// GiB); OutOfMemory.
 Result<std::string> readFile(const std::filesystem::path& path);
 
 /// A path with forward slashes, as UTF-8.
