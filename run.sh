@@ -5,6 +5,7 @@
 #
 #   ./run.sh                 the T-shirt of resources/samples
 #   ./run.sh FILE [OPTIONS]  your own garment; options as of `toile flatten` (--unit cm, ...)
+#   ./run.sh --package       Debian packages, into build/package
 #   ./run.sh --prepare [PACKAGE...]   only install what building needs, and these packages
 set -euo pipefail
 
@@ -53,11 +54,23 @@ install_missing() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-if [ "${1:-}" = --prepare ]; then
-    shift
-    install_missing "${packages[@]}" "$@"
-    exit
-fi
+build_folder=build/release
+case ${1:-} in
+    --help | -h)
+        sed -n 's/^#  *\(\.\/run\.sh.*\)/\1/p' "$0"
+        exit
+        ;;
+    --prepare)
+        shift
+        install_missing "${packages[@]}" "$@"
+        exit
+        ;;
+    --package)
+        # What describes the program to desktops and packages, and what the parts need of their own.
+        packages+=(dpkg-dev file python3 gzip librsvg2-bin python3-dev pybind11-dev python3-numpy)
+        build_folder=build/package
+        ;;
+esac
 install_missing "${packages[@]}"
 
 # Says how far the compiler is: one line that moves in a terminal, a line now and then elsewhere.
@@ -66,7 +79,7 @@ show_progress() {
     while IFS= read -r line; do
         [[ $line =~ ^@([0-9]+)[.0-9]*\ +([0-9]+)%\ (.*) ]] || continue
         elapsed=${BASH_REMATCH[1]} percent=${BASH_REMATCH[2]}
-        [ "$percent" -gt 0 ] || continue # before, nobody knows
+        [ "$percent" -ge 10 ] || continue # before, nobody knows: the first steps are short ones
         left=$((elapsed * (100 - percent) / percent))
         if [ -t 1 ]; then
             printf '\r\033[K[ %3d %% ] about %d:%02d left' "$percent" $((left / 60)) $((left % 60))
@@ -79,12 +92,18 @@ show_progress() {
 }
 
 build() {
-    [ -f build/release/build.ninja ] || cmake --preset release || return
+    local options=() targets=(--target toile)
+    if [ "$build_folder" = build/package ]; then
+        options=(-DCMAKE_INSTALL_PREFIX=/usr -DTOILE_DEBIAN=ON -DTOILE_PYTHON=ON)
+        targets=()
+    fi
+    [ -f "$build_folder/build.ninja" ] ||
+        cmake --preset release -B "$build_folder" "${options[@]}" || return
     # Elapsed seconds and per cent, for show_progress.
-    NINJA_STATUS='@%e %p ' cmake --build --preset release --target toile
+    NINJA_STATUS='@%e %p ' cmake --build "$build_folder" --parallel "$(nproc)" "${targets[@]}"
 }
 
-[ -x build/release/app/toile ] || echo "Building Toile; the first time takes some minutes ..."
+[ -x "$build_folder/app/toile" ] || echo "Building Toile; the first time takes some minutes ..."
 SECONDS=0
 if ! build 2>&1 | tee build.log | show_progress; then
     tail -n 40 build.log >&2
@@ -96,6 +115,17 @@ if [ "$SECONDS" -ge 5 ]; then
     cpu=$(awk 'NR == 2 { split($0, t, /[ms ]+/); print int((t[1] + t[3]) * 60 + t[2] + t[4]) }' build/times)
     printf 'Built in %d:%02d minutes, %d:%02d of processor time.\n' \
         $((SECONDS / 60)) $((SECONDS % 60)) $((cpu / 60)) $((cpu % 60))
+fi
+
+if [ "$build_folder" = build/package ]; then
+    (cd build/package && rm -f ./*.deb && cpack >cpack.log) || {
+        tail -n 20 build/package/cpack.log >&2
+        exit 1
+    }
+    echo "Made in build/package:"
+    (cd build/package && ls -- *.deb)
+    echo "To install: sudo apt-get install ./build/package/toile_*.deb"
+    exit
 fi
 
 toile=$PWD/build/release/app/toile

@@ -2,6 +2,7 @@
 #include "app/run_render.h"
 
 #include <QBuffer>
+#include <QFile>
 #include <QGuiApplication>
 #include <iostream>
 #include <utility>
@@ -50,6 +51,16 @@ void addReference(DocumentState& state) {
     }
 }
 
+/// Within a second or so, by the quickest method.
+bool isSoonFlat(const Garment& garment) {
+    constexpr std::size_t kMostTriangles = 50'000;
+    std::size_t triangles = 0;
+    for (const auto& piece : garment.pieces) {
+        triangles += static_cast<std::size_t>(piece->mesh.F.rows());
+    }
+    return triangles <= kMostTriangles;
+}
+
 /// Opens what the window shows once everything is flat. @return whether some piece is not
 bool openFlattened(Document& document, const Arguments& arguments, Garment read) {
     Progress progress;
@@ -66,8 +77,15 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     }
     state.options = arguments.options;
     state.lines = arguments.lines;
+    const bool isThumbnail = arguments.picture.thumbnail > 0;
+    if (isThumbnail) {  // nobody sees more of what is flat than that it has a colour
+        state.options.method = Method::Lscm;
+        state.lines = {};
+    }
     GarmentFlattener flattener;
-    flatten(made, state, flattener, progress);
+    if (!isThumbnail || isSoonFlat(*derived.garment)) {
+        flatten(made, state, flattener, progress);
+    }
     draw(derived, progress);
     state.settings = settingsAfter(made, std::move(state.settings), {});
     const bool failed = printFailures(derived.results, std::cerr);
@@ -84,7 +102,7 @@ void applyView(Document& document, const Arguments& arguments) {
         view = viewOf(arguments.project->view, view);
     }
     const PictureArguments& asked = arguments.picture;
-    view.overlay = arguments.overlay.value_or(view.overlay);
+    view.overlay = asked.thumbnail > 0 ? Overlay::None : arguments.overlay.value_or(view.overlay);
     view.wireframe = view.wireframe || asked.wireframe;
     view.seams = asked.seams;
     view.xray = asked.xray;
@@ -117,10 +135,41 @@ PictureOptions pictureOptions(const PictureArguments& asked, Overlay overlay) {
     options.legend = asked.bar.value_or(isMeasured(overlay));
     options.font = pictureFont();
     options.palette = asked.dark ? darkPalette() : lightPalette();
+    if (asked.thumbnail > 0) {
+        options.size = QSize(asked.thumbnail, asked.thumbnail);
+        options.views = ViewsShown::Garment;
+        options.plain = true;
+    }
     return options;
 }
 
+/// A thumbnail goes into the very file that the file manager has made and keeps open.
+Result<void> writePicture(const Arguments& arguments, const QByteArray& png) {
+    const std::filesystem::path& path = arguments.outputs.front();
+    if (arguments.picture.thumbnail == 0) {
+        return writeFile(path, std::string_view(png.constData(), std::size_t(png.size())));
+    }
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(png) != png.size() || !file.flush()) {
+        return Error{ErrorCode::FileUnwritable, Subject::file(path.string()),
+                     file.errorString().toStdString()};
+    }
+    return {};
+}
+
+/// A file manager's sandbox has one folder, for the thumbnail alone. Qt would make another in it,
+/// for what programs of a session share.
+void leaveNothingBeside(const std::filesystem::path& thumbnail) {
+    if (!qEnvironmentVariableIsSet("XDG_RUNTIME_DIR")) {
+        const auto folder = std::filesystem::absolute(thumbnail).parent_path();
+        qputenv("XDG_RUNTIME_DIR", QByteArray::fromStdString(folder.string()));
+    }
+}
+
 int render(int argc, char** argv, const Arguments& arguments) {
+    if (arguments.picture.thumbnail > 0) {
+        leaveNothingBeside(arguments.outputs.front());
+    }
     auto display = std::make_unique<DisplayProbe>();
     if (const QString sentence = choosePicturePlatform(*display); !sentence.isEmpty()) {
         return refused(sentence);
@@ -157,11 +206,12 @@ int render(int argc, char** argv, const Arguments& arguments) {
     if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
         return refused("the picture could not be made into a PNG file");
     }
-    const auto written = writeFile(arguments.outputs.front(),
-                                   std::string_view(png.constData(), std::size_t(png.size())));
-    if (!written) {
+    if (const auto written = writePicture(arguments, png); !written) {
         std::cerr << "toile: " << sentence(written.error()) << '\n';
         return kExitUnreadable;
+    }
+    if (arguments.picture.thumbnail > 0) {
+        return kExitDone;  // of pieces that cannot lie flat too
     }
     return failed ? kExitSomeFailed : kExitDone;
 }

@@ -95,7 +95,9 @@ void PicturePainter::beginText(QPainter& picture, const QRect& part) const {
 void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
     Camera3D camera;
     camera.setViewport(part.width(), part.height());
-    camera.setFreeEdges(Camera3D::kSliderRoom);
+    if (!options_.plain) {
+        camera.setFreeEdges(Camera3D::kSliderRoom);
+    }
     if (options_.direction) {
         camera.setDirection(options_.direction->yaw, options_.direction->pitch);
     }
@@ -108,6 +110,9 @@ void PicturePainter::drawGarment(QPainter& picture, const QRect& part) {
         renderer.paint(camera, document_.view(), style_, part.width(), part.height(), 1, morph,
                        options_.sewn);
     });
+    if (options_.plain) {
+        return;
+    }
     beginText(picture, part);
     paintGarmentText(picture, style_,
                      {document_, camera, QRect(QPoint(), part.size()), spots_, options_.morph,

@@ -20,6 +20,7 @@ struct PictureOptions {
     double morph = 0;                          ///< the garment's way to the pattern, 0 to 1
     double sewn = 0;     ///< and to the cloth sewn of it, where the document has been proved
     bool legend = true;  ///< the colour bar below
+    bool plain = false;  ///< no names and no axes, and the garment as large as there is room
     QFont font{};
     QPalette palette{};
 };

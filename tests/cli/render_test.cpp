@@ -230,6 +230,24 @@ TEST(Render, FailuresHaveTheStatusOfTheOtherCommands) {
     EXPECT_TRUE(fs::exists(out));
 }
 
+// File managers make the file, keep it open, and take a picture from it only where all is well.
+TEST(Render, AThumbnailGoesIntoTheFileThereIsWhateverItsNameAndWhateverCannotLieFlat) {
+    const test::TemporaryFolder folder;
+    const auto ball = folder.write("ball.obj",
+                                   "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\n"
+                                   "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    fs::create_directory(folder / "alone");
+    fs::permissions(folder / "alone", fs::perms::owner_all);
+    const fs::path out = folder.write("alone/made-before", "empty as yet");
+    fs::create_hard_link(out, folder / "kept-open");
+    const auto run = render({ball.string(), "-o", out.string(), "--thumbnail", "128"},
+                            {"-u", "XDG_RUNTIME_DIR", "TMPDIR=" + out.parent_path().string()});
+    TOILE_NEEDS_DRAWING(run);
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(sizeOf(folder.read("kept-open")), std::pair(128U, 128U));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out.parent_path()), {}), 1);
+}
+
 #else
 
 TEST(Render, ABuildWithoutQtSaysThatItDrawsNothing) {
