@@ -8,6 +8,7 @@
 #include <map>
 #include <sstream>
 
+#include "app/cli/batch_options.h"
 #include "app/cli/check_arguments.h"
 #include "app/cli/choice_options.h"
 #include "app/cli/command_line.h"
@@ -217,6 +218,19 @@ void addExporting(CLI::App& command, Typed& typed) {
     }
 }
 
+/// How a garment is flattened and written, for one garment and for many.
+void addFlattening(CLI::App& command, Typed& typed, Arguments& arguments) {
+    addMethodOptions(command, arguments.stated);
+    addLineOptions(command, arguments.stated);
+    addPatternOptions(command, arguments.stated);
+    addLabelOptions(command, arguments.stated);
+    command.add_flag("--half", arguments.stated.byHalf,
+                     "Draw only half of what is symmetric, to be cut on the fold, and one of two "
+                     "that mirror each other, to be cut as a pair; asks for --mirror auto");
+    addReading(command, arguments);
+    addExporting(command, typed);
+}
+
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
@@ -226,21 +240,24 @@ void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
             "File to write, by its ending: " + formatList() + ". May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
-    addMethodOptions(flatten, arguments.stated);
-    addLineOptions(flatten, arguments.stated);
-    addPatternOptions(flatten, arguments.stated);
-    addLabelOptions(flatten, arguments.stated);
-    flatten.add_flag("--half", arguments.stated.byHalf,
-                     "Draw only half of what is symmetric, to be cut on the fold, and one of two "
-                     "that mirror each other, to be cut as a pair; asks for --mirror auto");
-    addReading(flatten, arguments);
+    addFlattening(flatten, typed, arguments);
     addFailOn(flatten, arguments);
-    addExporting(flatten, typed);
     flatten.add_flag("--ledger", arguments.ledger,
                      "Print every seam with the lengths of its two sides");
     flatten
         .add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
+}
+
+void addBatch(CLI::App& app, Typed& typed, Arguments& arguments) {
+    CLI::App& command = *app.add_subcommand(
+        "batch", "Flatten a list of garments, each in a process of its own (docs/batch.md)");
+    command.callback([&arguments] { arguments.command = Arguments::Command::Batch; });
+    command.footer(
+        "\nWhat is finished is skipped when the same list is run again. Exit status 1 where a\n"
+        "garment failed (the rest is written); Ctrl-C or SIGTERM ends it, with nothing half done.");
+    addBatchOptions(command, arguments.batch);
+    addFlattening(command, typed, arguments);
 }
 
 void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
@@ -258,6 +275,7 @@ void addCompare(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::Option* proving =
         compare.add_flag("--prove", arguments.isProving,
                          "Sew each pattern back together and say how far from the design it sits");
+    addSelfContact(compare, arguments, proving);
     CLI::Option* pattern =
         compare
             .add_option(
@@ -313,6 +331,13 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
         ->default_str("on");
     addChoice(render, "--bar", picture.bar, kSwitchWords,
               "The colour bar below [on where the overlay is measured]");
+    render
+        .add_option("--thumbnail", picture.thumbnail,
+                    "A square picture of the garment alone, so many pixels wide, for file "
+                    "managers, made quickly; its name may end in anything")
+        ->type_name("PIXELS")
+        ->check(CLI::Range(kMinPicture, kMaxPicture))
+        ->excludes("--size", "--view", "--overlay", "--morph");
     addMethodOptions(render, arguments.stated);
     addLineOptions(render, arguments.stated);
     addPatternOptions(render, arguments.stated);
@@ -338,9 +363,10 @@ void addCheck(CLI::App& app, Arguments& arguments) {
     addPatternOptions(check, arguments.stated);
     addReading(check, arguments);
     addFailOn(check, arguments);
-    check.add_flag(
+    CLI::Option* proving = check.add_flag(
         "--prove", arguments.isProving,
         "Sew the pattern back together first: a doubt where it sits far from the design");
+    addSelfContact(check, arguments, proving);
     check.add_flag("--json", arguments.json, "Print as JSON");
 }
 
@@ -441,6 +467,17 @@ void addInfo(CLI::App& app, Arguments& arguments) {
         ->excludes(json);
 }
 
+void addServe(CLI::App& app, Arguments& arguments) {
+    CLI::App& command = *app.add_subcommand(
+        "serve",
+        "Answer requests of another program: a line of JSON each on the standard input, answers "
+        "on the standard output (docs/serve.md)");
+    command.callback([&arguments] { arguments.command = Arguments::Command::Serve; });
+    command.footer(
+        "\nEnds with the request \"quit\" or the end of the input. Exit status 0 whatever was\n"
+        "answered, 3 where answers could not be written.");
+}
+
 bool isNumber(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -517,6 +554,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     Typed typed;
     Arguments arguments;
     addFlatten(app, typed, arguments);
+    addBatch(app, typed, arguments);
     addCompare(app, typed, arguments);
     addCheck(app, arguments);
     addWalk(app, arguments);
@@ -524,6 +562,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addProve(app, typed, arguments);
     addInfo(app, arguments);
     addRender(app, typed, arguments);
+    addServe(app, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
     app.add_option("FILE", typed.windowFiles, "Garment or project to open in the window")
         ->type_name("FILE...");
@@ -570,6 +609,9 @@ Arguments parseArguments(int argc, const char* const* argv) {
     arguments.options = arguments.stated.over(FlattenOptions{});
     arguments.lines = arguments.stated.over(LineSettings{});
     arguments.methods = methodsOf(typed);
+    if (arguments.command == Arguments::Command::Batch) {
+        arguments.batch.words = flattenWords(*app.get_subcommand("batch"));
+    }
     for (const std::string& output : {typed.picture, typed.report}) {
         if (!output.empty()) {
             arguments.outputs.emplace_back(output);

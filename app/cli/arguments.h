@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/batch_arguments.h"
 #include "app/cli/marker_arguments.h"
 #include "app/cli/picture_arguments.h"
 #include "app/cli/prove_arguments.h"
@@ -30,6 +31,8 @@ struct Arguments {
         Walk,
         Marker,
         Prove,
+        Batch,
+        Serve,
         Message,  ///< help, version or a usage error: print `message` and end with `status`
     };
 
@@ -58,11 +61,14 @@ struct Arguments {
     PictureArguments picture;          ///< render
     MarkerArguments marker{};          ///< marker
     ProveArguments prove{};            ///< prove
+    BatchArguments batch{};            ///< batch
+    int threads = 0;                   ///< that flatten a garment; 0: as the machine has cores
     std::optional<Fabric> fabric{};    ///< check: typed, or a project's
     std::optional<Project> project{};  ///< that the inputs are of, once `withProject` has read it
 
     std::string message;
     int status = 0;
+    std::optional<Error> error{};  ///< what the message says, where that is no wrong usage
 };
 
 /// Parses the command line. Never exits and never throws; wrong usage comes back as a Message with

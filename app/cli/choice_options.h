@@ -12,6 +12,9 @@
 // seconds.
 namespace toile::app {
 
+/// That work at one garment; OpenBLAS has memory for no more.
+inline constexpr int kMostThreads = 64;
+
 template <class Value, std::size_t n>
 std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
     std::vector<std::string> names;

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/cli/arguments.h"
+#include "app/cli/serve_command.h"
+#include "core/linalg/blas_call.h"
 #include "core/pattern/piece_grain.h"
 #include "core/project/layer_materials.h"
 #include "core/project/place_pieces.h"
@@ -21,6 +23,9 @@ int runCommand(const Arguments& typed) {
         switch (arguments.command) {
             case Arguments::Command::Flatten:
                 return runFlatten(arguments, std::cout, std::cerr);
+            case Arguments::Command::Batch:
+                linalg::useOneBlasThread();  // before it forks: else each child starts threads
+                return runBatch(arguments, std::cout, std::cerr);
             case Arguments::Command::Compare:
                 return runCompare(arguments, std::cout, std::cerr);
             case Arguments::Command::Check:
@@ -33,6 +38,8 @@ int runCommand(const Arguments& typed) {
                 return runMarker(arguments, std::cout, std::cerr);
             case Arguments::Command::Prove:
                 return runProve(arguments, std::cout, std::cerr);
+            case Arguments::Command::Serve:
+                return runServe(std::cin, std::cout);
             case Arguments::Command::Message:
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;
@@ -59,6 +66,12 @@ Arguments refused(const std::string& sentence, int status) {
     message.command = Arguments::Command::Message;
     message.message = "toile: " + sentence + "\n";
     message.status = status;
+    return message;
+}
+
+Arguments refused(const Error& error) {
+    Arguments message = refused(sentence(error), kExitUnreadable);
+    message.error = error;
     return message;
 }
 
@@ -97,16 +110,15 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     }
     auto read = readProject(*project);
     if (!read) {
-        return refused(sentence(read.error()), kExitUnreadable);
+        return refused(read.error());
     }
     for (const Error& note : read->notes) {
         err << "toile: " << sentence(note) << '\n';
     }
     const auto missing = locateMeshes(read->project);
     if (!missing.empty()) {
-        return refused(sentence({ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
-                                 "the project needs it, there is no such file"}),
-                       kExitUnreadable);
+        return refused({ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
+                        "the project needs it, there is no such file"});
     }
     arguments.inputs.clear();
     for (const FileReference& file : read->project.files) {

@@ -16,14 +16,15 @@ enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnrea
 
 struct Arguments;
 
-/// Runs `toile flatten`, `toile compare`, `toile check`, `toile walk`, `toile marker`, `toile
-/// prove`, `toile info`, `--help` or `--version` as parsed. Output goes to stdout, errors to
-/// stderr, one sentence each. Never throws.
+/// Runs `toile` with a command, `--help` or `--version` as parsed. Output goes to stdout,
+/// errors to stderr, one sentence each. Never throws.
 int runCommand(const Arguments& typed);
 
 /// One function per command; each returns the exit status.
 int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err);
+/// Each garment of a list in a process of its own.
+int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err);
 int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err);
 /// With `--pattern`: compares with a pattern from a file.
 int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostream& err);

@@ -13,9 +13,8 @@
 #include "core/project/piece_names.h"
 
 namespace toile::app {
-namespace {
 
-Result<Garment> read(const Arguments& arguments, Progress& progress, std::ostream& err) {
+Result<LoadOptions> loadingOf(const Arguments& arguments, std::ostream& err) {
     LoadOptions options = arguments.load;
     if (!arguments.seams.empty()) {
         Problems notes;
@@ -28,17 +27,27 @@ Result<Garment> read(const Arguments& arguments, Progress& progress, std::ostrea
         }
         options.seams = std::move(*seams);
     }
-    return loadGarment(arguments.inputs, options, progress);
+    return options;
 }
-
-}  // namespace
 
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
                                  std::ostream& err) {
-    auto garment = read(arguments, progress, err);
+    auto garment = readGarment(arguments, progress, err);
     if (!garment) {
         err << "toile: " << sentence(garment.error()) << '\n';
         return std::nullopt;
+    }
+    return std::move(*garment);
+}
+
+Result<Garment> readGarment(const Arguments& arguments, Progress& progress, std::ostream& err) {
+    const auto loading = loadingOf(arguments, err);
+    if (!loading) {
+        return loading.error();
+    }
+    auto garment = loadGarment(arguments.inputs, *loading, progress);
+    if (!garment) {
+        return garment;
     }
     printDifferences(arguments, *garment, err);
     return arguments.project ? named(std::move(*garment), arguments.project->labels)
@@ -46,8 +55,9 @@ std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
 }
 
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress) {
-    return withoutLeftOut(arguments, garment,
-                          flattenGarment(garment, arguments.options, progress, 0, arguments.lines));
+    return withoutLeftOut(
+        arguments, garment,
+        flattenGarment(garment, arguments.options, progress, arguments.threads, arguments.lines));
 }
 
 PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,

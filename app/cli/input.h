@@ -14,10 +14,17 @@ namespace toile::app {
 
 struct Arguments;
 
+/// How the garment is to be made, with the seams file read, if one was given; notes are printed.
+/// Errors: those of `readSeamsFile`.
+Result<LoadOptions> loadingOf(const Arguments& arguments, std::ostream& err);
+
 /// Reads the seams file, if one was given, and the garment. Prints why one cannot be read, then
 /// there is no garment; and how the garment is not the one that a project was made with. Pieces
 /// have the names that the project gives them.
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress, std::ostream& err);
+
+/// The same with the reason as a value; notes are printed.
+Result<Garment> readGarment(const Arguments& arguments, Progress& progress, std::ostream& err);
 
 /// Flattens the garment as the arguments ask; what a project leaves out is not flat.
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress);

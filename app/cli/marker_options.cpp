@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/choice_options.h"
 #include "core/base/units.h"
 #include "core/garment/fabric.h"
 
@@ -11,7 +12,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kMostApart = 1000;  // mm
-constexpr int kMostGarments = 1000, kMostThreads = 64;
+constexpr int kMostGarments = 1000;
 
 /// Notes that this setting was typed. @param field  of MarkerSettings
 template <auto field>

@@ -17,6 +17,9 @@ struct PictureArguments {
     bool wireframe = false, xray = false, seams = true;
     std::optional<bool> bar{};  ///< none: where the overlay is measured
     bool dark = false;
+    /// Pixels of a square for file managers, which wins over the size: the garment alone. 0: no
+    /// thumbnail.
+    int thumbnail = 0;
 };
 
 inline constexpr int kMinPicture = 16, kMaxPicture = 8192;

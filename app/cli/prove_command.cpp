@@ -10,6 +10,7 @@
 #include "app/cli/improve_pattern.h"
 #include "app/cli/input.h"
 #include "app/cli/marker_interruptible.h"
+#include "app/cli/proof_order.h"
 #include "app/cli/proof_picture.h"
 #include "app/cli/prove_text.h"
 #include "app/cli/write_patterns.h"
@@ -28,14 +29,6 @@ constexpr double kBetweenSteps = 5;  // s, of the lines that say how far it is
 int refuseProof(const Error& error, std::ostream& err) {
     err << "toile: " << sentence(error) << '\n';
     return kExitUnreadable;
-}
-
-Result<std::optional<PatternFile>> sewnFile(const Arguments& arguments) {
-    if (arguments.pattern.empty()) {
-        return std::optional<PatternFile>();
-    }
-    auto file = readPatternFile(arguments.pattern, arguments.prove.patternUnit);
-    return file ? Result<std::optional<PatternFile>>(std::move(*file)) : file.error();
 }
 
 DrawProof drawProof = nullptr;
@@ -98,41 +91,55 @@ DrawProof proofPictures() {
     return drawProof;
 }
 
+ProofOrdered proofOrder(const Arguments& arguments, const Garment& garment, Progress& progress) {
+    const ProveArguments& typed = arguments.prove;
+    const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
+    if (typed.isReference && std::ranges::none_of(garment.pieces, hasPanel)) {
+        return UnfitProof{"the garment carries no panels of its designer's; leave out --reference"};
+    }
+    ProofOrder order{
+        .isReference = typed.isReference, .settings = typed.settings, .scale = typed.scale};
+    if (!arguments.pattern.empty()) {
+        auto file = readPatternFile(arguments.pattern, typed.patternUnit);
+        if (!file) {
+            return file.error();
+        }
+        order.file = std::move(*file);
+    }
+    if (!typed.body.empty()) {
+        auto body = readBody(typed.body, typed.bodyUnit, garment, progress);
+        if (!body) {
+            return body.error();
+        }
+        if (!isNear(*body, garment)) {
+            return UnfitProof{"\"" + shownText(typed.body.string(), kMaxOfPlace) +
+                                  "\" lies nowhere near the garment; say its unit with --body-unit",
+                              typed.body.string()};
+        }
+        order.body = std::move(*body);
+        order.bodyName = typed.body.filename().string();
+    }
+    return order;
+}
+
 int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     Progress progress;
     auto interruptible = std::make_optional<Interruptible>(progress);
-    auto file = sewnFile(arguments);
-    if (!file) {
-        return refuseProof(file.error(), err);
-    }
     const auto garment = readInput(arguments, progress, err);
     if (!garment) {
         return kExitUnreadable;
     }
     const ProveArguments& typed = arguments.prove;
-    const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
-    if (typed.isReference && std::ranges::none_of(garment->pieces, hasPanel)) {
-        err << "toile: the garment carries no panels of its designer's; leave out --reference.\n";
+    auto ordered = proofOrder(arguments, *garment, progress);
+    if (const auto* error = std::get_if<Error>(&ordered)) {
+        return refuseProof(*error, err);
+    }
+    if (const auto* unfit = std::get_if<UnfitProof>(&ordered)) {
+        err << "toile: " << unfit->sentence << ".\n";
         return kExitUnreadable;
     }
-    ProofOrder order{.file = std::move(*file),
-                     .isReference = typed.isReference,
-                     .settings = typed.settings,
-                     .scale = typed.scale,
-                     .watch = teller(err)};
-    if (!typed.body.empty()) {
-        auto body = readBody(typed.body, typed.bodyUnit, *garment, progress);
-        if (!body) {
-            return refuseProof(body.error(), err);
-        }
-        if (!isNear(*body, *garment)) {
-            err << "toile: \"" << typed.body.string()
-                << "\" lies nowhere near the garment; say its unit with --body-unit.\n";
-            return kExitUnreadable;
-        }
-        order.body = std::move(*body);
-        order.bodyName = typed.body.filename().string();
-    }
+    ProofOrder& order = std::get<ProofOrder>(ordered);
+    order.watch = teller(err);
     progress.start(1);
     PieceResults results = flattened(arguments, *garment, progress);
     if (progress.isCancelled()) {

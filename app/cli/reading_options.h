@@ -3,7 +3,7 @@
 
 #include "app/cli/arguments.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): its own
 class App;
 }  // namespace CLI
 

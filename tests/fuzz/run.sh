@@ -19,7 +19,7 @@ cmake --preset fuzz -B "$build"
 cmake --build "$build" --target toile_fuzz --parallel "${JOBS:-2}"
 
 status=0
-for format in ${FORMATS:-obj off ply stl usdmesh project seams dxf svg garmentcode pdf plt glb usda prepare garment}; do
+for format in ${FORMATS:-obj off ply stl usdmesh project seams dxf svg garmentcode pdf plt glb usda prepare garment serve}; do
     work=$build/found/$format
     mkdir -p "$work/corpus" "$work/broken"
     printf '\n== %s, %s seconds\n' "$format" "$seconds"

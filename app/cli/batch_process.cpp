@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/batch_process.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstddef>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include "app/cli/batch_memory.h"
+
+namespace toile::app {
+namespace {
+
+constexpr double kKibPerMib = 1024;
+constexpr double kMicrosecondsPerSecond = 1e6;
+constexpr double kMillisecondsPerBatchSecond = 1e3;
+constexpr int kLongestPoll = 3'600'000;  // ms; then it is asked again
+constexpr int kTakenSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGCHLD};
+
+volatile std::sig_atomic_t receivedSignal = 0;
+int signalPipe[2] = {-1, -1};
+
+/// Runs on any thread: OpenBLAS has some, so that signals cannot be blocked and waited for.
+void takeNote(int signal) {
+    const int before = errno;
+    if (signal != SIGCHLD) {
+        receivedSignal = signal;
+    }
+    [[maybe_unused]] const auto written = write(signalPipe[1], "", 1);
+    errno = before;
+}
+
+/// What this process was started to ignore, by nohup or behind a shell's &, it goes on ignoring.
+void answerAll(void (*answer)(int)) {
+    for (const int signal : kTakenSignals) {
+        struct sigaction action {};
+        sigaction(signal, nullptr, &action);
+        if (action.sa_handler == SIG_IGN && signal != SIGCHLD) {
+            continue;
+        }
+        action = {};
+        action.sa_handler = answer;
+        sigaction(signal, &action, nullptr);
+    }
+}
+
+[[noreturn]] void runAsChild(const std::function<int()>& work, const ProcessLimits& limits,
+                             pid_t parent) {
+    answerAll(SIG_DFL);
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+    if (getppid() != parent) {
+        _exit(1);
+    }
+    if (limits.memoryMib > 0) {
+        limitMemory(limits.memoryMib, limits.threads);
+    }
+    _exit(work());
+}
+
+double secondsOf(const timeval& time) {
+    return static_cast<double>(time.tv_sec) +
+           static_cast<double>(time.tv_usec) / kMicrosecondsPerSecond;
+}
+
+}  // namespace
+
+BatchSignals::BatchSignals() {
+    receivedSignal = 0;
+    if (pipe(signalPipe) == 0) {
+        for (const int end : signalPipe) {
+            fcntl(end, F_SETFL, O_NONBLOCK);
+            fcntl(end, F_SETFD, FD_CLOEXEC);
+        }
+    }
+    answerAll(takeNote);
+}
+
+BatchSignals::~BatchSignals() {
+    answerAll(SIG_DFL);
+    close(signalPipe[0]);
+    close(signalPipe[1]);
+}
+
+int BatchSignals::received() {
+    return receivedSignal;
+}
+
+void BatchSignals::wait(double seconds) {
+    pollfd input{signalPipe[0], POLLIN, 0};
+    const double milliseconds = std::ceil(seconds * kMillisecondsPerBatchSecond);
+    poll(&input, 1,
+         milliseconds < 0 || milliseconds > kLongestPoll ? kLongestPoll
+                                                         : static_cast<int>(milliseconds));
+    char taken[64];
+    while (read(signalPipe[0], taken, sizeof taken) > 0) {
+    }
+}
+
+ProcessEnd inOwnProcess(const std::function<int()>& work, const ProcessLimits& limits) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const auto passed = [&start] {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    };
+    const pid_t self = getpid();
+    const pid_t child = fork();
+    if (child == 0) {
+        runAsChild(work, limits, self);
+    }
+    ProcessEnd end;
+    if (child < 0) {
+        end.signal = -1;
+        return end;
+    }
+    int state = 0;
+    rusage used{};
+    while (wait4(child, &state, WNOHANG, &used) == 0) {
+        end.isInterrupted = BatchSignals::received() != 0;
+        end.isTimedOut = !end.isInterrupted && limits.seconds > 0 && passed() >= limits.seconds;
+        if (end.isInterrupted || end.isTimedOut) {
+            kill(child, SIGKILL);
+            wait4(child, &state, 0, &used);
+            break;
+        }
+        BatchSignals::wait(limits.seconds > 0 ? limits.seconds - passed() : -1);
+    }
+    end.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
+    // Ctrl-C goes to both, and the child may be the first to end of it.
+    end.isInterrupted = end.isInterrupted || (end.signal != 0 && BatchSignals::received() != 0);
+    end.status = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
+    end.cost = {passed(), secondsOf(used.ru_utime) + secondsOf(used.ru_stime),
+                static_cast<double>(used.ru_maxrss) / kKibPerMib};
+    return end;
+}
+
+ProcessEnd textOfOwnProcess(const std::function<std::string()>& work, const ProcessLimits& limits,
+                            std::string& text) {
+    text.clear();
+    int ends[2] = {-1, -1};
+    if (pipe(ends) != 0) {
+        return {.signal = -1};
+    }
+    const ProcessEnd end = inOwnProcess(
+        [&] {
+            const std::string found = work();
+            return write(ends[1], found.data(), found.size()) < 0 ? 1 : 0;
+        },
+        limits);
+    close(ends[1]);
+    char block[256];
+    for (ssize_t taken = 0; (taken = read(ends[0], block, sizeof block)) > 0;) {
+        text.append(block, static_cast<std::size_t>(taken));
+    }
+    close(ends[0]);
+    return end;
+}
+
+}  // namespace toile::app
