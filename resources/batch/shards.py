@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the Snakefile beside it does with the shards of a list (docs/batch.md).
+
+shards.py divide LIST FOLDER COUNT  deals the garments out to FOLDER/shard00000.txt...
+shards.py renew FOLDER RECORDS      changes the shards of which a garment failed, by
+                                    RECORDS/shard00000.jsonl, that the machine may be to blame for
+
+Like cards, so that neighbours of a size do not all come to one shard. What has changed the next run
+of the workflow does again.
+"""
+import json
+import sys
+from pathlib import Path
+
+# Those that toile batch tries again.
+FAULTS = {
+    "timed-out",
+    "killed",
+    "crashed",
+    "out-of-memory",
+    "file-unreadable",
+    "file-unwritable",
+}
+AGAIN = "# again, as the machine may be to blame\n"
+
+
+def garments(path: Path) -> list[str]:
+    with open(path, encoding="utf-8-sig", errors="surrogateescape", newline="\n") as lines:
+        return [line for line in lines if line.strip() and not line.startswith("#")]
+
+
+def shard_names(count: int) -> list[str]:
+    return [f"shard{number:05d}" for number in range(count)]
+
+
+def divide(path: Path, folder: Path, count: int) -> None:
+    lines = garments(path)
+    for number, name in enumerate(shard_names(count)):
+        shard = folder / f"{name}.txt"
+        with open(shard, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as out:
+            out.writelines(line.rstrip("\n") + "\n" for line in lines[number::count])
+
+
+def has_fault(records: Path) -> bool:
+    with open(records, encoding="utf-8") as lines:
+        return any((json.loads(line)["error"] or {}).get("code") in FAULTS for line in lines)
+
+
+def renew(folder: Path, records: Path) -> None:
+    for shard in sorted(folder.glob("shard*.txt")):
+        path = records / f"{shard.stem}.jsonl"
+        if path.is_file() and has_fault(path):
+            with open(shard, "a", encoding="utf-8") as lines:
+                lines.write(AGAIN)  # a time alone is no change for Snakemake
+
+
+def main() -> None:
+    match sys.argv[1:]:
+        case ["divide", path, folder, count]:
+            divide(Path(path), Path(folder), int(count))
+        case ["renew", folder, records]:
+            renew(Path(folder), Path(records))
+        case _:
+            sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main()
