@@ -25,7 +25,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BUILD = pathlib.Path(os.environ.get("BUILD", ROOT / "build" / "tidy")).resolve()
 AT_ONCE = 12  # files of one translation unit: more would need more memory, and shows nothing sooner
 PLAIN = ["-DTOILE_UNITY=OFF", "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON", "-DTOILE_TESTS=OFF",
-         "-DCMAKE_CXX_COMPILER_LAUNCHER="]
+         "-DTOILE_PYTHON=ON", "-DCMAKE_CXX_COMPILER_LAUNCHER="]
 
 
 def said(*command):

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+
+#include <pybind11/pybind11.h>
+
+#include "app/python/garment_binding.h"
+#include "core/layout/marker.h"
+#include "core/pipeline/pipeline.h"
+
+namespace toile::python {
+
+/// A garment flat. Immutable but for what is found when it is first asked for; shared between
+/// threads.
+struct HeldFlat {
+    std::shared_ptr<const HeldGarment> of;
+    app::Arguments arguments;  ///< of the garment, with how it was flattened
+    PieceResults results;
+
+    const Garment& garment() const { return of->garment; }
+    /// Waits for whoever is finding it; needs no lock of Python's.
+    const LaidOutPattern& laid() const;
+
+private:
+    mutable std::once_flag isLaid_;
+    mutable LaidOutPattern laid_;
+};
+
+struct PyFlat {
+    std::shared_ptr<const HeldFlat> held;
+};
+
+/// A piece of it.
+struct PyFlatPiece {
+    std::shared_ptr<const PieceResult> result;
+};
+
+/// `FlatPiece`, `FlatSeam`, what a flat garment has, and `Garment.flatten`.
+void bindFlat(py::module_& module, py::class_<PyGarment>& garment, py::class_<PyFlat>& flat);
+/// `Written` and `FlatGarment.write`.
+void bindWriting(py::module_& module, py::class_<PyFlat>& flat);
+/// `Pattern` and its parts.
+void bindPattern(py::module_& module, py::class_<PyFlat>& flat);
+/// `Proof` and its parts, `FlatGarment.prove`.
+void bindProof(py::module_& module, py::class_<PyFlat>& flat);
+
+}  // namespace toile::python

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <future>
+#include <utility>
+
+#include <pybind11/pybind11.h>
+
+#include "app/python/running_calls.h"
+#include "core/base/progress.h"
+
+namespace toile::python {
+
+inline constexpr std::chrono::milliseconds kBetweenLooks{50};
+
+/// Does work on a thread of its own, without Python's lock. The caller waits, looks for signals
+/// (Ctrl-C) and says how far it is; an exception of either cancels the work and goes on.
+/// @param onProgress  called with the fraction done, in [0, 1]; or None
+/// @param work  given a Progress&; touches no Python object
+template <class Work>
+auto interruptible(const pybind11::object& onProgress, Work work) {
+    Progress progress;
+    const RunningCall running(progress);
+    auto result = std::async(std::launch::async, [&progress, &work] { return work(progress); });
+    const auto isReady = [&result] {
+        const pybind11::gil_scoped_release released;
+        return result.wait_for(kBetweenLooks) == std::future_status::ready;
+    };
+    try {
+        while (!isReady()) {
+            if (PyErr_CheckSignals() != 0) {
+                throw pybind11::error_already_set();
+            }
+            if (!onProgress.is_none()) {
+                onProgress(progress.fraction());
+            }
+        }
+    } catch (...) {
+        progress.cancel();
+        const pybind11::gil_scoped_release released;
+        result.wait();
+        throw;
+    }
+    return result.get();
+}
+
+}  // namespace toile::python

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "app/cli/proof_order.h"
+#include "app/python/array_views.h"
+#include "app/python/flat_binding.h"
+#include "app/python/interruptible_call.h"
+#include "app/python/option_words.h"
+#include "app/python/raised.h"
+#include "core/prove/proof.h"
+
+namespace toile::python {
+namespace {
+
+struct PyProof {
+    std::shared_ptr<const HeldFlat> held;
+    std::shared_ptr<const Proof> proof;
+};
+
+struct PyProvenPiece {
+    PyProof of;
+    std::size_t index;
+
+    const ProvenPiece& piece() const { return of.proof->pieces[index]; }
+};
+
+/// Throws Raised.
+ProofOrder orderOf(const app::Arguments& typed, const Garment& garment, Progress& progress) {
+    auto ordered = app::proofOrder(typed, garment, progress);
+    if (const auto* error = std::get_if<Error>(&ordered)) {
+        throw Raised(*error);
+    }
+    if (const auto* unfit = std::get_if<app::UnfitProof>(&ordered)) {
+        Raised raised(unfit->sentence);
+        raised.subject = unfit->subject;
+        throw raised;
+    }
+    return std::get<ProofOrder>(std::move(ordered));
+}
+
+PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs& options) {
+    const app::Arguments typed = provingArguments(options);
+    const HeldFlat& held = *flat.held;
+    return interruptible(onProgress, [&](Progress& progress) {
+        const ProofOrder order = orderOf(typed, held.garment(), progress);
+        const Fabric fabric =
+            typed.fabric.value_or(held.arguments.fabric.value_or(fabricPresets().front()));
+        const ExportSource source(held.garment(), held.results, held.laid(), {}, {},
+                                  held.arguments.lines, fabric);
+        return PyProof{flat.held, orRaise(proofOf(source, order, progress))};
+    });
+}
+
+py::dict spread(const sew::SpreadFigures& figures) {
+    py::dict told;
+    told["mean"] = figures.mean;
+    told["p95"] = figures.most95;
+    told["max"] = figures.max;
+    return told;
+}
+
+void bindProvenPiece(py::module_& module) {
+    const auto provenPiece = [](const py::object& self) -> const ProvenPiece& {
+        return self.cast<const PyProvenPiece&>().piece();
+    };
+    py::class_<PyProvenPiece>(module, "ProvenPiece",
+                              "A piece of the garment, sewn. Its arrays are empty where it has no "
+                              "cloth.")
+        .def_property_readonly(
+            "name",
+            [](const PyProvenPiece& self) {
+                return self.of.held->garment().pieces[self.index]->name;
+            },
+            "As the piece of the garment.")
+        .def_property_readonly(
+            "sewn",
+            [provenPiece](const py::object& self) { return view(provenPiece(self).sewn, self); },
+            "float64 (V, 3), mm: where each vertex of the piece comes to lie.")
+        .def_property_readonly(
+            "gap",
+            [provenPiece](const py::object& self) { return view(provenPiece(self).gap, self); },
+            "float64 (V,), mm: how far outside of the design each vertex lies; inside below 0.")
+        .def_property_readonly(
+            "strain",
+            [provenPiece](const py::object& self) { return view(provenPiece(self).strain, self); },
+            "float64 (V,), parts of 1: the principal strain of larger size there; above 0 pulls.")
+        .def_property_readonly(
+            "gap_mm", [](const PyProvenPiece& self) { return spread(self.piece().gapFigures); },
+            "Dictionary mean, p95, max of the gap's size over its area, mm.")
+        .def_property_readonly(
+            "free_share", [](const PyProvenPiece& self) { return self.piece().freeShare; },
+            "Of its area that touches nothing, part of 1.")
+        .def("__repr__", [](const PyProvenPiece& self) {
+            return "<toile.ProvenPiece " + self.of.held->garment().pieces[self.index]->name + ">";
+        });
+}
+
+std::vector<py::dict> provenSeamsOf(const PyProof& self) {
+    std::vector<py::dict> seams;
+    for (const ProvenSeam& seam : self.proof->seams) {
+        py::dict told;
+        told["seam"] = seam.seam;
+        told["left_length"] = seam.left;
+        told["right_length"] = seam.right;
+        told["slip"] = seam.slip;
+        told["strain"] = seam.strain;
+        seams.push_back(told);
+    }
+    return seams;
+}
+
+std::vector<py::dict> faultsOf(const PyProof& self) {
+    std::vector<py::dict> faults;
+    for (const ProofFault& fault : self.proof->faults) {
+        py::dict told;
+        told["kind"] = std::string(name(fault.kind));
+        told["subject"] = fault.subject.name;
+        told["pieces"] = fault.pieces;
+        told["seam"] = fault.seam < 0 ? py::object(py::none()) : py::object(py::int_(fault.seam));
+        told["amount"] = fault.amount;
+        told["told"] = std::string(fault.told);
+        faults.push_back(told);
+    }
+    return faults;
+}
+
+}  // namespace
+
+void bindProof(py::module_& module, py::class_<PyFlat>& flat) {
+    bindProvenPiece(module);
+    py::class_<PyProof>(module, "Proof",
+                        "A pattern sewn back together over its design, and measured. str() is a "
+                        "sentence.")
+        .def_property_readonly(
+            "gap", [](const PyProof& self) { return spread(self.proof->gap); },
+            "Dictionary mean, p95, max: how far the cloth rests from the design, mm.")
+        .def_property_readonly(
+            "strain", [](const PyProof& self) { return spread(self.proof->strain); },
+            "Dictionary mean, p95, max of the sizes of strains, parts of 1.")
+        .def_property_readonly(
+            "free_share", [](const PyProof& self) { return self.proof->freeShare; },
+            "Of the cloth's area that touches nothing, part of 1.")
+        .def_property_readonly(
+            "pieces",
+            [](const PyProof& self) {
+                std::vector<PyProvenPiece> pieces;
+                for (std::size_t k = 0; k < self.proof->pieces.size(); ++k) {
+                    pieces.push_back({self, k});
+                }
+                return pieces;
+            },
+            "List of ProvenPiece, one per piece of the garment.")
+        .def_property_readonly("seams", &provenSeamsOf,
+                               "List of dictionaries of the seams that are sewn: seam (index), "
+                               "left_length, right_length, slip, mm, and strain, part of 1.")
+        .def_property_readonly("faults", &faultsOf,
+                               "List of dictionaries: what is wrong with the pattern before "
+                               "anything is sewn, by kind, subject, pieces, seam, amount, told.")
+        .def_property_readonly(
+            "has_settled", [](const PyProof& self) { return self.proof->hasSettled; },
+            "Whether the cloth came to rest.")
+        .def(
+            "report",
+            [](const PyProof& self) {
+                return py::module_::import("json").attr("loads")(
+                    writeProof(self.held->garment(), *self.proof));
+            },
+            "The proof's JSON as a dictionary (docs/prove.md).")
+        .def("__str__",
+             [](const PyProof& self) {
+                 return std::string(sentence(*self.proof, self.held->garment()));
+             })
+        .def("__repr__", [](const PyProof& self) {
+            return "<toile.Proof: " + std::string(sentence(*self.proof, self.held->garment())) +
+                   ">";
+        });
+    flat.def("prove", &prove, py::arg("progress") = py::none(),
+             R"(Sews the pattern back together over the design. -> Proof
+
+Others: the options of `toile prove`: pattern="file.dxf", reference="uv", body="avatar.obj",
+body_unit="cm", scale=0.97, edge=10, stretch=(900, 700), gravity=True, fabric="denim", threads=2.
+Takes seconds; runs without the interpreter's lock, Ctrl-C ends it. Raises Error, FileError,
+UsageError.)");
+}
+
+}  // namespace toile::python

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/python/running_calls.h"
+
+#include <chrono>
+#include <thread>
+#include <vector>
+
+#include "app/python/raised.h"
+
+// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
+#ifdef __ELF__
+extern "C" {
+// NOLINTBEGIN(readability-identifier-naming): OpenBLAS names them
+int openblas_get_num_threads() __attribute__((weak));
+void openblas_set_num_threads(int count) __attribute__((weak));
+// NOLINTEND(readability-identifier-naming)
+}
+#else
+static int (*const openblas_get_num_threads)() = nullptr;
+static void (*const openblas_set_num_threads)(int) = nullptr;
+#endif
+
+namespace toile::python {
+namespace {
+
+namespace py = pybind11;
+
+constexpr std::chrono::milliseconds kBetweenLooksAtEnd{5};
+constexpr std::chrono::seconds kLongestEnd{30};  // for a callback that waits for who has ended
+
+// Python's lock guards them.
+std::vector<Progress*> runningNow;
+std::thread::id endedBy;  ///< none: the interpreter lives
+int blasThreadsBefore = 0;
+
+void endCalls() {
+    endedBy = std::this_thread::get_id();
+    const auto latest = std::chrono::steady_clock::now() + kLongestEnd;
+    while (!runningNow.empty() && std::chrono::steady_clock::now() < latest) {
+        for (Progress* const progress : runningNow) {
+            progress->cancel();
+        }
+        const py::gil_scoped_release released;
+        std::this_thread::sleep_for(kBetweenLooksAtEnd);
+    }
+}
+
+}  // namespace
+
+RunningCall::RunningCall(Progress& progress) : progress_(&progress) {
+    if (endedBy != std::thread::id() && endedBy != std::this_thread::get_id()) {
+        throw Raised({ErrorCode::Cancelled});
+    }
+    if (runningNow.empty() && openblas_get_num_threads != nullptr) {
+        blasThreadsBefore = openblas_get_num_threads();
+    }
+    runningNow.push_back(&progress);
+}
+
+RunningCall::~RunningCall() {
+    std::erase(runningNow, progress_);
+    if (runningNow.empty() && blasThreadsBefore > 0 && openblas_set_num_threads != nullptr) {
+        openblas_set_num_threads(blasThreadsBefore);
+    }
+}
+
+void endCallsWithInterpreter() {
+    py::module_::import("atexit").attr("register")(py::cpp_function(&endCalls));
+    // Of a process that is forked only the thread lives on that forked it.
+    py::module_::import("os").attr("register_at_fork")(
+        py::arg("after_in_child") = py::cpp_function([] { runningNow.clear(); }));
+}
+
+}  // namespace toile::python

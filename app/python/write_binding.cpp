@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "app/python/flat_binding.h"
+#include "app/python/interruptible_call.h"
+#include "app/python/option_words.h"
+#include "app/python/raised.h"
+#include "core/export/export_file.h"
+#include "core/export/formats.h"
+#include "core/garment/fabric.h"
+
+namespace toile::python {
+namespace {
+
+ExportSource sourceOf(const HeldFlat& held, const ExportOptions& options) {
+    return {held.garment(),
+            held.results,
+            held.laid(),
+            options,
+            {},
+            held.arguments.lines,
+            held.arguments.fabric.value_or(fabricPresets().front())};
+}
+
+std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py::object& onProgress,
+                            const py::kwargs& options) {
+    std::vector<std::string> outputs;
+    for (const py::handle path : paths) {
+        outputs.push_back(pathOf(path));
+    }
+    const app::Arguments typed = writingArguments(flat.held->of->inputs, outputs, options);
+    return interruptible(onProgress, [&](Progress& progress) {
+        const ExportSource source = sourceOf(*flat.held, typed.exporting);
+        std::vector<Exported> written;
+        for (const auto& output : typed.outputs) {
+            written.push_back(
+                orRaise(exportFile(output, source, Progress(progress, 1.0 / outputs.size()))));
+        }
+        return written;
+    });
+}
+
+/// The bytes of an export, without a file.
+std::string bytesAs(const PyFlat& flat, FormatId format, const ExportOptions& options = {}) {
+    return interruptible(py::none(), [&](Progress&) {
+        ExportedFiles files = orRaise(formatOf(format).write(sourceOf(*flat.held, options)));
+        return std::move(files.front().bytes);
+    });
+}
+
+std::vector<py::str> filesOf(const Exported& written) {
+    std::vector<py::str> files;
+    for (const auto& file : written.files) {
+        files.push_back(textOf(file.string()));
+    }
+    return files;
+}
+
+std::string said(const Exported& written) {
+    return written.files.front().string() +
+           (written.readBack ? "; " + readBackSentence(*written.readBack) : std::string());
+}
+
+}  // namespace
+
+void bindWriting(py::module_& module, py::class_<PyFlat>& flat) {
+    py::class_<Exported>(module, "Written",
+                         "A file that has been written, read back and compared. str() is a "
+                         "sentence.")
+        .def_property_readonly("files", &filesOf,
+                               "List of paths: the one asked for, then those beside it.")
+        .def_property_readonly(
+            "pieces",
+            [](const Exported& self) {
+                return self.readBack ? std::optional(self.readBack->pieces) : std::nullopt;
+            },
+            "Pieces found when it was read back; None of a format that nobody reads.")
+        .def_property_readonly(
+            "largest_difference",
+            [](const Exported& self) {
+                return self.readBack ? std::optional(self.readBack->largest) : std::nullopt;
+            },
+            "Of any coordinate or length read back, mm; None likewise.")
+        .def("__str__", [](const Exported& self) { return textOf(said(self)); })
+        .def("__repr__",
+             [](const Exported& self) { return textOf("<toile.Written " + said(self) + ">"); });
+    flat.def("write", &write, py::arg("progress") = py::none(),
+             R"(Writes files, each by its ending, as `toile flatten -o` does. -> list of Written
+
+Every file is read back and compared with the pattern before it takes the place of an old one.
+Others: the options of formats: dxf_preset="clo", paper="a4", svg_text="paths", mesh_uv="exact".
+Runs without the interpreter's lock. Raises FileError, UsageError.)")
+        .def(
+            "report",
+            [](const PyFlat& self) {
+                return py::module_::import("json").attr("loads")(
+                    py::bytes(bytesAs(self, FormatId::Report)));
+            },
+            "The JSON report as a dictionary (docs/report.md).")
+        .def(
+            "_repr_svg_", [](const PyFlat& self) { return bytesAs(self, FormatId::Svg); },
+            "The pattern as a notebook shows it.");
+    module.def(
+        "formats",
+        [] {
+            std::vector<std::string> endings;
+            for (const Format& format : formats()) {
+                if (format.write) {
+                    endings.insert(endings.end(), format.endings.begin(), format.endings.end());
+                }
+            }
+            return endings;
+        },
+        "List of the endings that write() knows.");
+}
+
+}  // namespace toile::python
