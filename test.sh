@@ -19,7 +19,11 @@ skipped() { # PRESET: how many tests its last run left out for want of files
         awk '{ n += $1 } END { print n + 0 " tests skipped" }'
 }
 
-packages=(libgtest-dev xvfb clang-format python3-numpy)
+packages=(
+    libgtest-dev xvfb clang-format
+    python3-dev python3-numpy pybind11-dev # the Python module
+    desktop-file-utils appstream shared-mime-info libglib2.0-bin mandoc groff # what judges resources/package
+)
 clang_packages=(clang clang-tidy libclang-rt-14-dev libomp-dev)
 clang_build=$PWD/build/asan # compiles the core's tests for both: it takes half the time
 case ${1:-} in

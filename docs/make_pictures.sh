@@ -8,6 +8,8 @@
 #   docs/make_pictures.sh methods lscm abf    for these
 #   docs/make_pictures.sh patterns            those of the page on patterns, but for the ones that a test takes
 #   docs/make_pictures.sh proofs              those of the page on proofs
+#   docs/make_pictures.sh blender             that of the page on Blender, where blender is installed
+#   docs/make_pictures.sh batch               the summary of a batch, where chromium is installed
 #   docs/make_pictures.sh readme              those of the README
 #   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
 #   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
@@ -18,6 +20,11 @@ samples=resources/samples
 images=${IMAGES:-docs/images}
 export LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C.UTF-8
 mkdir -p "$images"
+images=$(realpath "$images")
+
+can_make() { # PICTURE PROGRAM: whether what draws it is there; else says so
+    command -v "$2" >/dev/null || { echo "skipped: $1 needs $2" && false; }
+}
 
 window_picture() { # FILE.png ARGUMENTS...: the whole window
     local file=$1
@@ -68,6 +75,28 @@ make_proofs() { # the shirt sewn back together: where it stands off, and where i
     done
 }
 
+make_blender() { # as Blender shows it, with a window
+    can_make blender.png blender || return 0
+    tests/app/own_display.sh blender --factory-startup --enable-event-simulate \
+        --window-geometry 0 0 1500 860 --python docs/blender_picture.py -- \
+        "$(realpath "$toile")" "$images/blender.png" >/dev/null
+    echo "$images/blender.png"
+}
+
+make_batch() {
+    local work status=0
+    can_make batch-summary.png chromium || return 0
+    work=$(mktemp -d)
+    tests/batch/make_garments.py "$work" 500
+    "$toile" batch "$work/list.txt" -o "$work/out" >/dev/null || status=$?
+    [ $status -le 1 ] # 1: the bad files among them
+    resources/batch/summary.py "$work/out" --html "$work/summary.html"
+    chromium --headless --no-sandbox --hide-scrollbars --window-size=1000,1600 \
+        --screenshot="$images/batch-summary.png" "file://$work/summary.html" 2>/dev/null
+    rm -r "$work"
+    echo "$images/batch-summary.png"
+}
+
 make_readme() {
     window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
     window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
@@ -78,9 +107,22 @@ make_readme() {
 
 case ${1:-all} in
     methods) make_methods "${@:2}" ;;
-    patterns) make_patterns && make_patterns_to_cut ;;
+    patterns)
+        make_patterns
+        make_patterns_to_cut
+        ;;
     proofs) make_proofs ;;
+    blender) make_blender ;;
+    batch) make_batch ;;
     readme) make_readme ;;
-    all) make_methods && make_patterns && make_patterns_to_cut && make_proofs && make_readme ;;
-    *) sed -n '3,14s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    all)
+        make_methods
+        make_patterns
+        make_patterns_to_cut
+        make_proofs
+        make_blender
+        make_batch
+        make_readme
+        ;;
+    *) sed -n '3,15s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac

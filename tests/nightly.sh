@@ -5,6 +5,7 @@
 #
 #   tests/nightly.sh           everything, as ./test.sh --nightly does
 #   tests/nightly.sh STEP...   these: monkey asan-window tsan fuzz odr tidy large outlines clock bench clients
+#                              python blender batch package
 set -uo pipefail
 cd "$(dirname "$0")/.."
 jobs=$(nproc)
@@ -96,10 +97,78 @@ step_clients() {
     return $status
 }
 
+# The add-on in the real Blender: without a window, and with one.
+step_blender() {
+    build ci -DTOILE_TESTS=ON toile || return
+    if ! command -v blender >/dev/null; then
+        echo "skipped: blender is not there"
+        return
+    fi
+    # Blender is ended before it can remove its own folder of TMPDIR.
+    local HOME=$work/blender TOILE_PROGRAM=$PWD/build/ci/app/toile LIBGL_ALWAYS_SOFTWARE=1 status=0
+    local TMPDIR=$HOME/tmp
+    export HOME TOILE_PROGRAM LIBGL_ALWAYS_SOFTWARE TMPDIR
+    rm -rf "$TMPDIR"
+    mkdir -p "$TMPDIR"
+    blender --background --factory-startup --python tests/blender/in_blender.py || status=1
+    tests/app/own_display.sh blender --factory-startup --python tests/blender/in_window.py || status=1
+    return $status
+}
+
+# The Python module: its tests with twenty times the calls, its wheel in a virtual environment, and what
+# the address sanitizer finds. Leaks are CPython's own.
+step_python() {
+    build ci -DTOILE_TESTS=ON toile toile_python || return
+    local wheel=$work/wheel status=0 asan
+    TOILE_CALLS=20000 ctest --preset ci -R '^python\.' || status=1
+    rm -rf "$wheel"
+    /usr/bin/python3 -m venv --system-site-packages "$wheel/venv" &&
+        TOILE_BUILD=build/ci /usr/bin/python3 -m pip wheel --no-build-isolation --no-deps -w "$wheel" . &&
+        "$wheel/venv/bin/pip" install --no-deps "$wheel"/toile-*.whl &&
+        "$wheel/venv/bin/python" tests/python/arrays_test.py || status=1
+    # Apart, as all of the library is another for it.
+    cmake --preset asan -B build/asan-python -DTOILE_PYTHON=ON -DTOILE_TESTS=OFF &&
+        cmake --build build/asan-python --parallel "$jobs" --target toile --target toile_python || return
+    # With the library of exceptions, which the sanitizer wants to find when it starts.
+    asan="$(clang -print-file-name=libclang_rt.asan-x86_64.so) $(clang -print-file-name=libstdc++.so.6)"
+    for test in arrays errors prove same_bytes threads; do
+        TOILE_CALLS=1000 TOILE_MEMORY=0 ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=$asan PYTHONPATH=build/asan-python/app/python \
+            TOILE_PROGRAM=build/asan-python/app/toile /usr/bin/python3 "tests/python/${test}_test.py" || status=1
+    done
+    return $status
+}
+
+# 500 garments in shards, by Snakemake on two cores and by a Slurm of one node, workers killed at random; and
+# how many more two cores do than one.
+step_batch() {
+    build ci -DTOILE_TESTS=ON toile || return
+    local status=0 trial ended
+    for trial in local slurm 'throughput --least 1.7'; do
+        ended=0
+        # shellcheck disable=SC2086 # words
+        python3 tests/batch/trial.py $trial || ended=$?
+        [ $ended = 0 ] || [ $ended = 77 ] || status=1 # 77: something is not installed, and is named
+    done
+    return $status
+}
+
+# The Debian packages, judged by lintian, and on a system that has nothing else.
+step_package() {
+    ./run.sh --package && tests/package/judge.sh build/package || return
+    if [ "$(id -u)" = 0 ]; then
+        tests/package/bare.sh build/package
+    else
+        echo "bare.sh: skipped, it needs root"
+    fi
+}
+
 ./run.sh --prepare libgtest-dev libbenchmark-dev xvfb clang clang-tidy libclang-rt-14-dev libomp-dev \
-    python3-numpy python3-ezdxf librecad inkscape librsvg2-bin hp2xx qpdf mupdf-tools poppler-utils blender || exit
+    python3-numpy python3-dev python3-venv python3-pip python3-wheel python3-meshio python3-matplotlib \
+    pybind11-dev python3-ezdxf librecad inkscape librsvg2-bin hp2xx qpdf mupdf-tools poppler-utils blender \
+    snakemake slurmctld slurmd slurm-client munge mmdebstrap lintian || exit
 steps=("$@")
-[ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large outlines clock bench clients)
+[ $# -gt 0 ] || steps=(monkey asan-window tsan fuzz odr tidy large outlines clock bench clients python blender
+    batch package)
 rows=()
 failed=0
 for step in "${steps[@]}"; do
