@@ -68,8 +68,8 @@ within apt-get update -qq
 within apt-get install -y -qq --no-install-recommends xvfb xauth shared-mime-info desktop-file-utils \
     hicolor-icon-theme man-db libglib2.0-bin fonts-dejavu-core >/dev/null 2>&1
 within useradd --create-home --uid 1000 sewer
-mkdir -p "$system/home/sewer/work" "$system/packages"
-cp "$samples/tshirt.obj" "$samples/cap.obj" "$here/../data/sample.toile" "$system/home/sewer/work"
+mkdir -p "$system/home/sewer/patterns" "$system/packages"
+cp "$samples/tshirt.obj" "$samples/cap.obj" "$here/../data/sample.toile" "$system/home/sewer/patterns"
 chown -R 1000:1000 "$system/home/sewer"
 cp "$packages"/*.deb "$system/packages"
 ours=(toile libtoile-dev)
@@ -89,32 +89,32 @@ echo "$(within dpkg-query -W -f='${Package} ${Version}, ${Installed-Size} kB' to
 
 echo "== The program, without a window"
 as_user toile --version
-as_user sh -c 'cd ~/work && toile flatten tshirt.obj --unit mm -o tshirt.svg -o tshirt.dxf -o tshirt.pdf' |
+as_user sh -c 'cd ~/patterns && toile flatten tshirt.obj --unit mm -o tshirt.svg -o tshirt.dxf -o tshirt.pdf' |
     tail -n 1
 for made in tshirt.svg tshirt.dxf tshirt.pdf; do
-    [ -s "$system/home/sewer/work/$made" ] || fail "$made is not there"
+    [ -s "$system/home/sewer/patterns/$made" ] || fail "$made is not there"
 done
 within readlink -f /etc/alternatives/libblas.so.3-x86_64-linux-gnu | grep -q openblas ||
     fail "the BLAS is a slow one"
 as_user man -w toile >/dev/null || fail "there is no manual page"
 
 echo "== Pictures: a thumbnail as file managers ask for it, and the window on a display"
-as_user sh -c 'cd ~/work && toile render tshirt.obj -o thumbnail --thumbnail 128'
-as_user sh -c 'cd ~/work && gio info -a standard::content-type sample.toile tshirt.obj' |
+as_user sh -c 'cd ~/patterns && toile render tshirt.obj -o thumbnail --thumbnail 128'
+as_user sh -c 'cd ~/patterns && gio info -a standard::content-type sample.toile tshirt.obj' |
     grep content-type | tr -d '\n'
 echo
-as_user sh -c 'cd ~/work && xvfb-run -a -s "-screen 0 1400x900x24" toile tshirt.obj --unit mm --screenshot window.png'
+as_user sh -c 'cd ~/patterns && xvfb-run -a -s "-screen 0 1400x900x24" toile tshirt.obj --unit mm --screenshot window.png'
 as_user sh -c 'cd ~ && xvfb-run -a -s "-screen 0 1400x900x24" toile --screenshot work/welcome.png'
 for made in thumbnail window.png welcome.png; do
-    head -c 8 "$system/home/sewer/work/$made" | cmp -s - <(printf '\x89PNG\r\n\x1a\n') ||
+    head -c 8 "$system/home/sewer/patterns/$made" | cmp -s - <(printf '\x89PNG\r\n\x1a\n') ||
         fail "$made is no picture"
 done
-[ -z "${KEEP:-}" ] || cp "$system"/home/sewer/work/*.png "$KEEP"
+[ -z "${KEEP:-}" ] || cp "$system"/home/sewer/patterns/*.png "$KEEP"
 
 if [[ " ${ours[*]} " == *" python3-toile "* ]]; then
     echo "== The Python module"
     install_ours python3-toile
-    as_user sh -c "cd ~/work && python3 -c '
+    as_user sh -c "cd ~/patterns && python3 -c '
 import toile
 flat = toile.load(\"tshirt.obj\", unit=\"mm\").flatten()
 assert len(flat.seams) == 14 and all(abs(seam.error) < 1e-6 for seam in flat.seams)
@@ -124,10 +124,10 @@ fi
 if [[ " ${ours[*]} " == *" toile-blender "* ]]; then
     echo "== The add-on for Blender, packed and installed as docs/blender.md says"
     install_ours toile-blender
-    as_user python3 /usr/share/toile/blender/make_zip.py /home/sewer/work/toile-blender.zip
+    as_user python3 /usr/share/toile/blender/make_zip.py /home/sewer/patterns/toile-blender.zip
     as_user blender --background --factory-startup --python-exit-code 1 --python-expr "if True:
         import bpy
-        bpy.ops.preferences.addon_install(filepath='/home/sewer/work/toile-blender.zip')
+        bpy.ops.preferences.addon_install(filepath='/home/sewer/patterns/toile-blender.zip')
         bpy.ops.preferences.addon_enable(module='toile')
         bpy.ops.mesh.primitive_grid_add()
         assert bpy.ops.toile.flatten() == {'FINISHED'}, bpy.context.scene.toile.said
@@ -141,7 +141,7 @@ cp -r "$here/consumer" "$system/home/sewer/consumer"
 chown -R 1000:1000 "$system/home/sewer/consumer"
 as_user sh -c 'cd ~ && cmake -S consumer -B made && cmake --build made' >"$work/made" 2>&1 ||
     { cat "$work/made"; fail "nothing can be built with the library"; }
-as_user sh -c '~/made/consumer ~/work/tshirt.obj' | tail -n 1
+as_user sh -c '~/made/consumer ~/patterns/tshirt.obj' | tail -n 1
 rm -r "$system/home/sewer/made" "$system/home/sewer/consumer"
 
 echo "== Purged"
