@@ -13,8 +13,8 @@
 
 #include "core/base/unique_names.h"
 #include "core/garment/cut_owner.h"
+#include "core/garment/merged_vertices.h"
 #include "core/garment/rim_pairs.h"
-#include "core/geometry/disjoint_sets.h"
 #include "core/geometry/segment.h"
 
 namespace toile {
@@ -259,45 +259,33 @@ private:
         for (const auto& [l, r] : weld.vertices) {
             same.join(l, offset + r);
         }
-        const auto sourceOf = [&](int v) {
-            const std::vector<int>& source = (v < offset ? left : right).sourceVertex;
-            return source.empty() ? -1 : source[v < offset ? v : v - offset];
-        };
         MeshArrays mesh;
         mesh.V.resize(total, 3);
-        std::vector<int> number(total), sourceVertex;
-        int count = 0;
-        for (int v = 0; v < total; ++v) {
-            const int root = same.root(v);  // the least: known already
-            if (root == v) {
-                number[v] = count;
-                mesh.V.row(count++) =
-                    v < offset ? left.mesh.V.row(v) : right.mesh.V.row(v - offset);
-                sourceVertex.push_back(sourceOf(v));
-            } else {
-                number[v] = number[root];
-                int& source = sourceVertex[number[root]];
-                source = source < 0 ? sourceOf(v) : source;
-            }
+        std::vector<int> sourceVertex(static_cast<std::size_t>(total), -1);
+        for (const auto& [piece, from] : {std::pair(&left, 0), std::pair(&right, offset)}) {
+            mesh.V.middleRows(from, piece->mesh.V.rows()) = piece->mesh.V;
+            std::ranges::copy(piece->sourceVertex, sourceVertex.begin() + from);
         }
-        mesh.V.conservativeResize(count, 3);
+        MergedVertices merged = mergedVertices(mesh.V, sourceVertex, same);
+        mesh.V = std::move(merged.V);
         const auto leftFaces = itself ? Eigen::Index{0} : left.mesh.F.rows();
         mesh.F.resize(leftFaces + right.mesh.F.rows(), 3);
         std::vector<int> sourceFace = itself ? std::vector<int>{} : left.sourceFace;
         sourceFace.insert(sourceFace.end(), right.sourceFace.begin(), right.sourceFace.end());
         for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
             for (int k = 0; k < 3; ++k) {
-                mesh.F(f, k) = number[f < leftFaces ? left.mesh.F(f, k)
-                                                    : offset + right.mesh.F(f - leftFaces, k)];
+                mesh.F(f, k) =
+                    merged.number[f < leftFaces ? left.mesh.F(f, k)
+                                                : offset + right.mesh.F(f - leftFaces, k)];
             }
         }
         Piece made = makePiece(left.name, std::move(mesh));
         made.file = left.file;
-        made.sourceVertex = std::move(sourceVertex);
+        made.sourceVertex = std::move(merged.sourceVertex);
         made.sourceFace = std::move(sourceFace);
         made.lineage = lineageOf(left, right);
         made.id = idOf(made.lineage);
-        made.origins = originsOf(left, itself ? nullptr : &right, number, offset);
+        made.origins = originsOf(left, itself ? nullptr : &right, merged.number, offset);
         return made;
     }
 

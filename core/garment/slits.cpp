@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "core/garment/merged_vertices.h"
 #include "core/garment/rim_pairs.h"
-#include "core/geometry/disjoint_sets.h"
 #include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
 
@@ -59,44 +59,24 @@ std::vector<std::vector<int>> slitLoops(const RimPairs& rims, std::size_t p,
 /// A piece with the two sides of these slits made one; null where it would be no surface then.
 std::shared_ptr<Piece> withSlitsClosed(const Piece& piece, const RimPairs& rims,
                                        const std::vector<std::vector<int>>& loops) {
-    const auto total = static_cast<int>(piece.mesh.V.rows());
-    geometry::DisjointSets same(total);
+    geometry::DisjointSets same(static_cast<int>(piece.mesh.V.rows()));
     for (const std::vector<int>& loop : loops) {
         for (const int e : loop) {  // its head comes with its mate, which is in the loop too
             same.join(rims.edge(e).tail, rims.edge(rims.edge(e).mate).head);
         }
     }
-    const auto sourceOf = [&piece](int v) {
-        return piece.sourceVertex.empty() ? -1 : piece.sourceVertex[v];
-    };
-    MeshArrays mesh;
-    mesh.V.resize(total, 3);
-    std::vector<int> number(total), sourceVertex;
-    int count = 0;
-    for (int v = 0; v < total; ++v) {
-        const int root = same.root(v);  // the least: numbered already
-        if (root == v) {
-            number[v] = count;
-            mesh.V.row(count++) = piece.mesh.V.row(v);
-            sourceVertex.push_back(sourceOf(v));
-        } else {
-            number[v] = number[root];
-            int& source = sourceVertex[number[root]];
-            source = source < 0 ? sourceOf(v) : source;
-        }
-    }
-    mesh.V.conservativeResize(count, 3);
-    mesh.F = piece.mesh.F;
+    MergedVertices merged = mergedVertices(piece.mesh.V, piece.sourceVertex, same);
+    MeshArrays mesh{std::move(merged.V), piece.mesh.F};
     for (int& v : cornersOf(mesh.F)) {
-        v = number[v];
+        v = merged.number[v];
     }
-    EdgeTable table = buildEdgeTable(mesh.F, count);
+    EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
     if (!isValidSurface(mesh, table)) {
         return nullptr;
     }
     auto made = std::make_shared<Piece>(makePiece(piece.name, std::move(mesh), std::move(table)));
     made->file = piece.file;
-    made->sourceVertex = std::move(sourceVertex);
+    made->sourceVertex = std::move(merged.sourceVertex);
     made->sourceFace = piece.sourceFace;
     return made;
 }

@@ -111,7 +111,19 @@ Box boxOf(const Shape& shape) {
     return {left, bottom, right, top};
 }
 
-/// The points of a convex hull, and those whose triangle with its sides is less than `near`.
+}  // namespace
+
+Vector2d wayOf(double angle) {
+    const double quarters = angle / (kPi / 2), whole = std::round(quarters);
+    if (std::abs(quarters - whole) < 1e-9) {
+        static constexpr std::array<std::pair<int, int>, 4> kWays{
+            {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
+        const auto [x, y] = kWays[static_cast<std::size_t>(std::fmod(std::fmod(whole, 4) + 4, 4))];
+        return {x, y};
+    }
+    return {std::cos(angle), std::sin(angle)};
+}
+
 std::vector<Vector2d> hullOf(const Polygon& points, double near) {
     std::vector<Vector2d> sorted;
     for (Eigen::Index k = 0; k < points.rows(); ++k) {
@@ -131,19 +143,6 @@ std::vector<Vector2d> hullOf(const Polygon& points, double near) {
         std::ranges::reverse(sorted);
     }
     return hull;
-}
-
-}  // namespace
-
-Vector2d wayOf(double angle) {
-    const double quarters = angle / (kPi / 2), whole = std::round(quarters);
-    if (std::abs(quarters - whole) < 1e-9) {
-        static constexpr std::array<std::pair<int, int>, 4> kWays{
-            {{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-        const auto [x, y] = kWays[static_cast<std::size_t>(std::fmod(std::fmod(whole, 4) + 4, 4))];
-        return {x, y};
-    }
-    return {std::cos(angle), std::sin(angle)};
 }
 
 double hullAreaOf(const Polygon& points) {

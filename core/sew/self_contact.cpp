@@ -7,6 +7,7 @@
 #include "core/cut/surface_point.h"
 #include "core/sew/face_boxes.h"
 #include "core/sew/side_by_side.h"
+#include "core/sew/vertices_around.h"
 
 namespace toile::sew {
 namespace {
@@ -20,77 +21,6 @@ constexpr double kLeft = 0.1, kBold = 0.9;
 /// gets stuck.
 constexpr double kLost = 1e-3;
 constexpr int kMostAdvances = 200;
-
-using Neighbours = std::vector<std::vector<std::pair<int, double>>>;  // with lengths at rest, mm
-
-Neighbours neighboursOf(const Cloth& cloth) {
-    Neighbours neighbours(static_cast<std::size_t>(cloth.X.rows()));
-    for (Eigen::Index f = 0; f < cloth.F.rows(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            const int a = cloth.F(f, k), b = cloth.F(f, (k + 1) % 3);
-            const double length =
-                (cloth.Q.row(cloth.patternF(f, k)) - cloth.Q.row(cloth.patternF(f, (k + 1) % 3)))
-                    .norm();
-            neighbours[a].emplace_back(b, length);
-            neighbours[b].emplace_back(a, length);
-        }
-    }
-    return neighbours;
-}
-
-/// What lies round vertices, one after the other, in memory that is kept from one to the next.
-class VerticesAround {
-public:
-    VerticesAround(const Neighbours& neighbours, double far)
-        : neighbours_(neighbours), far_(far), askedAt_(neighbours.size()) {}
-
-    /// The vertices within some rings, or nearer than `far` along the way there that has the fewest
-    /// edges, of some. Cost: linear in what comes out, and sorting it.
-    std::vector<int> of(std::vector<int> seeds) {
-        std::ranges::sort(seeds);
-        seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-        ++asked_;
-        reached_.clear();
-        for (const int seed : seeds) {
-            reach({seed, 0, 0});
-        }
-        for (std::size_t next = 0; next < reached_.size(); ++next) {
-            const Reached from = reached_[next];
-            for (const auto& [vertex, length] : neighbours_[from.vertex]) {
-                const Reached to{vertex, from.rings + 1, from.way + length};
-                if (to.rings <= kRings || to.way <= far_) {
-                    reach(to);
-                }
-            }
-        }
-        std::vector<int> around;
-        around.reserve(reached_.size());
-        for (const Reached& one : reached_) {
-            around.push_back(one.vertex);
-        }
-        std::ranges::sort(around);
-        return around;
-    }
-
-private:
-    struct Reached {
-        int vertex, rings;
-        double way;
-    };
-
-    void reach(const Reached& to) {
-        if (askedAt_[to.vertex] != asked_) {
-            askedAt_[to.vertex] = asked_;
-            reached_.push_back(to);
-        }
-    }
-
-    const Neighbours& neighbours_;
-    double far_;
-    std::vector<Reached> reached_;
-    std::vector<int> askedAt_;  ///< per vertex: for which question it was reached last
-    int asked_ = 0;
-};
 
 struct Corners {
     Eigen::Vector3d p, a, b, c;
@@ -154,9 +84,9 @@ SelfContact::SelfContact(const Cloth& cloth, double thickness, int threads,
     }
     const Neighbours neighbours = neighboursOf(cloth);
     stretchesSideBySide(threads, kin_.size(), [&](std::size_t first, std::size_t last) {
-        VerticesAround around(neighbours, kApart * thickness);
+        VerticesAround around(neighbours, kRings, kApart * thickness);
         for (std::size_t v = first; v < last && !progress.isCancelled(); ++v) {
-            kin_[v] = around.of(std::move(seeds[v]));
+            kin_[v] = around.of(seeds[v]);
         }
     });
 }

@@ -31,6 +31,8 @@ constexpr double kNoForce = 1e-12;
 constexpr int kDissected = 6000;
 /// mm: a step below this leads nowhere.
 constexpr double kNoMove = 1e-9;
+/// Cloth that is so many times its size from where it was designed falls for ever.
+constexpr double kFallen = 10;
 
 // Pins are let go by and by, and the surface hardens: a step in which vertices cross many of its
 // edges is as good as any while it is soft, and has to be cut where it is hard.
@@ -56,11 +58,16 @@ bool isAtRest(const SettledCloth& cloth, double share) {
     return cloth.restForce <= std::max(share * cloth.seamForce, kNoForce);
 }
 
+bool hasFallen(const Points3& X, const Points3& designed) {
+    const auto size = (designed.colwise().maxCoeff() - designed.colwise().minCoeff()).norm();
+    return (X.colwise().mean() - designed.colwise().mean()).norm() > kFallen * size;
+}
+
 class Settling {
 public:
     Settling(const Cloth& cloth, const WornSurface& surface, const SettleOptions& options,
              const Progress& progress)
-        : forces_(cloth, surface, options, progress), factor_(options.threads) {}
+        : cloth_(cloth), forces_(cloth, surface, options, progress), factor_(options.threads) {}
 
     /// Goes on until the cloth is at rest as the hold wants it, or nothing helps any more.
     Result<void> settle(const ClothHold& hold, const SettleOptions& options,
@@ -72,7 +79,8 @@ public:
         while (!progress.isCancelled()) {
             const Points3 g = forces_.gradient(point_);
             forces_.judge(point_, g, result);
-            if (isAtRest(result, hold.share) || result.iterations >= options.maxIterations) {
+            if (isAtRest(result, hold.share) || result.iterations >= options.maxIterations ||
+                hasFallen(point_.X, cloth_.X)) {
                 keep();
                 return {};
             }
@@ -163,6 +171,7 @@ private:
         return false;
     }
 
+    const Cloth& cloth_;
     ClothForces forces_;
     ClothForces::Point point_;
     linalg::FrontalCholesky factor_;

@@ -43,7 +43,9 @@ struct SettledCloth {
     /// What balances at sewn vertices, the sizes of the triangles' forces on them and the pressure
     /// added up, root mean square; of cloth without seams at all vertices. N.
     double seamForce = 0;
-    bool hasSettled = false;  ///< false: the steps ran out, or none of them helps any more
+    /// False: the steps ran out, or none of them helps any more, or nothing holds it and it has
+    /// fallen ten times its size.
+    bool hasSettled = false;
 };
 
 /// Finds the rest of sewn cloth over a surface: a minimum of its membrane, bending and contact

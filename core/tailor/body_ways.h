@@ -26,8 +26,10 @@ public:
     Eigen::Vector3d at(int vertex) const { return links_.mesh().V.row(vertex).transpose(); }
     double across(int vertex) const { return body_.across(at(vertex)); }
     double height(int vertex) const { return body_.height(at(vertex)); }
-    /// As seen from ahead: across and height, mm.
-    Eigen::Vector2d seen(int vertex) const { return {across(vertex), height(vertex)}; }
+    /// As seen from ahead: across, outward on that side of the mirror plane, and height, mm.
+    Eigen::Vector2d seen(int vertex, int side = 1) const {
+        return {side * across(vertex), height(vertex)};
+    }
     /// How much the cloth looks ahead there: 1 ahead, -1 back, 0 on the silhouette.
     double facing(int vertex) const { return facing_[vertex]; }
 

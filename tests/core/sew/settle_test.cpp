@@ -219,6 +219,21 @@ TEST(Settle, ASheetUnderGravityDoesNotFallThroughABody) {
     EXPECT_LT(settled->X.col(1).minCoeff(), 40);  // the rim hangs
 }
 
+TEST(Settle, ClothThatNothingHoldsIsLetFallNoFarther) {
+    const Cloth cloth = sewTogether(test::flatCloth(4, 4, 50));  // upright
+    const WornSurface surface(cloth.surface());
+    SettleOptions options = exactOptions();
+    options.pressure = 0;
+    options.gravity = 9.81;
+    options.heldFirst = true;
+    const auto settled = settle(cloth, cloth.X, surface, options, {});
+    ASSERT_TRUE(settled);
+    EXPECT_FALSE(settled->hasSettled);
+    EXPECT_LT(settled->iterations, 100);
+    EXPECT_TRUE(settled->X.allFinite());
+    EXPECT_LT(settled->X.col(1).maxCoeff(), cloth.X.col(1).minCoeff() - 2000);
+}
+
 TEST(Settle, PressureOutwardsFillsACushion) {
     const Cloth cloth = sewTogether(test::cubeCloth(6, 100));
     const WornSurface surface(cloth.surface());
