@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 bool hasFlips(const Piece& piece, const Points2& Q) {
-    return flippedTriangles(triangleAreas2d(Q, piece.mesh.F)) > 0;
+    return flippedTriangles(triangleAreas2d(Q, piece.mesh.F), triangleAreas3d(piece.mesh)) > 0;
 }
 
 bool isConformalInside(Method method) {

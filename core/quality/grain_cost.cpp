@@ -12,6 +12,7 @@
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
+#include "core/quality/strain_bounds.h"
 
 namespace toile {
 namespace {
@@ -106,24 +107,13 @@ double grainCost(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric,
     return Cost(fabric)(stretches, angle);
 }
 
-namespace {
-
-/// A limit of 0 would make rounding a strain beyond it, and so would one that is just reached.
-constexpr double kLeastLimit = 1e-4, kSlack = 1.0005;
-
-bool isBeyond(double strain, const StrainLimits& limits) {
-    return strain < 0 ? strain < kSlack * std::min(limits.least, -kLeastLimit)
-                      : strain > kSlack * std::max(limits.most, kLeastLimit);
-}
-
-}  // namespace
-
 StrainedArea strainedArea(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric,
                           double angle) {
     const auto metrics = wornFaceMetrics(mesh, Q);
     const Eigen::VectorXd areas = triangleAreas2d(Q, mesh.F);
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
     const Eigen::Vector2d across(-along.y(), along.x());
+    const StrainBounds warp(fabric.warp), weft(fabric.weft), bias(fabric.bias);
     StrainedArea sum;
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
         const MetricTensor& metric = metrics[static_cast<std::size_t>(f)];
@@ -131,10 +121,9 @@ StrainedArea strainedArea(const MeshArrays& mesh, const Points2& Q, const Fabric
         const auto strain = [&metric](const Eigen::Vector2d& way) -> double {
             return strainAlong(metric, way.normalized());
         };
-        const bool beyond = isBeyond(strain(along), fabric.warp) ||
-                            isBeyond(strain(across), fabric.weft) ||
-                            isBeyond(strain(along + across), fabric.bias) ||
-                            isBeyond(strain(along - across), fabric.bias);
+        const bool beyond = warp.isBeyond(strain(along)) || weft.isBeyond(strain(across)) ||
+                            bias.isBeyond(strain(along + across)) ||
+                            bias.isBeyond(strain(along - across));
         sum.all += area;
         sum.beyond += beyond && hasLimits(fabric) ? area : 0;
     }

@@ -183,7 +183,7 @@ double maxRelativeLengthError(const Eigen::VectorXd& lengths3d, const Eigen::Vec
 std::optional<double> symmetricDirichlet(const Eigen::MatrixX2d& singular,
                                          const Eigen::VectorXd& areas3d,
                                          const Eigen::VectorXd& areas2d) {
-    if (flippedTriangles(areas2d) > 0) {
+    if (flippedTriangles(areas2d, areas3d) > 0) {
         return std::nullopt;
     }
     const auto squares = singular.array().square();
@@ -206,6 +206,16 @@ Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::Vector
 
 int flippedTriangles(const Eigen::VectorXd& areas2d) {
     return static_cast<int>((areas2d.array() <= 0).count());
+}
+
+int flippedTriangles(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d) {
+    return static_cast<int>((areas2d.array() <= kCollapsedShare * areas3d.array()).count());
+}
+
+Eigen::Index worstFlipped(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d) {
+    Eigen::Index worst = 0;
+    (areas2d - kCollapsedShare * areas3d).minCoeff(&worst);
+    return worst;
 }
 
 namespace {

@@ -70,6 +70,13 @@ Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::Vector
 
 /// Triangles that are not positive in the plane.
 int flippedTriangles(const Eigen::VectorXd& areas2d);
+/// What no cloth does, though it may be positive by rounding: a triangle that keeps no more of its
+/// area than this has collapsed.
+inline constexpr double kCollapsedShare = 1e-6;
+/// Triangles that are flipped or have collapsed: whoever judges a pattern counts these.
+int flippedTriangles(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d);
+/// The one of them that is turned over furthest; any other where there is none.
+Eigen::Index worstFlipped(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d);
 /// Pairs of non-adjacent outline edges that cross each other, up to a limit of a million. Edges
 /// that touch or coincide within rounding (1e-12 of the outline's extent), as the two sides of a
 /// slit do, do not cross. Where they do: outline_crossings.h.

@@ -84,7 +84,7 @@ PieceQuality measure(const Piece& piece, const Points2& Q) {
     if (piece.reference) {
         quality.reference = fitToReference(Q, *piece.reference);
     }
-    quality.flippedTriangles = flippedTriangles(areas2d);
+    quality.flippedTriangles = flippedTriangles(areas2d, areas3d);
     quality.outlineCrossings = outlineCrossings(Q, piece.boundary);
     return quality;
 }

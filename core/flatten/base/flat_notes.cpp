@@ -75,12 +75,12 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
 
 void noteFlips(const Piece& piece, const Points2& Q, Problems& notes) {
     const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
-    const int flipped = flippedTriangles(areas);
+    const Eigen::VectorXd worn = triangleAreas3d(piece.mesh);
+    const int flipped = flippedTriangles(areas, worn);
     if (flipped == 0) {
         return;
     }
-    Eigen::Index worst = 0;
-    areas.minCoeff(&worst);
+    const Eigen::Index worst = worstFlipped(areas, worn);
     const std::vector<Wording> words{figure(flipped), countWording(areas.size(), "triangle"),
                                      place(middleOf(piece.mesh, worst))};
     Wording detail = flipped > 1 ? worded("%1 of %2, the worst at %3 mm", words)

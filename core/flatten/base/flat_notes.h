@@ -24,7 +24,8 @@ struct Piece;
 std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
                                   const std::vector<OutlineCrossing>& crossings);
 
-/// Adds TrianglesFlipped, where there are any: how many, and where on the piece the worst is. A
+/// Adds TrianglesFlipped, where there are any or some have collapsed (`kCollapsedShare`): how many,
+/// and where on the piece the worst is. A
 /// note that the method ended early becomes part of it: such a pattern cannot be used as it is.
 void noteFlips(const Piece& piece, const Points2& Q, Problems& notes);
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/flatten/isometric/quadratic_roots.h"
+
 namespace toile::isometric {
 namespace {
 
@@ -167,12 +169,7 @@ double SymmetricDirichlet::largestStep(const Points2& Q, const Points2& P, doubl
         if (a * most * most + b * most + c > 0 && !(b < 0 && a > 0)) {
             continue;  // no root before: concave or rising all the way
         }
-        const double under = b * b - 4 * a * c;
-        if (under < 0) {
-            continue;
-        }
-        const double q = -0.5 * (b + std::copysign(std::sqrt(under), b));
-        for (const double root : {q / a, c / q}) {
+        for (const double root : quadraticRoots(a, b, c)) {
             if (root > 0 && root < most) {
                 most = root;
             }

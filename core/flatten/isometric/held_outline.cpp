@@ -19,6 +19,9 @@ constexpr double kOfTheWay = 0.9;
 constexpr int kMaxStages = 20;
 /// Steps of the descent between two stages: enough to make room, which is all they are for.
 constexpr int kStepsForRoom = 3;
+/// Of its area: a triangle that keeps no more on a straightened outline is a line to the eye, and
+/// outweighs all the others together in the energy.
+constexpr double kLeastKept = 1e-3;
 
 /// All loops: the outline held where Q has it, rims with the lengths that they have in `rims`.
 EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
@@ -50,12 +53,27 @@ Wording placeOf(const Piece& piece, Eigen::Index face) {
     return placeWording(at.x(), at.y(), at.z());
 }
 
-/// Names the triangle that is turned over furthest.
+/// Names the triangle that is turned over or has collapsed furthest.
 Error noWay(const Piece& piece, const Points2& Q) {
-    Eigen::Index worst = 0;
-    triangleAreas2d(Q, piece.mesh.F).minCoeff(&worst);
+    const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
+    const Eigen::Index worst = worstFlipped(areas, triangleAreas3d(piece.mesh));
+    const Wording place = placeOf(piece, worst);
     return {ErrorCode::OutlineNotHeld, subjectOf(piece),
-            toile::worded("the triangle at %1 mm would turn over", {placeOf(piece, worst)})};
+            areas[worst] < 0
+                ? toile::worded("the triangle at %1 mm would turn over", {place})
+                : toile::worded("the triangle at %1 mm would have no area left", {place})};
+}
+
+Wording blockedAt(const Piece& piece, Eigen::Index face, bool turnsOver) {
+    const Wording place = placeOf(piece, face);
+    return turnsOver ? toile::worded(
+                           "the triangle at %1 mm, all its corners on the outline, "
+                           "would turn over",
+                           {place})
+                     : toile::worded(
+                           "the triangle at %1 mm, all its corners on the outline, "
+                           "would have no area left",
+                           {place});
 }
 
 }  // namespace
@@ -72,12 +90,9 @@ std::optional<Error> blockedBy(const Piece& piece, const Points2& Q, const Point
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {
         const auto corner = piece.mesh.F.row(f);
         const bool isHeld = onOutline[corner[0]] + onOutline[corner[1]] + onOutline[corner[2]] == 3;
-        if (isHeld && before[f] > 0 && !(after[f] > 0)) {
-            return Error{
-                ErrorCode::OutlineNotHeld, subjectOf(piece),
-                toile::worded("the triangle at %1 mm, all its corners on the outline, would turn "
-                              "over",
-                              {placeOf(piece, f)})};
+        if (isHeld && before[f] > 0 && !(after[f] > kLeastKept * before[f])) {
+            return Error{ErrorCode::OutlineNotHeld, subjectOf(piece),
+                         blockedAt(piece, f, after[f] < 0)};
         }
     }
     return std::nullopt;
@@ -125,7 +140,8 @@ Result<DescentResult> lowerInside(const Piece& piece, const Points2& start, cons
     }
     // What gives rims their lengths back may have moved the outline by rounding.
     lowest->Q(piece.boundary, Eigen::all) = start(piece.boundary, Eigen::all);
-    if (flippedTriangles(triangleAreas2d(lowest->Q, piece.mesh.F)) > 0) {
+    if (flippedTriangles(triangleAreas2d(lowest->Q, piece.mesh.F), triangleAreas3d(piece.mesh)) >
+        0) {
         return noWay(piece, lowest->Q);
     }
     return lowest;

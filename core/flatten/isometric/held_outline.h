@@ -17,7 +17,7 @@ struct Piece;
 namespace toile::isometric {
 
 /// What makes an outline impossible whatever the interior: a triangle with all its corners on it
-/// that has its area in Q and would lose it. OutlineNotHeld, or nothing.
+/// that has its area in Q and would lose it, or all but a thousandth. OutlineNotHeld, or nothing.
 /// @param outline  #n x 2, mm, of piece.boundary's vertices. Cost: linear.
 std::optional<Error> blockedBy(const Piece& piece, const Points2& Q, const Points2& outline);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/flatten/isometric/quadratic_roots.h"
 #include "core/geometry/segment.h"
 
 namespace toile::isometric {
@@ -244,12 +245,7 @@ double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double li
         const double a = geometry::cross(de, dr);
         const double b = geometry::cross(e, dr) + geometry::cross(de, r);
         const double c = geometry::cross(e, r);
-        const double under = b * b - 4 * a * c;
-        if (under < 0) {
-            return;
-        }
-        const double q = -0.5 * (b + std::copysign(std::sqrt(under), b));
-        for (const double t : {q / a, c / q}) {
+        for (const double t : quadraticRoots(a, b, c)) {
             if (t > 0 && t < most) {
                 const Eigen::RowVector2d edge = e + t * de;
                 const double place = (r + t * dr).dot(edge) / edge.squaredNorm();

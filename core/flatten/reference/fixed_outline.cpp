@@ -17,7 +17,7 @@ namespace toile {
 namespace {
 
 int flips(const Points2& Q, const Piece& piece) {
-    return flippedTriangles(triangleAreas2d(Q, piece.mesh.F));
+    return flippedTriangles(triangleAreas2d(Q, piece.mesh.F), triangleAreas3d(piece.mesh));
 }
 
 /// Mean value weights keep shapes best. On a long tube over a short outline they make triangles
@@ -77,7 +77,7 @@ Map measured(const Piece& piece, const Eigen::VectorXd& areas3d, Points2 Q) {
         }
     }
     Map map;
-    map.rank = {flippedTriangles(triangleAreas2d(Q, mesh.F)),
+    map.rank = {flippedTriangles(triangleAreas2d(Q, mesh.F), areas3d),
                 std::sqrt((areas3d.array() * squares).sum() / areas3d.sum())};
     map.vertexStretch = (sum.array() / area.array()).sqrt();
     map.Q = std::move(Q);

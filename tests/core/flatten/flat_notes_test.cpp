@@ -14,6 +14,7 @@
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/pipeline/pipeline.h"
+#include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
@@ -76,6 +77,26 @@ TEST(FlatNotes, NameTrianglesFlippedInPlaceOfAnEarlyEnd) {
               std::to_string(measure(*piece, Q).flippedTriangles) +
                   " of 8 triangles, the worst at (13.3, 6.7, 0.0) mm; after 3 steps");
     EXPECT_EQ(sentence(notes.front()).find("as it is"), std::string::npos);
+}
+
+TEST(FlatNotes, ACollapsedTriangleIsNamedAndNotFlat) {
+    const auto piece = test::asPiece(test::planeGrid(1, 1, 10), "yoke");
+    PieceResult result;
+    result.piece = piece;
+    result.flat = FlatPiece{};
+    Points2& Q = result.flat->Q = piece->mesh.V.leftCols(2);
+    const auto corner = piece->mesh.F.row(0);
+    const Eigen::RowVector2d base = 0.5 * (Q.row(corner[1]) + Q.row(corner[2]));
+    Q.row(corner[0]) = base + 1e-13 * (Q.row(corner[0]) - base);
+    ASSERT_GT(triangleAreas2d(Q, piece->mesh.F).minCoeff(), 0);
+    Problems notes;
+    noteFlips(*piece, Q, notes);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes.front().code, ErrorCode::TrianglesFlipped);
+    EXPECT_TRUE(notes.front().detail.starts_with("1 of 2 triangles, at ("));
+    result.quality = measure(*piece, Q);
+    EXPECT_EQ(statusOf(result), "flipped");
+    EXPECT_TRUE(breaksPromise(result));
 }
 
 TEST(FlatNotes, WhatIsFlippedIsNotSimplyFlat) {

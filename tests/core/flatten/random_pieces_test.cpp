@@ -11,17 +11,15 @@
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/random_piece.h"
+#include "tests/core/support/sanitized.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
 constexpr unsigned kSeeds = 1000, kSeedsOfAShard = 50;
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr unsigned kQuickShards = 1, kShards = 1;
-#else
-constexpr unsigned kQuickShards = 3, kShards = kSeeds / kSeedsOfAShard;
-#endif
+const unsigned kQuickShards = test::isSanitized() ? 1 : 3;
+const unsigned kShards = test::isSanitized() ? 1 : kSeeds / kSeedsOfAShard;
 constexpr std::array kMethods = {Method::Wang2005, Method::Curvature, Method::Isometric};
 constexpr std::array kSolvers = {BoundarySolver::Newton, BoundarySolver::Slcp};
 

@@ -117,6 +117,23 @@ TEST(Measures, CountsFlipsAndGivesNoInfiniteEnergy) {
     EXPECT_FALSE(collapsed.strainMax);
 }
 
+TEST(Measures, ATriangleThatIsPositiveByRoundingHasCollapsed) {
+    const auto piece = test::asPiece(test::planeGrid(1, 1, 10));
+    const Points2 flattened = flat(piece->mesh);
+    const Eigen::VectorXd worn = triangleAreas3d(piece->mesh);
+    const int tip = piece->mesh.F(0, 0), first = piece->mesh.F(0, 1), second = piece->mesh.F(0, 2);
+    for (const double left : {1e-20, 1e-12, 1e-4}) {
+        Points2 Q = flattened;
+        const Eigen::RowVector2d base = 0.5 * (Q.row(first) + Q.row(second));
+        Q.row(tip) = base + left * (flattened.row(tip) - base);
+        const PieceQuality quality = measure(*piece, Q);
+        const bool isCollapsed = left < kCollapsedShare;
+        EXPECT_EQ(quality.flippedTriangles > 0, isCollapsed) << left;
+        EXPECT_EQ(quality.symmetricDirichlet.has_value(), !isCollapsed) << left;
+        EXPECT_TRUE(!isCollapsed || worstFlipped(triangleAreas2d(Q, piece->mesh.F), worn) == 0);
+    }
+}
+
 TEST(Measures, FieldsAgreeWithTheFigures) {
     const auto piece = test::asPiece(test::planeGrid(3, 2, 10));
     Points2 Q = flat(piece->mesh);
