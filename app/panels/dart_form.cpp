@@ -18,6 +18,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
+#include "core/pattern/darts.h"
 #include "core/pattern/exact_outline.h"
 #include "core/pattern/outline_reference.h"
 #include "core/quality/closed_line.h"
@@ -211,6 +212,10 @@ QString DartForm::refusalOf(double intake) const {
     if (!(intake > apart)) {
         return tr("One leg is longer than the other: the intake must be above %1.")
             .arg(lengthWithUnit(apart));
+    }
+    if (!(angleOf(drawn_, intake) < kWidestDart)) {
+        return tr("What opens by 60° or more is a corner and no dart: the intake must be below %1.")
+            .arg(lengthWithUnit(intakeOf(drawn_, kWidestDart)));
     }
     return {};
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -229,7 +228,7 @@ void addDartCaps(const PatternPiece& piece, const ClosedLine& outline,
     for (PieceDart& dart : darts) {
         if (dart.intake <= kNoIntake) {
             capStraight(dart);
-        } else if (dart.angle > 0 && dart.angle < std::numbers::pi) {
+        } else if (dart.angle > 0) {
             choices.emplace_back(piece, dart, CapMaker(piece, outline, darts, dart).shaped());
         }
     }

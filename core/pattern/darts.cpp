@@ -108,6 +108,10 @@ std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& ou
         const Points2 legs = outline.part(dart.from, dart.to);
         const Eigen::Index firstRows = outline.part(dart.from, dart.from + ofFirst).rows();
         dart.angle = openingAngle(legs, dart.tip, firstRows - 1);
+        if (!(dart.angle < kWidestDart)) {
+            darts.pop_back();
+            return;
+        }
         const auto said = piece.saidOfDarts.find(first.seam);
         const bool isSaid = said != piece.saidOfDarts.end();
         dart.isTyped = isSaid && said->second.intake.has_value();

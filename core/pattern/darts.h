@@ -19,6 +19,11 @@ namespace toile {
 /// The drill point is so far before the tip, mm; a third of the leg where that is less.
 inline constexpr double kDrillBeforeTip = 12;
 
+/// At the tip, radians: from there on the mouth is wider than the legs are long. Folded, such cloth
+/// reaches beyond the legs: what opens so wide is a hollow corner, as of a box, and no dart. A
+/// little below 60 degrees, a common angle, which rounding is not to decide.
+inline constexpr double kWidestDart = 1.0471975511965976 - 1e-6;
+
 /// A dart as it lies in the pattern.
 struct PieceDart {
     int seam = 0;  ///< SeamLine::number
@@ -43,8 +48,8 @@ struct PieceDart {
 };
 
 /// The darts of a piece, by `from`: seams of kind Dart with both sides on the outline, one of which
-/// ends where the other begins. Turn points on a leg change nothing. One across the fold of a half
-/// pattern has but one side there, and is not found.
+/// ends where the other begins, at less than kWidestDart. Turn points on a leg change nothing. One
+/// across the fold of a half pattern has but one side there, and is not found.
 ///
 /// The cap. The dart is folded on the line that halves the angle at its tip, sewn along the legs
 /// and laid over one of them. For the seam to run straight on then, the half beside that leg is to
@@ -57,9 +62,8 @@ struct PieceDart {
 ///   tip is from the mouth; from there on it is prolonged straight.
 /// - Where it does not meet the fold within that distance of the tip, or the cap would cross the
 ///   outline or another cap, the cap is the straight line between the mouth's ends; where that
-///   crosses too, there is none. None either where the legs cross (angle < 0), or at 180 degrees
-///   and more, where that line would cut through the piece. Legs that cross on their way but are
-///   open at the mouth do not matter: the cap is about the mouth.
+///   crosses too, there is none. None either where the legs cross (angle < 0). Legs that cross on
+///   their way but are open at the mouth do not matter: the cap is about the mouth.
 ///
 /// Which leg: by the convention that an upright dart is laid towards the centre and a level one
 /// downwards. Up is along the grain. The core does not know the centre: it takes the middle of the

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/arc_lengths.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"
 #include "core/pattern/exact_outline.h"
@@ -176,10 +177,9 @@ void boundByWidth(const Points2& line, const std::vector<double>& steps,
                   Eigen::VectorXd& tolerance) {
     const int n = static_cast<int>(line.rows());
     std::vector<geometry::Segment2> segments;
-    std::vector<double> arc{0};
+    const std::vector<double> arc = geometry::arcOf(steps);
     for (int k = 0; k < n; ++k) {
         segments.push_back({line.row(k), line.row((k + 1) % n)});
-        arc.push_back(arc.back() + steps[k]);
     }
     const double margin = tolerance.maxCoeff() / kBandPart;
     const auto isBand = [&](int i, int j, double width) {

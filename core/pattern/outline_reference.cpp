@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/arc_lengths.h"
 #include "core/geometry/segment.h"
 #include "core/quality/closed_line.h"
 #include "core/quality/measures.h"
@@ -33,12 +34,7 @@ Points2 movedAs(const Points2& points, const Points2& others, const Points2& ont
 }  // namespace
 
 std::vector<double> outlineArc(const Piece& piece) {
-    const Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
-    std::vector<double> arc{0};
-    for (const double length : lengths) {
-        arc.push_back(arc.back() + length);
-    }
-    return arc;
+    return geometry::arcOf(boundaryLengths3d(piece.mesh.V, piece.boundary));
 }
 
 OutlineReference referenceOf(const Piece& piece, const FlatPiece& exact) {

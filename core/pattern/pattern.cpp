@@ -10,6 +10,7 @@
 #include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/geometry/arc_lengths.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/drawn_outline.h"
@@ -85,11 +86,7 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
                  const SeamGraph& graph, const OutlineSegments& found, const LineSettings& lines) {
     const Piece& piece = *result.piece;
     const ClosedLine in3d(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
-    std::vector<double> targets{0};
-    for (const double length : outlineLengths(piece, result.targets)) {
-        targets.push_back(targets.back() + length);
-    }
-    const ClosedLine target(in3d.points(), std::move(targets));
+    const ClosedLine target(in3d.points(), geometry::arcOf(outlineLengths(piece, result.targets)));
     for (std::size_t k = 0; k < found.segments.size(); ++k) {
         const Segment& segment = found.segments[k];
         PatternSegment& added = made.segments.emplace_back();

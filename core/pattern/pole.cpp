@@ -11,6 +11,7 @@
 #include "core/geometry/buckets.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
+#include "core/pattern/box_room.h"
 
 namespace toile {
 namespace {
@@ -264,8 +265,9 @@ Vector2d centroid(const Points2& loop, const Eigen::AlignedBox2d& box) {
     return area != 0 && box.contains(middle) ? middle : box.center();
 }
 
+/// @param needed  less room is none
 std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUnit, bool isRound,
-                             const PoleSearch& search) {
+                             const PoleSearch& search, double needed = 0) {
     if (cloth.loops.empty() || cloth.loops.front().rows() < 3 || !cloth.loops.front().allFinite() ||
         !toUnit.allFinite()) {
         return std::nullopt;
@@ -283,12 +285,13 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
         }
         const double most = square.room + squares.reach(square);
         const bool isBetter = most > std::max(best.room, 0.0) * (1 + search.tolerance);
-        return isBetter && best.room < search.enough ? std::optional(most) : std::nullopt;
+        const bool mayDo = isBetter && most >= needed && best.room < search.enough;
+        return mayDo ? std::optional(most) : std::nullopt;
     });
-    if (!(best.room > 0)) {
+    if (!(best.room > 0 && best.room >= needed)) {
         return std::nullopt;
     }
-    const double least = std::min(search.enough, (1 - search.slack) * best.room);
+    const double least = std::max(needed, std::min(search.enough, (1 - search.slack) * best.room));
     if (atCentre >= least) {
         return Pole{centre, atCentre};
     }
@@ -314,6 +317,11 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
     return best;
 }
 
+Eigen::Matrix2d toUnitBox(const Eigen::Vector2d& size, double angle) {
+    const Eigen::Vector2d perUnit = 2 * size.cwiseInverse();
+    return perUnit.asDiagonal() * Eigen::Rotation2Dd(-angle).toRotationMatrix();
+}
+
 }  // namespace
 
 std::optional<Pole> circlePole(const FreeCloth& cloth, const PoleSearch& search) {
@@ -322,9 +330,12 @@ std::optional<Pole> circlePole(const FreeCloth& cloth, const PoleSearch& search)
 
 std::optional<Pole> boxPole(const FreeCloth& cloth, const Eigen::Vector2d& size, double angle,
                             const PoleSearch& search) {
-    const Eigen::Vector2d perUnit = 2 * size.cwiseInverse();
-    return findPole(cloth, perUnit.asDiagonal() * Eigen::Rotation2Dd(-angle).toRotationMatrix(),
-                    false, search);
+    return findPole(cloth, toUnitBox(size, angle), false, search);
+}
+
+std::optional<Pole> boxPlace(const FreeCloth& cloth, const Eigen::Vector2d& size, double angle,
+                             const PoleSearch& search) {
+    return findPole(cloth, toUnitBox(size, angle), false, search, 1);
 }
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/geometry/arc_lengths.h"
 #include "core/quality/measures.h"
 #include "core/seam/seam_measure.h"
 
@@ -31,22 +32,13 @@ SeamMatch placeWhere(const Seam& seam, const Rising& rising, double value) {
     return {(1 - t) * a.left + t * b.left, (1 - t) * a.right + t * b.right};
 }
 
-std::vector<double> summedUp(const Eigen::VectorXd& lengths) {
-    std::vector<double> arc{0};
-    arc.reserve(static_cast<std::size_t>(lengths.size()) + 1);
-    for (const double length : lengths) {
-        arc.push_back(arc.back() + length);
-    }
-    return arc;
-}
-
 DrawnLoop drawnLoop(const PieceResult& result, const SeamSide& side) {
     const std::vector<int>& loop = loopOf(side, *result.piece);
     const Eigen::VectorXd in3d = boundaryLengths3d(result.piece->mesh.V, loop);
     const bool hasTargets = side.loop == 0 && result.targets.lengths.size() > 0;
     const Points2 points = result.flat->Q(loop, Eigen::all);
-    const ClosedLine byArc(points, summedUp(in3d));
-    const ClosedLine target(points, summedUp(hasTargets ? result.targets.lengths : in3d));
+    const ClosedLine byArc(points, geometry::arcOf(in3d));
+    const ClosedLine target(points, geometry::arcOf(hasTargets ? result.targets.lengths : in3d));
     const auto& line = result.flat->line;
     if (!line || side.loop != 0) {
         return {byArc, target, target, ClosedLine(points)};

@@ -103,6 +103,13 @@ private slots:
         type("dartAngle", "180");
         QVERIFY(isShown("dartRefusal"));
         QCOMPARE(field("dartAngle").value(), 0.0);
+        // The legs reach so far, but that is a corner and no dart.
+        for (const char* angle : {"60", "90", "179"}) {
+            type("dartAngle", angle);
+            QVERIFY(isShown("dartRefusal"));
+            QVERIFY(label("dartRefusal").contains("62"));
+            QVERIFY(lines().darts.empty());
+        }
         type("dartIntake", "30");
         QVERIFY(!isShown("dartRefusal"));
         QCOMPARE(lines().darts.size(), std::size_t(1));
@@ -124,12 +131,13 @@ private slots:
         fixture_.workspace().setEase(seam, 0.1);
         document().setEaseDrawn(seam, true);
         QVERIFY(isFlatAgain());
-        for (const char* outOfReach : {"6.1", "130.3"}) {  // legs of 62 and 68.2 mm
+        // Legs of 62 and 68.2 mm; at 65.3 they open by 60 degrees.
+        for (const char* outOfReach : {"6.1", "65.4", "130.3"}) {
             type("dartIntake", outOfReach);
             QVERIFY(isShown("dartRefusal"));
             QVERIFY(lines().darts.empty());
         }
-        for (const double within : {6.3, 130.1}) {
+        for (const double within : {6.3, 65.2}) {
             type("dartIntake", QString::number(within));
             QVERIFY(!isShown("dartRefusal"));
             QVERIFY(isFlatAgain());

@@ -327,7 +327,7 @@ PatternPiece row(const std::vector<double>& mouths, double intake) {
 
 TEST(Darts, SideBySideHaveCapsThatDoNotMeet) {
     for (const double apart : {0.0, 1e-7, 0.5, 4.0, 40.0}) {
-        for (const double intake : {2.0, 20.0, 70.0}) {
+        for (const double intake : {2.0, 20.0, 60.0}) {
             SCOPED_TRACE(std::to_string(apart) + ", " + std::to_string(intake));
             const PatternPiece piece =
                 row({30, 30 + intake + apart, 30 + 2 * (intake + apart)}, intake);
@@ -391,21 +391,33 @@ PatternPiece wideDart(double angle) {
     return test::pieceWithDarts(outline, {{1, 2, 3}}, {0, 4, 5, 6});
 }
 
-TEST(Darts, ThatOpenWideAreCappedStraightOrNotAtAll) {
+TEST(Darts, ThatOpenAsWideAsACornerAreNone) {
     constexpr double kDegree = std::numbers::pi / 180;
-    for (const double degrees : {60.0, 85.0, 89.0, 120.0, 150.0, 179.0, 181.0, 240.0}) {
+    for (const double degrees : {30.0, 45.0, 59.9, 60.1, 90.0, 120.0, 179.0, 181.0, 240.0}) {
         SCOPED_TRACE(degrees);
         const PatternPiece piece = wideDart(degrees * kDegree);
+        if (degrees > 60) {
+            EXPECT_TRUE(findDarts(piece).empty());
+            EXPECT_EQ(cappedOutline(piece, findDarts(piece)).line, piece.outline);
+            continue;
+        }
         const PieceDart dart = onlyDart(piece);
         EXPECT_NEAR(dart.angle, degrees * kDegree, kExactly);
         // The mirrored edge and the fold meet at pi / 2 - angle.
         const double fold = 60 * std::cos(dart.angle / 2) / std::cos(dart.angle);
-        const bool isShaped = degrees < 90 && fold < kLongestFold * 60;
-        EXPECT_EQ(dart.cap.rows(), isShaped ? 3 : degrees < 180 ? 2 : 0);
-        if (isShaped) {
-            EXPECT_NEAR((dart.fold.to - dart.tip).norm(), fold, kExactly);
-        }
+        EXPECT_EQ(dart.cap.rows(), 3);
+        EXPECT_NEAR((dart.fold.to - dart.tip).norm(), fold, kExactly);
         expectSound(piece, {dart});
+    }
+}
+
+TEST(Darts, ThatOpenBySixtyDegreesAreNoneHoweverThatIsRounded) {
+    const PatternPiece piece = wideDart(std::numbers::pi / 3);
+    for (int step = 0; step < 90; ++step) {
+        SCOPED_TRACE(step);
+        const PatternPiece turned = test::moved(piece, 0.07 * step, {1000.0 / 7, 500.0 / 3});
+        EXPECT_TRUE(findDarts(turned).empty());
+        EXPECT_TRUE(findDarts(test::mirrored(turned)).empty());
     }
 }
 

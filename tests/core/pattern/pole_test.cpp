@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/box_room.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
 
@@ -141,6 +142,17 @@ TEST(BoxPole, MoreRoomThanEnoughIsNoBetter) {
     ASSERT_TRUE(pole);
     EXPECT_NEAR((pole->place - Vector2d(200, 0)).norm(), 0, 1e-9);
     EXPECT_GT(boxPole({{outline}}, {1, 1}, 0)->place.x(), 250);
+}
+
+TEST(BoxPlace, IsThatOfThePoleWhereTheBoxFits) {
+    const Points2 outline = outlineOf({{0, 0}, {300, -30}, {300, 30}});
+    for (const double width : {5.0, 40.0, 55.0, 80.0, 500.0}) {
+        const auto pole = boxPole({{outline}}, {width, width}, 0.2);
+        const auto place = boxPlace({{outline}}, {width, width}, 0.2);
+        ASSERT_TRUE(pole);
+        ASSERT_EQ(place.has_value(), pole->room >= 1) << width;
+        EXPECT_TRUE(!place || place->place == pole->place) << width;
+    }
 }
 
 TEST(Pole, IsNoneWhereThereIsNoCloth) {
