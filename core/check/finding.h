@@ -38,6 +38,7 @@ enum class FindingKind {
     SeamKink,           ///< lines that run on into each other over a seam make a corner there
     NotSymmetric,       ///< a piece is to be cut by half, and is not drawn as a mirror image
     NoFacing,           ///< a facing has no room along its edge
+    WiderThanCloth,     ///< a piece fits its cloth in no turn that is allowed
     PiecesOverlap,      ///< two pieces lie on each other on the sheet
     UnlikelySize,       ///< no garment is as small or as large
     UnitInDoubt,        ///< the file's unit was guessed, and another is as likely

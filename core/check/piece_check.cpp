@@ -13,6 +13,7 @@
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
 #include "core/quality/outline_crossings.h"
+#include "core/quality/strain_bounds.h"
 
 namespace toile {
 namespace {
@@ -58,12 +59,12 @@ void checkFlips(const PieceToCut& checked, FindingList& found) {
     }
     const Piece& piece = *result.piece;
     const Eigen::VectorXd areas = triangleAreas2d(result.flat->Q, piece.mesh.F);
-    const int flipped = flippedTriangles(areas);
+    const Eigen::VectorXd worn = triangleAreas3d(piece.mesh);
+    const int flipped = flippedTriangles(areas, worn);
     if (flipped == 0) {
         return;
     }
-    Eigen::Index worst = 0;
-    areas.minCoeff(&worst);
+    const Eigen::Index worst = worstFlipped(areas, worn);
     Finding finding = findingOf(checked, FindingKind::FlippedTriangles, Severity::Fault);
     finding.place = placeInTriangle(piece, result.flat->Q, worst);
     finding.figures = {count(flipped), count(static_cast<double>(areas.size()))};
@@ -177,46 +178,33 @@ FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,
 
 namespace {
 
-/// A limit of 0 would make rounding a fault.
-constexpr double kMinLimit = 1e-4;
-/// Nor may rounding put cloth that is just at its limit beyond it: as the window's colour bar.
-constexpr double kSlack = 1.0005;
-
-struct Limits {
-    explicit Limits(const StrainLimits& stated)
-        : least(std::min(stated.least, -kMinLimit)), most(std::max(stated.most, kMinLimit)) {}
-
-    double limitFor(double strain) const { return strain < 0 ? least : most; }
-    double severity(double strain) const { return strain / limitFor(strain); }
-
-    double least, most;
-};
-
 /// Gathers one direction over the triangles.
 class Counter {
 public:
-    explicit Counter(const StrainLimits& stated) : limits_(stated) {}
+    explicit Counter(const StrainLimits& stated) : bounds_(stated) {}
 
-    double severity(double strain) const { return limits_.severity(strain); }
+    double severity(double strain) const { return bounds_.severity(strain); }
 
     void add(int face, double strain, double area) {
-        const double severity = limits_.severity(strain);
+        const double severity = bounds_.severity(strain);
         total_ += area;
-        beyond_ += severity > kSlack ? area : 0;
+        beyond_ += bounds_.isBeyond(strain) ? area : 0;
         if (severity > worst_.severity) {
-            worst_ = {0, face, strain, limits_.limitFor(strain), severity};
+            worst_ = {0, face, strain, bounds_.limitFor(strain), severity};
         }
     }
 
     StrainExcess result() const {
         StrainExcess excess = worst_;
         // Cloth that has collapsed has no area, and is beyond all the same.
-        excess.share = total_ > 0 ? beyond_ / total_ : worst_.severity > kSlack ? 1 : 0;
+        excess.share = total_ > 0                               ? beyond_ / total_
+                       : worst_.severity > StrainBounds::kSlack ? 1
+                                                                : 0;
         return excess;
     }
 
 private:
-    Limits limits_;
+    StrainBounds bounds_;
     double total_ = 0, beyond_ = 0;
     StrainExcess worst_;
 };

@@ -55,8 +55,12 @@ public:
             checkSheet();
             checkProof(plan_, found_);
         }
+        std::vector<ClothNeed> needs;
+        if (!progress_.isCancelled()) {
+            needs = checkCloth();
+        }
         Readiness readiness = found_.inOrder();
-        readiness.cloth = clothWanted();
+        readiness.cloth = std::move(needs);
         for (Finding& finding : readiness.findings) {
             finding.subject = labelled(plan_.labels, std::move(finding.subject));
         }
@@ -290,11 +294,26 @@ private:
                        : Points2(result.flat->Q(result.piece->boundary, Eigen::all));
     }
 
-    std::vector<ClothNeed> clothWanted() const {
-        return isOfGarment(plan_.pattern.get())
-                   ? clothNeeds(laidOutAs(*plan_.pattern, plan_.settings, plan_.materials),
-                                plan_.fabric)
-                   : std::vector<ClothNeed>();
+    /// What cannot be laid on its cloth, and how much of each is wanted.
+    std::vector<ClothNeed> checkCloth() {
+        if (!isOfGarment(plan_.pattern.get())) {
+            return {};
+        }
+        const LaidOutPattern laid = laidOutAs(*plan_.pattern, plan_.settings, plan_.materials);
+        for (const WidePiece& wide :
+             widerThanCloth(laid.wholePattern, plan_.fabric, plan_.rules, progress_)) {
+            Finding finding;
+            finding.kind = FindingKind::WiderThanCloth;
+            finding.severity = Severity::Doubt;
+            finding.subject =
+                wide.facing.empty()
+                    ? subjectOf(*garment_.pieces[static_cast<std::size_t>(wide.piece)])
+                    : Subject::piece(wide.facing);
+            finding.pieces = {wide.piece};
+            finding.figures = {length(wide.extent), length(wide.room)};
+            found_.add(std::move(finding), wide.extent - wide.room);
+        }
+        return clothNeeds(laid, plan_.fabric);
     }
 
     void checkSheet() {

@@ -10,6 +10,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
+#include "core/marker/cloth_fit.h"
 #include "core/pattern/line_settings.h"
 #include "core/project/piece_settings.h"
 
@@ -29,6 +30,7 @@ struct CutPlan {
     std::shared_ptr<const Pattern> pattern{};  ///< of all that; or null
     std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or left out
     PieceLabels labels{};                      ///< what findings call the pieces; or left out
+    ClothRules rules{};                        ///< how they may lie on their cloth
     /// The pattern sewn back together: of this garment and these results, as they are; or null.
     std::shared_ptr<const Proof> proof{};
     bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so

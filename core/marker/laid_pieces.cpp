@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/nest/shape.h"
 #include "core/pattern/half_pattern.h"
 
 namespace toile {
@@ -18,6 +19,8 @@ constexpr const char* kFromBothLayers =
 
 namespace toile::cloth {
 namespace {
+
+using geometry::Polygon;
 
 /// So that ids made here are no others.
 constexpr std::uint64_t kFacingOnCloth = 0x6661636573, kNamelessOnCloth = 0x6e6f6e616d65;
@@ -150,6 +153,37 @@ NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& s
     }
     item.tolerance = settings.turns == TurnRule::Free ? kPi : settings.tolerance;
     return item;
+}
+
+Eigen::Vector2d leastSides(const NestItem& item) {
+    const std::vector<Eigen::Vector2d> hull = nest::hullOf(item.rings.front(), 0);
+    NestItem around;
+    around.rings = {Polygon(static_cast<Eigen::Index>(hull.size()), 2)};
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+        around.rings.front().row(static_cast<Eigen::Index>(k)) = hull[k].transpose();
+    }
+    const int steps = item.tolerance > 0 ? 180 : 0;
+    Eigen::Vector2d least(HUGE_VAL, HUGE_VAL);
+    for (const double angle : item.angles) {
+        for (int k = -steps; k <= steps; ++k) {
+            const double aside = steps > 0 ? std::min(item.tolerance, kPi) * k / steps : 0;
+            const Polygon line = placedRings(around, {0, angle + aside, false, 0, 0}).front();
+            const Eigen::RowVector2d sides = line.colwise().maxCoeff() - line.colwise().minCoeff();
+            least = least.cwiseMin(sides.transpose());
+        }
+    }
+    return least;
+}
+
+double roomAcross(const NestItem& item, double width, const MarkerSettings& settings) {
+    return width - (item.touchesEdge ? 1 : 2) * settings.border -
+           (settings.gap > 0 ? kGapRounding : 0);
+}
+
+double roomAlong(const MarkerSettings& settings) {
+    return settings.sheet
+               ? settings.sheet->x() - 2 * settings.border - (settings.gap > 0 ? kGapRounding : 0)
+               : HUGE_VAL;
 }
 
 geometry::Polygon lineOf(const PatternPiece& piece, bool isImage, const Placement& placement) {

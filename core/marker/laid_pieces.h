@@ -49,6 +49,15 @@ NestForm nestFormOf(const PatternPiece& piece, bool isImage);
 /// holes, in which nothing is laid.
 NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& settings);
 
+inline constexpr double kGapRounding = 0.002;  ///< mm: by which shapes with a gap may grow
+
+/// How long and how wide it is on the cloth, each at the best of its angles, mm.
+Eigen::Vector2d leastSides(const NestItem& item);
+/// What it has of the cloth's width, borders aside; none is kept from a fold. mm.
+double roomAcross(const NestItem& item, double width, const MarkerSettings& settings);
+/// And of a sheet's length; a roll has no end.
+double roomAlong(const MarkerSettings& settings);
+
 /// The line that a copy takes up, as it lies.
 geometry::Polygon lineOf(const PatternPiece& piece, bool isImage, const Placement& placement);
 

@@ -35,7 +35,15 @@ const std::string& calledInFile(const FilePiece& piece) {
 }  // namespace
 
 Wording nothingToSew() {
-    return worded("nothing of the pattern is a piece of the garment that is flat");
+    return worded(
+        "nothing of the pattern is a piece of the garment that is flat; take the pattern that was "
+        "made of it");
+}
+
+Wording patternTooSmall() {
+    return worded(
+        "its pattern is so small that nothing of it is left in a file; state the unit of the "
+        "garment");
 }
 
 Wording edgesTooFine(double edge, double triangles, double least) {

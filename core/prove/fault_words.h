@@ -23,6 +23,8 @@ ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer);
 
 /// The detail of an error: nothing of the pattern is to be sewn.
 Wording nothingToSew();
+/// Or nothing of the garment's own is left in a file, whose numbers have an end.
+Wording patternTooSmall();
 /// @param edge  asked for, mm  @param least  that makes few enough triangles
 Wording edgesTooFine(double edge, double triangles, double least);
 /// `Proof::source` of the designer's panels, and of the garment's own pattern.

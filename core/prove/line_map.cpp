@@ -7,11 +7,13 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/likeness.h"
 #include "core/pattern/segments.h"
 
 namespace toile::prove {
 namespace {
 
+using geometry::bestLikeness, geometry::CentredPlaces, geometry::likeness, geometry::squaresOf;
 using ComplexPlace = std::complex<double>;
 
 constexpr int kPlaces = 128;
@@ -24,8 +26,8 @@ constexpr double kFartherThanLines = 6, kFartherCorner = 0.005;
 constexpr double kMostCornerTrials = 5e7;
 
 /// Places at even shares of a line's length around their middle, from a share of it on.
-std::vector<ComplexPlace> evenPlaces(const ClosedLine& line, double from, double scale) {
-    std::vector<ComplexPlace> places;
+CentredPlaces evenPlaces(const ClosedLine& line, double from, double scale) {
+    CentredPlaces places;
     ComplexPlace middle = 0;
     for (int k = 0; k < kPlaces; ++k) {
         const Eigen::RowVector2d p = line.pointAt(
@@ -37,25 +39,6 @@ std::vector<ComplexPlace> evenPlaces(const ClosedLine& line, double from, double
         place -= middle;
     }
     return places;
-}
-
-double squaresOf(const std::vector<ComplexPlace>& places) {
-    double sum = 0;
-    for (const ComplexPlace& place : places) {
-        sum += std::norm(place);
-    }
-    return sum;
-}
-
-/// What turns and fits one list to the other, begun `start` places later: its angle is the best
-/// turn's, its size how well that fits.
-ComplexPlace likeness(const std::vector<ComplexPlace>& ours,
-                      const std::vector<ComplexPlace>& theirs, std::size_t start) {
-    ComplexPlace sum = 0;
-    for (std::size_t k = 0; k < ours.size(); ++k) {
-        sum += ours[k] * std::conj(theirs[(k + start) % theirs.size()]);
-    }
-    return sum;
 }
 
 struct LineCorner {
@@ -141,7 +124,7 @@ RoughFit refined(const ClosedLine& ours, const ClosedLine& theirs, RoughFit fit,
     const auto line = evenPlaces(ours, 0, 1);
     const auto tried = [&](double offset) {
         const auto other = evenPlaces(theirs, offset, scale);
-        const double angle = canTurn ? std::arg(likeness(line, other, 0)) : fit.angle;
+        const double angle = canTurn ? std::arg(likeness(line, other)) : fit.angle;
         const ComplexPlace turn = std::polar(1.0, angle);
         double sum = 0;
         for (std::size_t k = 0; k < line.size(); ++k) {
@@ -188,17 +171,10 @@ RoughFit roughFit(const ClosedLine& ours, const ClosedLine& theirs,
                   const std::vector<double>& angles) {
     const double scale = ours.length() / theirs.length();
     const auto line = evenPlaces(ours, 0, 1), other = evenPlaces(theirs, 0, scale);
-    ComplexPlace most = 0;
-    std::size_t from = 0;
-    for (std::size_t start = 0; start < line.size(); ++start) {
-        const ComplexPlace like = likeness(line, other, start);
-        if (std::abs(like) > std::abs(most)) {
-            most = like;
-            from = start;
-        }
-    }
+    const auto most = bestLikeness(line, other);
     const RoughFit best =
-        refined(ours, theirs, {std::arg(most), static_cast<double>(from) / kPlaces, 0}, true);
+        refined(ours, theirs,
+                {std::arg(most.likeness), static_cast<double>(most.start) / kPlaces, 0}, true);
     for (const double angle : angles) {
         const RoughFit fit = roughFitAt(ours, theirs, angle);
         if (fit.distance <= kAboutAsWell * best.distance + kAboutAsNear) {

@@ -89,7 +89,8 @@ Result<RestPattern> restPattern(const ExportSource& source, const ProofOrder& or
     } else {
         const auto file = readBack(source);
         if (!file) {
-            return file.error();
+            const bool isEmpty = file.error().code == ErrorCode::NoGeometry;
+            return isEmpty ? Error{ErrorCode::NoGeometry, {}, patternTooSmall()} : file.error();
         }
         rest = restOfFile(source, *file);
         rest.source = sourceIsReadBack();

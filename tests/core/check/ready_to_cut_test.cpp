@@ -386,6 +386,48 @@ TEST(ReadyToCut, AllowancesOnEachOtherAreADoubt) {
     EXPECT_EQ(onlyFinding(plan, FindingKind::PiecesOverlap).pieces, (std::vector{0, 1}));
 }
 
+TEST(ReadyToCut, APieceWiderThanItsClothIsADoubtInEveryTurnThatIsAllowed) {
+    CutPlan plan = readyPlan();
+    const auto pattern = patternOf(plan);
+    plan.pattern = pattern;
+    plan.fabric.width = 101;  // the pieces are 100 mm wide
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+    pattern->pieces[1].cuttingLine = pattern->pieces[1].outline;
+    pattern->pieces[1].cuttingLine.col(0) *= 1.2;
+    const Finding finding = onlyFinding(plan, FindingKind::WiderThanCloth);
+    EXPECT_EQ(finding.severity, Severity::Doubt);
+    EXPECT_EQ(finding.subject.name, "back");
+    EXPECT_EQ(finding.pieces, std::vector{1});
+    ASSERT_EQ(finding.figures.size(), 2U);
+    EXPECT_NEAR(finding.figures[0].value, 120, 1e-9);
+    EXPECT_NEAR(finding.figures[1].value, 101, 1e-9);
+    plan.settings[1].grain = 0;  // the warp along its width
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+    plan.settings[1].grain = kGrainUpwards;
+    plan.rules[""].turns = TurnRule::Free;
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+    plan.rules[""].turns = TurnRule::OneWay;
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Doubts);
+    plan.rules[""].width = 150;  // of that cloth
+    EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
+}
+
+TEST(ReadyToCut, AWideFacingIsNamedAndNotItsPiece) {
+    CutPlan plan = readyPlan();
+    const auto pattern = patternOf(plan);
+    FacingPiece& facing = pattern->facings.emplace_back();
+    facing.piece = 1;
+    facing.facing = 0;
+    facing.strip.name = "hem facing";
+    facing.strip.outline = pattern->pieces[1].outline;
+    facing.strip.outline.col(0) *= 1.2;
+    plan.pattern = pattern;
+    plan.fabric.width = 101;
+    const Finding finding = onlyFinding(plan, FindingKind::WiderThanCloth);
+    EXPECT_EQ(finding.subject, Subject::piece("hem facing"));
+    EXPECT_EQ(finding.pieces, std::vector{1});
+}
+
 TEST(ReadyToCut, FacingsWithoutRoomAreADoubt) {
     CutPlan plan = readyPlan();
     const auto pattern = patternOf(plan);

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "core/marker/cloth_fit.h"
 #include "tests/core/marker/marker_fixtures.h"
 
 namespace toile {
@@ -85,6 +87,63 @@ TEST(ClothMarker, NamesWhatIsTooWideAndLaysTheRest) {
               "Back is not laid: it is 1620 mm across, the cloth 1400 mm; splice it at 1390 mm");
 }
 
+TEST(ClothFit, NamesWhatTheMarkerLeavesOut) {
+    const Pattern pattern =
+        clothPattern({clothPiece("Back", 1620, 700, 1), clothPiece("Front", 700, 600, 2)});
+    ClothRules rules;
+    MarkerSettings& settings = rules[""];
+    for (const auto& [width, border, wide] :
+         {std::tuple(1620.5, 0.0, 0), std::tuple(1620.5, 1.0, 1), std::tuple(699.0, 0.0, 2)}) {
+        Fabric cloth;
+        cloth.width = width;
+        settings.border = border;
+        const auto found = widerThanCloth(pattern, cloth, rules);
+        ASSERT_EQ(static_cast<int>(found.size()), wide) << width;
+        if (wide > 0) {
+            EXPECT_EQ(found[0].piece, 0);
+            EXPECT_NEAR(found[0].extent, 1620, 1e-9);
+            EXPECT_NEAR(found[0].room, width - 2 * border, 1e-9);
+        }
+    }
+    settings = {};
+    settings.isFolded = true;  // 700 mm, as wide as one of them
+    EXPECT_EQ(widerThanCloth(pattern, Fabric{}, rules).size(), 1U);
+    Progress cancelled;
+    cancelled.cancel();
+    EXPECT_TRUE(widerThanCloth(pattern, Fabric{}, rules, cancelled).empty());
+}
+
+TEST(ClothFit, OfASheetTheLengthCountsToo) {
+    const Pattern pattern =
+        clothPattern({clothPiece("Back", 500, 900, 1), clothPiece("Front", 500, 700, 2)});
+    ClothRules rules;
+    MarkerSettings& settings = rules[""];
+    settings.border = 5;
+    settings.sheet = Eigen::Vector2d(800, 600);
+    const auto found = widerThanCloth(pattern, Fabric{}, rules);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].piece, 0);
+    EXPECT_NEAR(found[0].extent, 900, 1e-9);
+    EXPECT_NEAR(found[0].room, 790, 1e-9);
+    const ClothMarker marker = laidOn(600, pattern, settings);
+    EXPECT_FALSE(marker.isWhole);
+    ASSERT_EQ(marker.copies.size(), 1U);
+    EXPECT_EQ(marker.copies[0].piece, 1);
+}
+
+TEST(ClothFit, AFacingIsNamedItself) {
+    Pattern pattern = clothPattern({clothPiece("Front", 300, 600, 1)});
+    FacingPiece facing;
+    facing.piece = facing.facing = 0;
+    facing.strip = clothPiece("Hem facing", 1620, 50, 0);
+    pattern.facings.push_back(facing);
+    const auto found = widerThanCloth(pattern, Fabric{}, {});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].piece, 0);
+    EXPECT_EQ(found[0].facing, "Hem facing");
+    EXPECT_NEAR(found[0].extent, 1620, 1e-9);
+}
+
 TEST(ClothMarker, AnOutlineThatCrossesItselfIsNamed) {
     Pattern pattern =
         clothPattern({clothPiece("bow", 100, 100, 1), clothPiece("Front", 70, 60, 2)});
@@ -93,7 +152,7 @@ TEST(ClothMarker, AnOutlineThatCrossesItselfIsNamed) {
     const ClothMarker marker = laidOn(1400, pattern);
     EXPECT_EQ(marker.copies.size(), 1U);
     ASSERT_EQ(marker.notes.size(), 1U);
-    EXPECT_EQ(marker.notes[0], "bow is not laid: its outline crosses itself");
+    EXPECT_EQ(marker.notes[0], "bow is not laid: its outline crosses itself; divide it by a cut");
 }
 
 TEST(ClothMarker, EachMaterialHasItsOwn) {

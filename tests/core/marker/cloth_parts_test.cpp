@@ -50,7 +50,9 @@ TEST(ClothSheets, NameWhatFitsOnNone) {
     EXPECT_EQ(marker.copies.size(), 1U);
     EXPECT_FALSE(marker.isWhole);
     ASSERT_EQ(marker.notes.size(), 1U);
-    EXPECT_EQ(marker.notes[0], "back is not laid: it fits on no sheet or hide");
+    EXPECT_EQ(
+        marker.notes[0],
+        "back is not laid: it fits on no sheet or hide; divide it by a cut, or take larger ones");
 }
 
 std::shared_ptr<const Hide> testHide() {
