@@ -11,6 +11,7 @@
 #include "app/document/mirrored_edits.h"
 #include "app/document/names.h"
 #include "app/document/piece_edits.h"
+#include "core/layout/cloth_rows.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
 
@@ -207,7 +208,12 @@ void layOutAgain(Document& document, const std::vector<int>& pieces) {
         return;
     }
     const std::vector<Eigen::AlignedBox2d> boxes = boxesOf(document, pieces);
-    const Rows rows = layOutInRows(boxes);
+    std::vector<double> clothWidths;
+    clothWidths.reserve(pieces.size());
+    for (const int piece : pieces) {
+        clothWidths.push_back(document.fabricOf(piece).width);
+    }
+    const Rows rows = layOutInRows(boxes, clothWidths);
     const std::set<int> moving(pieces.begin(), pieces.end());
     std::vector<int> staying = allFlat(document);
     std::erase_if(staying, [&](int piece) { return moving.contains(piece); });

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/document/disposal.h"
+#include "app/jobs/settings_on_cloth.h"
 #include "app/render/scene_builder.h"
 #include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"
@@ -12,6 +13,7 @@
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/layer_materials.h"
 #include "core/project/left_out.h"
+#include "core/project/place_on_cloth.h"
 
 namespace toile::app {
 namespace {
@@ -178,8 +180,9 @@ SettingsById settingsOfNew(const Garment& garment) {
     return settings;
 }
 
-SettingsById settingsAfter(const Derivation& made, SettingsById settings,
+SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
                            const std::vector<PieceSettings>& before) {
+    SettingsById settings = state.settings;
     const Garment& garment = *made.derived.garment;
     if (made.hasOtherGarment && !made.carried.empty()) {
         carrySettings(settings, before, made.carried, garment);
@@ -198,7 +201,7 @@ SettingsById settingsAfter(const Derivation& made, SettingsById settings,
         placed.push_back(settings[piece->id]);
     }
     placed = placedSettings(std::move(placed), made.derived.results, made.motions,
-                            made.derived.pattern.get());
+                            made.derived.pattern.get(), state.materials, state.fabric);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         if (i < made.grains.size() && !placed[i].grain) {
             placed[i].grain = made.grains[i];

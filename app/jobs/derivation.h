@@ -57,11 +57,4 @@ SettingsById settingsOfNew(const Garment& garment);
 /// Makes its pattern and its scene.
 void draw(Derived& derived, Progress& progress);
 
-/// What has been said of the pieces, after that: pieces stay where they are on the sheet, and those
-/// without a place, or without a grain where there is a rule for it, get one. What a piece is cut
-/// from follows its layer, unless a person has said it. Idempotent.
-/// @param settings  as said, now  @param before  the same of the pieces before, in their order
-SettingsById settingsAfter(const Derivation& made, SettingsById settings,
-                           const std::vector<PieceSettings>& before);
-
 }  // namespace toile::app

@@ -11,6 +11,7 @@
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
 #include "app/jobs/pattern_now.h"
+#include "app/jobs/settings_on_cloth.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/export/export_file.h"
@@ -52,7 +53,7 @@ Result<Project> projectNow(DocumentState state, const Derived& derived,
         return made.error();
     }
     state.inputs = made->derived.inputs;
-    state.settings = settingsAfter(*made, std::move(state.settings), settings);
+    state.settings = settingsAfter(*made, state, settings);
     state.materials = materialsInUse(state);
     return projectOf(state, made->derived, view);
 }

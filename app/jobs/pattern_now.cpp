@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
+#include "app/jobs/settings_on_cloth.h"
 #include "app/text/error_text.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/left_out.h"
@@ -16,14 +17,11 @@ PatternNow::PatternNow(const Document& document, std::set<int> only, double sett
     : only_(std::move(only)),
       settlingShare_(settlingShare),
       derived_(document.derived()),
-      labels_(document.state().labels),
-      materials_(document.state().materials),
-      fabric_(document.fabric()),
-      said_(document.state().settings),
+      state_(document.state()),
       words_(drawingWords()) {
     for (std::size_t i = 0; i < document.settings().size(); ++i) {
         // Of a piece that the state to come does not have any more, too.
-        said_.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+        state_.settings.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
     }
 }
 
@@ -36,13 +34,13 @@ PatternNow::Made PatternNow::laidOut(Progress& progress) const {
         return {};
     }
     progress.setShare(settlingShare_, 1);
-    SettingsById settings = settingsAfter(derivation, said_, {});
+    SettingsById settings = settingsAfter(derivation, state_, {});
     std::vector<PieceSettings> ofPieces;
     for (const auto& piece : derived_.garment->pieces) {
         ofPieces.push_back(settings[piece->id]);
     }
     Made made;
-    made.garment = named(*derived_.garment, labels_);
+    made.garment = named(*derived_.garment, state_.labels);
     for (std::size_t i = 0; i < ofPieces.size(); ++i) {
         // What has just been taken in again is not flat yet: it is not in what is shown.
         const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
@@ -54,7 +52,7 @@ PatternNow::Made PatternNow::laidOut(Progress& progress) const {
     made.lines = derivation.derived.lines.value_or(LineSettings{});
     made.laid =
         layOut(made.garment, made.results, ofPieces, {}, made.lines, derivation.derived.symmetry);
-    made.laid.pattern.materials = made.laid.wholePattern.materials = materials_;
+    made.laid.pattern.materials = made.laid.wholePattern.materials = state_.materials;
     return made;
 }
 

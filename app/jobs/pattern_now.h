@@ -29,7 +29,7 @@ public:
             return Error{ErrorCode::Cancelled};
         }
         return use(ExportSource(made.garment, made.results, made.laid, options, words_, made.lines,
-                                fabric_),
+                                state_.fabric),
                    progress);
     }
 
@@ -46,10 +46,7 @@ private:
     std::set<int> only_;
     double settlingShare_;
     Derived derived_;
-    PieceLabels labels_;
-    MaterialList materials_;
-    Fabric fabric_;
-    SettingsById said_;
+    DocumentState state_;
     DrawingWords words_;
 };
 

@@ -13,10 +13,10 @@ namespace {
 /// Changes that come closer after each other than this are one.
 constexpr int kDelayMilliseconds = 60;
 
-constexpr DocumentChanges kMatters = DocumentChange::Garment | DocumentChange::Results |
-                                     DocumentChange::Options | DocumentChange::Fabric |
-                                     DocumentChange::Settings | DocumentChange::Seams |
-                                     DocumentChange::Loading | DocumentChange::Proof;
+constexpr DocumentChanges kMatters =
+    DocumentChange::Garment | DocumentChange::Results | DocumentChange::Options |
+    DocumentChange::Fabric | DocumentChange::Settings | DocumentChange::Seams |
+    DocumentChange::Loading | DocumentChange::Proof | DocumentChange::Marker;
 
 }  // namespace
 
@@ -75,6 +75,7 @@ CutPlan ReadyChecker::planOfDocument() const {
             .pattern = document_.derived().pattern,
             .settings = document_.settings(),
             .labels = document_.state().labels,
+            .rules = clothRules(document_.state().markers.all()),
             .proof = proofNow(),
             .guessesKept = guessesKept_};
 }

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
 #include <utility>
 
+#include "core/layout/cloth_rows.h"
 #include "core/pattern/half_pattern.h"
 
 namespace toile {
@@ -21,25 +22,37 @@ constexpr int kWidthTrials = 32;
 constexpr double kNarrowestTrial = 0.75;  // of the width a packing without waste would have
 constexpr double kTrialStep = 1.0 / 16;
 
+/// What fills a box, and how wide its cloth is.
+struct BoxOnCloth {
+    Box box;
+    double clothWidth;
+};
+
 /// A row takes pieces first .. last-1 and is as high as the highest of them.
 struct Row {
     std::size_t first = 0, last = 0;
     double width = 0, height = 0;
+    double clothWidth = 0;  ///< of the narrowest cloth in it
 };
 
-/// Fills rows from left to right; a row ends where the next piece would pass `limit`.
-std::vector<Row> fillRows(const std::vector<Box>& boxes, double gap, double limit) {
+/// Fills rows from left to right; a row ends where the next piece would pass `limit` or a cloth of
+/// those in the row.
+std::vector<Row> fillRows(const std::vector<BoxOnCloth>& boxes, double gap, double limit) {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const Eigen::Vector2d size = boxes[i].sizes();
-        if (rows.empty() || rows.back().width + gap + size.x() > limit) {
-            rows.push_back({i, i + 1, size.x(), size.y()});
+        const auto& [box, clothWidth] = boxes[i];
+        const Eigen::Vector2d size = box.sizes();
+        const double narrowest =
+            rows.empty() ? clothWidth : std::min(rows.back().clothWidth, clothWidth);
+        if (rows.empty() || rows.back().width + gap + size.x() > std::min(limit, narrowest)) {
+            rows.push_back({i, i + 1, size.x(), size.y(), clothWidth});
             continue;
         }
         Row& row = rows.back();
         row.last = i + 1;
         row.width += gap + size.x();
         row.height = std::max(row.height, size.y());
+        row.clothWidth = narrowest;
     }
     return rows;
 }
@@ -65,9 +78,9 @@ double awkwardness(const Eigen::Vector2d& size) {
 }
 
 /// Tries row widths around that of a packing without waste and keeps the first of the best.
-std::vector<Row> chooseRows(const std::vector<Box>& boxes, double gap) {
+std::vector<Row> chooseRows(const std::vector<BoxOnCloth>& boxes, double gap) {
     double area = 0, widest = 0;
-    for (const Box& box : boxes) {
+    for (const auto& [box, clothWidth] : boxes) {
         area += (box.sizes().x() + gap) * (box.sizes().y() + gap);
         widest = std::max(widest, box.sizes().x());
     }
@@ -101,14 +114,16 @@ double largestSide(std::span<const Box> boxes) {
 
 /// Those without a place go in rows beside the others.
 void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, const Box& placed,
-                  Marker& marker) {
+                  const Fabric& own, Marker& marker) {
     std::vector<Box> boxes;
-    boxes.reserve(rest.size());
+    std::vector<double> clothWidths;
     for (const std::size_t copy : rest) {
-        boxes.push_back(outlineBox(
-            edgeOf(pattern.pieces[static_cast<std::size_t>(marker.copies[copy].piece)]), {}));
+        const PatternPiece& piece =
+            pattern.pieces[static_cast<std::size_t>(marker.copies[copy].piece)];
+        boxes.push_back(outlineBox(edgeOf(piece), {}));
+        clothWidths.push_back(fabricOf(piece.material, pattern.materials, own).width);
     }
-    const Rows rows = layOutInRows(boxes);
+    const Rows rows = layOutInRows(boxes, clothWidths);
     marker.width = rows.width;
     marker.height = rows.height;
     Eigen::Vector2d corner(0, 0);
@@ -121,46 +136,8 @@ void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, 
     }
 }
 
-}  // namespace
-
-double gapBetweenPieces(double largestSide) {
-    return std::min(kLargestGap, kRelativeGap * largestSide);
-}
-
-Rows layOutInRows(std::span<const Box> boxes) {
-    std::vector<Box> filled;
-    std::ranges::copy_if(boxes, std::back_inserter(filled),
-                         [](const Box& box) { return !box.isEmpty(); });
-    const double gap = gapBetweenPieces(largestSide(filled));
-    const std::vector<Row> chosen = chooseRows(filled, gap);
-    const Eigen::Vector2d size = extent(chosen, gap);
-    std::vector<Eigen::Vector2d> offset;
-    double top = size.y();  // the first row is the upper one, as in writing
-    for (const Row& row : chosen) {
-        Eigen::Vector2d place(0, std::max(0.0, top - row.height));
-        for (std::size_t i = row.first; i < row.last; ++i) {
-            offset.emplace_back(place - filled[i].min());
-            place.x() += filled[i].sizes().x() + gap;
-        }
-        top -= row.height + gap;
-    }
-    Rows rows{{}, size.x(), size.y()};
-    std::size_t next = 0;
-    for (const Box& box : boxes) {
-        rows.offset.push_back(box.isEmpty() ? Eigen::Vector2d(0, 0) : offset[next++]);
-    }
-    return rows;
-}
-
-Rows layOutInRows(const Pattern& pattern) {
-    std::vector<Box> boxes;
-    for (const PatternPiece& piece : pattern.pieces) {
-        boxes.push_back(outlineBox(edgeOf(piece), {}));
-    }
-    return layOutInRows(boxes);
-}
-
-Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements) {
+Marker layOutOn(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements,
+                const Fabric& own) {
     Marker marker;
     std::vector<std::size_t> rest;
     Box placed;
@@ -178,7 +155,7 @@ Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>
         marker.copies.push_back({static_cast<int>(i), hasPlace ? *placements[i] : Placement{}});
     }
     if (!rest.empty()) {
-        placeTheRest(pattern, rest, placed, marker);
+        placeTheRest(pattern, rest, placed, own, marker);
     }
     if (placed.isEmpty()) {
         return marker;  // rows begin at the corner
@@ -199,12 +176,68 @@ Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>
     return marker;
 }
 
+}  // namespace
+
+double gapBetweenPieces(double largestSide) {
+    return std::min(kLargestGap, kRelativeGap * largestSide);
+}
+
+Rows layOutInRows(std::span<const Box> boxes) {
+    return layOutInRows(boxes,
+                        std::vector<double>(boxes.size(), std::numeric_limits<double>::infinity()));
+}
+
+Rows layOutInRows(std::span<const Box> boxes, std::span<const double> clothWidths) {
+    std::vector<BoxOnCloth> filled;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (!boxes[i].isEmpty()) {
+            filled.push_back({boxes[i], clothWidths[i]});
+        }
+    }
+    const double gap = gapBetweenPieces(largestSide(boxes));
+    const std::vector<Row> chosen = chooseRows(filled, gap);
+    const Eigen::Vector2d size = extent(chosen, gap);
+    std::vector<Eigen::Vector2d> offset;
+    double top = size.y();  // the first row is the upper one, as in writing
+    for (const Row& row : chosen) {
+        Eigen::Vector2d place(0, std::max(0.0, top - row.height));
+        for (std::size_t i = row.first; i < row.last; ++i) {
+            offset.emplace_back(place - filled[i].box.min());
+            place.x() += filled[i].box.sizes().x() + gap;
+        }
+        top -= row.height + gap;
+    }
+    Rows rows{{}, size.x(), size.y()};
+    std::size_t next = 0;
+    for (const Box& box : boxes) {
+        rows.offset.push_back(box.isEmpty() ? Eigen::Vector2d(0, 0) : offset[next++]);
+    }
+    return rows;
+}
+
+Rows layOutInRows(const Pattern& pattern) {
+    std::vector<Box> boxes;
+    for (const PatternPiece& piece : pattern.pieces) {
+        boxes.push_back(outlineBox(edgeOf(piece), {}));
+    }
+    return layOutInRows(boxes);
+}
+
+Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements) {
+    return layOutOn(pattern, placements, fabricPresets().front());
+}
+
 LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements) {
+    return laidOut(std::move(whole), placements, fabricPresets().front());
+}
+
+LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements,
+                       const Fabric& own) {
     LaidOutPattern laid;
-    laid.whole = layOut(whole, placements);
+    laid.whole = layOutOn(whole, placements, own);
     laid.wholePattern = whole;
     laid.pattern = asCut(std::move(whole));
-    laid.marker = layOut(laid.pattern, placements);
+    laid.marker = layOutOn(laid.pattern, placements, own);
     return laid;
 }
 

@@ -10,9 +10,11 @@
 #include <Eigen/Geometry>
 
 #include "core/layout/arrange.h"
+#include "core/layout/cloth_rows.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
 #include "core/layout/sheet_overlaps.h"
+#include "core/project/place_on_cloth.h"
 
 namespace toile {
 namespace {
@@ -38,8 +40,11 @@ double areaOf(const Points2& outline) {
 class Placing {
 public:
     Placing(std::vector<PieceSettings> settings, const PieceResults& results,
-            const Pattern* pattern)
-        : settings_(std::move(settings)), results_(results), pattern_(pattern) {}
+            const Pattern* pattern, std::vector<double> clothWidths)
+        : settings_(std::move(settings)),
+          results_(results),
+          pattern_(pattern),
+          clothWidths_(std::move(clothWidths)) {}
 
     std::vector<PieceSettings> run(const std::vector<std::optional<FlatMotion>>& motions) {
         evictWhatIsOver();
@@ -245,7 +250,7 @@ private:
                 boxes[i] = boxOf(outlineOf(i));
             }
         }
-        const Rows rows = layOutInRows(boxes);
+        const Rows rows = layOutInRows(boxes, clothWidths_);
         for (std::size_t i = 0; i < settings_.size(); ++i) {
             if (isFlat(i)) {
                 settings_[i].placement = Placement{rows.offset[i]};
@@ -287,7 +292,8 @@ private:
     std::vector<PieceSettings> settings_;
     const PieceResults& results_;
     const Pattern* pattern_;
-    std::vector<Points2> outlines_;  ///< where pieces lie; empty where they do not
+    std::vector<double> clothWidths_;  ///< one per piece
+    std::vector<Points2> outlines_;    ///< where pieces lie; empty where they do not
 };
 
 }  // namespace
@@ -311,7 +317,21 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
                                           const std::vector<std::optional<FlatMotion>>& motions,
                                           const Pattern* pattern) {
-    return Placing(std::move(settings), results, pattern).run(motions);
+    std::vector<double> clothWidths(settings.size(), kUsualClothWidth);
+    return Placing(std::move(settings), results, pattern, std::move(clothWidths)).run(motions);
+}
+
+std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
+                                          const PieceResults& results,
+                                          const std::vector<std::optional<FlatMotion>>& motions,
+                                          const Pattern* pattern, const MaterialList& materials,
+                                          const Fabric& own) {
+    std::vector<double> clothWidths;
+    clothWidths.reserve(settings.size());
+    for (const PieceSettings& piece : settings) {
+        clothWidths.push_back(fabricOf(piece.material, materials, own).width);
+    }
+    return Placing(std::move(settings), results, pattern, std::move(clothWidths)).run(motions);
 }
 
 LaidOutPattern laidOutAs(Pattern pattern, const std::vector<PieceSettings>& settings,

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/arc_lengths.h"
+#include "core/quality/measures.h"
+
 namespace toile {
 namespace {
 
@@ -164,11 +167,7 @@ std::vector<Anchor> outlineAnchors(const std::vector<int>& outline, const Points
     if (outline.size() < 2) {
         return {};
     }
-    std::vector<double> arc{0};
-    for (std::size_t i = 1; i <= outline.size(); ++i) {
-        const int last = outline[i - 1], next = outline[i % outline.size()];
-        arc.push_back(arc.back() + (Q.row(next) - Q.row(last)).norm());
-    }
+    const std::vector<double> arc = geometry::arcOf(boundaryLengths2d(Q, outline));
     const auto count = std::min(outline.size(), std::size_t{kOutlineAnchors});
     std::vector<Anchor> anchors;
     std::size_t at = 0;  // never back, and none twice

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/layout/cloth_rows.h"
+
 namespace toile {
 namespace {
 
@@ -57,6 +59,20 @@ TEST(Marker, WithoutPlacesIsTheRows) {
         EXPECT_EQ(marker.width, rows.width);
         EXPECT_EQ(marker.height, rows.height);
     }
+}
+
+TEST(Marker, RowsAreNoWiderThanTheCloth) {
+    Pattern pattern;
+    for (int i = 0; i < 40; ++i) {
+        PatternPiece piece = twoPieces().pieces[0];
+        piece.outline *= 450 / (piece.outline.col(0).maxCoeff() - piece.outline.col(0).minCoeff());
+        pattern.pieces.push_back(std::move(piece));
+    }
+    EXPECT_LE(layOut(pattern).width, kUsualClothWidth);  // of a fabric that nobody has stated
+    const LaidOutPattern laid = laidOut(pattern, {}, {"unstated", {}, {}, {}, 950});
+    EXPECT_LE(laid.marker.width, 950);
+    EXPECT_GT(laid.marker.width, 900);
+    EXPECT_LE(laid.whole.width, 950);
 }
 
 TEST(Marker, LeavesOutWhatIsNotFlat) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include "core/layout/cloth_rows.h"
 #include "core/layout/marker.h"
 
 namespace toile {
@@ -99,6 +100,78 @@ TEST(LayOutInRows, TakesNothingAndPiecesOfNoSize) {
     const Rows rows = layOutInRows(points);
     EXPECT_EQ(rows.offset.size(), 2u);
     EXPECT_TRUE(rows.offset[0].allFinite() && rows.offset[1].allFinite());
+}
+
+std::vector<Eigen::AlignedBox2d> boxesOf(const Pattern& pattern) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (const PatternPiece& piece : pattern.pieces) {
+        boxes.push_back(outlineBox(piece.outline, {}));
+    }
+    return boxes;
+}
+
+Rows rowsOnCloth(const Pattern& pattern, double clothWidth) {
+    return layOutInRows(boxesOf(pattern), std::vector<double>(pattern.pieces.size(), clothWidth));
+}
+
+TEST(LayOutInRows, KeepsToTheWidthOfTheCloth) {
+    const Pattern pattern = mixedPattern(60, 1);
+    const double free = layOutInRows(pattern).width;
+    for (const double cloth : {1600.0, 1000.0, 500.0}) {
+        SCOPED_TRACE(cloth);
+        ASSERT_GT(free, cloth);
+        const Rows rows = rowsOnCloth(pattern, cloth);
+        expectGood(pattern, rows, 20);
+        EXPECT_LE(rows.width, cloth);
+    }
+}
+
+TEST(LayOutInRows, IsTheSameOnAClothThatIsWideEnough) {
+    const Pattern pattern = mixedPattern(12, 1);
+    const Rows free = layOutInRows(pattern);
+    EXPECT_EQ(rowsOnCloth(pattern, free.width + 1).offset, free.offset);
+}
+
+TEST(LayOutInRows, GivesAPieceWiderThanTheClothARowOfItsOwn) {
+    Pattern pattern;
+    for (const double width : {300.0, 400.0, 1615.0, 300.0, 400.0}) {
+        pattern.pieces.push_back({{}, "p", "p", boxPoints(0, 0, width, 100)});
+    }
+    const Rows rows = rowsOnCloth(pattern, 1400);
+    expectGood(pattern, rows, 20);
+    EXPECT_EQ(rows.width, 1615);
+    const auto heightOf = [&](std::size_t i) { return rows.offset[i].y(); };
+    EXPECT_EQ(heightOf(0), heightOf(1));
+    EXPECT_GT(heightOf(1), heightOf(2));
+    EXPECT_GT(heightOf(2), heightOf(3));
+    EXPECT_EQ(heightOf(3), heightOf(4));
+}
+
+TEST(LayOutInRows, ANarrowClothIsTheLimitOfItsOwnRowAlone) {
+    Pattern pattern = mixedPattern(40, 1);
+    pattern.pieces.push_back({{}, "ribbon", "ribbon", boxPoints(0, 0, 40, 300)});
+    std::vector<double> clothWidths(40, 1400);
+    clothWidths.push_back(50);
+    const std::vector<Eigen::AlignedBox2d> boxes = boxesOf(pattern);
+    const Rows rows = layOutInRows(boxes, clothWidths);
+    expectGood(pattern, rows, 20);
+    EXPECT_GT(rows.width, 1000);
+    EXPECT_LE(rows.width, 1400);
+    const double ribbonTop = boxes[40].max().y() + rows.offset[40].y();
+    for (std::size_t i = 0; i < 40; ++i) {
+        EXPECT_GT(boxes[i].min().y() + rows.offset[i].y(), ribbonTop) << i;
+    }
+}
+
+TEST(LayOutInRows, TheClothOfWhatIsNotThereIsNoLimit) {
+    Pattern pattern = mixedPattern(12, 1);
+    const Rows without = rowsOnCloth(pattern, 1400);
+    pattern.pieces.push_back({{}, "none", "none", Points2(0, 2)});
+    std::vector<double> clothWidths(12, 1400);
+    clothWidths.push_back(50);
+    Rows with = layOutInRows(boxesOf(pattern), clothWidths);
+    with.offset.pop_back();
+    EXPECT_EQ(with.offset, without.offset);
 }
 
 TEST(LayOutInRows, GivesTheSameRowsTwice) {

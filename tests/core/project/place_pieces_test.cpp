@@ -11,6 +11,7 @@
 #include "core/layout/sheet_overlaps.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/carry_settings.h"
+#include "core/project/place_on_cloth.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -417,6 +418,33 @@ TEST(PlacePieces, APieceThatCouldNotBeFlattenedKeepsWhatIsKnownOfIt) {
     failed->piece = garment.pieces[0];
     failed->error = Error{ErrorCode::NotFinite};
     EXPECT_EQ(placedSettings(settings, {failed}, {std::nullopt}), settings);
+}
+
+TEST(PlacePieces, NoneOfTheFirstRowsIsWiderThanAClothInIt) {
+    const Garment garment = panels(std::vector<MeshArrays>(9, test::planeGrid(4, 4, 50)));
+    PieceResults results = flat(garment);
+    const MaterialList materials{{"Lining", {"unstated", {}, {}, {}, 300}}};
+    const Fabric own{"unstated", {}, {}, {}, 800};
+    auto leftOut = std::make_shared<PieceResult>(*results[0]);
+    leftOut->flat.reset();
+    results[0] = leftOut;  // its cloth is no limit
+    std::vector<PieceSettings> settings(9);
+    settings[0].material = settings[8].material = "Lining";
+    settings = placedSettings(settings, results, flatMotions({}, results), nullptr, materials, own);
+    EXPECT_FALSE(settings[0].placement);
+    std::vector<Box> boxes;
+    Box all;
+    for (std::size_t i = 1; i < 9; ++i) {
+        boxes.push_back(outlineBox(placedOutline(results[i]->flat->Q, results[i]->piece->boundary,
+                                                 settings[i].placement.value()),
+                                   {}));
+        all.extend(boxes.back());
+    }
+    EXPECT_LE(all.sizes().x(), 800);
+    EXPECT_GT(all.sizes().x(), 500);
+    for (std::size_t i = 0; i < 7; ++i) {
+        EXPECT_GT(boxes[i].min().y(), boxes[7].max().y()) << i;  // no other is in that row
+    }
 }
 
 TEST(PlacePieces, PiecesWithAllowancesAreAsLargeAsTheyAreCut) {
