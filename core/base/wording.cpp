@@ -45,6 +45,8 @@ constexpr Noun kNouns[] = {
     {"outline vertex", translatable("1 outline vertex"), translatable("%1 outline vertices")},
     {"panel", translatable("1 panel"), translatable("%1 panels")},
     {"sheet", translatable("1 sheet"), translatable("%1 sheets")},
+    {"texture coordinate", translatable("1 texture coordinate"),
+     translatable("%1 texture coordinates")},
     {"triangle", translatable("1 triangle"), translatable("%1 triangles")},
     {"vertex", translatable("1 vertex"), translatable("%1 vertices")},
 };

@@ -90,7 +90,7 @@ private:
         if (!cursor_.readDoubles(uv.data(), 1)) {
             uv.setConstant(std::numeric_limits<double>::quiet_NaN());
             builder_.counter().add(ErrorCode::NonFinitePosition, "texture coordinate",
-                                   "not readable", line);
+                                   toile::translatable("not readable"), line);
         } else {
             cursor_.readDoubles(&uv[1], 1);
         }

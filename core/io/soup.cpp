@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "core/base/characters.h"
@@ -23,11 +24,17 @@ constexpr const char* kOfSeveralUnits = translatable(
     "its meshes state different units or up axes; unpack it and open those of one garment "
     "together");
 
+constexpr const char* kIsPattern = translatable(
+    "a pattern is no garment: give it to toile compare --pattern, or open it as the reference "
+    "pattern");
+
 using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const std::string&,
                                        Progress&);
 
 constexpr std::string_view kZip = ".zip", kUsd = ".usd";
 constexpr std::string_view kBinaryUsd[] = {kUsd, ".usdc", ".usdz"};
+/// Of what is read elsewhere, `patternFileKind`.
+constexpr std::string_view kOfPatterns[] = {".dxf", ".svg", "specification.json"};
 
 /// Why a file with this ending is not read.
 Error unknownEnding(const std::string& name, std::string_view ending) {
@@ -38,6 +45,23 @@ Error unknownEnding(const std::string& name, std::string_view ending) {
         isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(std::string(ending))})
         : ending.empty() ? Wording("the name has no ending")
                          : Wording("\"" + std::string(ending) + "\"")};
+}
+
+/// Why a path is not read that names no format of meshes: it may be more than the ending.
+Error unreadEnding(const std::filesystem::path& path, const std::string& name,
+                   std::string_view ending) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(path, ignored);
+    if (!std::filesystem::exists(status) || std::filesystem::is_directory(status)) {
+        const auto bytes = readFile(path);
+        return bytes ? unknownEnding(name, ending) : bytes.error();
+    }
+    const bool isPattern = std::ranges::any_of(kOfPatterns, [&name](std::string_view known) {
+        return name.size() >= known.size() &&
+               equalsIgnoringCase(std::string_view(name).substr(name.size() - known.size()), known);
+    });
+    return isPattern ? Error{ErrorCode::UnknownFormat, Subject::file(name), worded(kIsPattern)}
+                     : unknownEnding(name, ending);
 }
 
 /// USD of either form, of which the one that is text can be read.
@@ -121,7 +145,7 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     const std::string ending = readableName(pathText(path.extension()));
     const bool isZip = equalsIgnoringCase(ending, kZip);
     if (!isForAssimp(ending) && !isZip && readerFor(ending) == nullptr) {
-        return unknownEnding(name, ending);
+        return unreadEnding(path, name, ending);
     }
     Result<std::string> bytes = readFile(path);
     if (!bytes) {

@@ -2,6 +2,7 @@
 #include "core/io/soup_builder.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -20,14 +21,25 @@ bool allInRange(const int* first, const int* last, std::size_t count) {
     return std::all_of(first, last, [count](int index) { return inRange(index, count); });
 }
 
+struct PlaceWords {
+    std::string_view word;
+    const char* pattern;
+};
+
+constexpr PlaceWords kPlaces[] = {{"face", toile::translatable("face %1")},
+                                  {"facet", toile::translatable("facet %1")},
+                                  {"line", toile::translatable("line %1")},
+                                  {"record", toile::translatable("record %1")}};
+
 }  // namespace
 
 SoupBuilder::SoupBuilder(std::string name, std::string_view placeWord)
     : name_(std::move(name)), counter_(placeWord) {}
 
 void SoupBuilder::addUnreadablePosition(std::string_view text, int place) {
-    const std::string_view what =
-        hasDecimalComma(text) ? "with decimal commas; numbers need decimal points" : "not readable";
+    const char* what = hasDecimalComma(text)
+                           ? toile::translatable("with decimal commas; numbers need decimal points")
+                           : toile::translatable("not readable");
     counter_.add(ErrorCode::NonFinitePosition, "vertex", what, place);
     soup_.positions.push_back(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
@@ -36,8 +48,8 @@ bool SoupBuilder::endFace(int place) {
     const std::size_t first = static_cast<std::size_t>(soup_.faceStart.back());
     if (soup_.corners.size() - first < 3) {
         takeBackCorners();
-        counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: fewer than three corners",
-                     place);
+        counter_.add(ErrorCode::DegenerateFaceRecord, "face",
+                     toile::translatable("left out: fewer than three corners"), place);
         return false;
     }
     soup_.faceStart.push_back(static_cast<int>(soup_.corners.size()));
@@ -47,7 +59,8 @@ bool SoupBuilder::endFace(int place) {
 
 void SoupBuilder::dropUnreadableFace(int place) {
     takeBackCorners();
-    counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: not readable", place);
+    counter_.add(ErrorCode::DegenerateFaceRecord, "face",
+                 toile::translatable("left out: not readable"), place);
 }
 
 void SoupBuilder::takeBackCorners() {
@@ -72,7 +85,8 @@ void SoupBuilder::leaveOutFacesOutOfRange() {
         const bool keep = allInRange(s.corners.data() + first, s.corners.data() + last, count);
         if (!keep) {
             counter_.add(ErrorCode::IndexOutOfRange, "face",
-                         "left out: a corner's index is out of range", facePlaces_[face]);
+                         toile::translatable("left out: a corner's index is out of range"),
+                         facePlaces_[face]);
         }
         for (; keep && first < last; ++first, ++corner) {
             s.corners[corner] = s.corners[first];
@@ -109,9 +123,10 @@ void SoupBuilder::clearUvsOutOfRange() {
             int& uv = s.cornerUvs[corner];
             if (uv != kNoUv && !inRange(uv, s.uvs.size())) {
                 uv = kNoUv;
-                counter_.add(ErrorCode::IndexOutOfRange, "corner",
-                             "without texture coordinate: its index is out of range",
-                             facePlaces_[face]);
+                counter_.add(
+                    ErrorCode::IndexOutOfRange, "corner",
+                    toile::translatable("without texture coordinate: its index is out of range"),
+                    facePlaces_[face]);
             }
         }
     }
@@ -124,12 +139,10 @@ Result<PolygonSoup> SoupBuilder::finish() {
     leaveOutFacesOutOfRange();
     clearUvsOutOfRange();
     if (soup_.faceCount() == 0) {
-        std::string detail =
-            counted(static_cast<long long>(soup_.positions.size()), "vertex") + ", no faces";
-        if (!counter_.empty()) {
-            detail += "; " + counter_.summary();
-        }
-        return Error{ErrorCode::NoGeometry, Subject::file(name_), std::move(detail)};
+        const auto vertices = static_cast<long long>(soup_.positions.size());
+        const Wording none = toile::worded("%1, no faces", {countWording(vertices, "vertex")});
+        return Error{ErrorCode::NoGeometry, Subject::file(name_),
+                     counter_.empty() ? none : toile::worded("%1; %2", {none, counter_.summary()})};
     }
     soup_.problems = counter_.problems(name_);
     return std::move(soup_);
@@ -151,9 +164,9 @@ void FaceNames::change(std::string_view text, int faceCount) {
     current_ = found->second;
 }
 
-void ProblemCounter::add(ErrorCode code, std::string_view noun, std::string_view what, int place) {
+void ProblemCounter::add(ErrorCode code, std::string_view noun, const char* what, int place) {
     for (Entry& entry : entries_) {
-        if (entry.code == code && entry.noun == noun && entry.what == what) {
+        if (entry.code == code && entry.noun == noun && std::string_view(entry.what) == what) {
             ++entry.count;
             entry.firstPlace = std::min(entry.firstPlace, place);
             return;
@@ -162,16 +175,23 @@ void ProblemCounter::add(ErrorCode code, std::string_view noun, std::string_view
     entries_.push_back({code, noun, what, place, 1});
 }
 
-std::string ProblemCounter::inWords(const Entry& entry) const {
-    std::string text = counted(entry.count, entry.noun);
-    text.append(" ").append(entry.what).append(entry.count == 1 ? ", " : ", first at ");
-    return text.append(placeWord_) + " " + std::to_string(entry.firstPlace);
+Wording ProblemCounter::inWords(const Entry& entry) const {
+    const Wording place(std::to_string(entry.firstPlace));
+    const auto* known = std::ranges::find(kPlaces, placeWord_, &PlaceWords::word);
+    const Wording where = known == std::end(kPlaces)
+                              ? Wording(std::string(placeWord_) + " " + place)
+                              : worded(known->pattern, {place});
+    const std::vector<Wording> words{countWording(entry.count, entry.noun), worded(entry.what),
+                                     where};
+    return entry.count == 1 ? Wording("%1 %2, %3", words)
+                            : toile::worded("%1 %2, first at %3", words);
 }
 
-std::string ProblemCounter::summary() const {
-    std::string text;
+Wording ProblemCounter::summary() const {
+    Wording text;
     for (const Entry& entry : entries_) {
-        text += (text.empty() ? "" : "; ") + inWords(entry);
+        text += text.empty() ? "" : "; ";
+        text += inWords(entry);
     }
     return text;
 }
@@ -184,7 +204,8 @@ Problems ProblemCounter::problems(const std::string& file) const {
         if (same == problems.end()) {
             problems.push_back({entry.code, Subject::file(file), inWords(entry)});
         } else {
-            same->detail += "; " + inWords(entry);
+            same->detail += "; ";
+            same->detail += inWords(entry);
         }
     }
     return problems;

@@ -20,25 +20,26 @@ public:
     explicit ProblemCounter(std::string_view placeWord) : placeWord_(placeWord) {}
 
     /// One more fault: `noun` is what it befell ("face"), `what` the fault ("left out: ..."). Both
-    /// are literals.
-    void add(ErrorCode code, std::string_view noun, std::string_view what, int place);
+    /// are literals, the latter a `translatable` one.
+    void add(ErrorCode code, std::string_view noun, const char* what, int place);
 
     bool empty() const { return entries_.empty(); }
 
     /// All faults in words: "2 faces left out: ..., first at line 7; 1 vertex ..., line 3".
-    std::string summary() const;
+    Wording summary() const;
     /// One problem per code, in order of first occurrence.
     Problems problems(const std::string& file) const;
 
 private:
     struct Entry {
         ErrorCode code;
-        std::string_view noun, what;
+        std::string_view noun;
+        const char* what;
         int firstPlace;
         int count;
     };
 
-    std::string inWords(const Entry& entry) const;
+    Wording inWords(const Entry& entry) const;
 
     std::string_view placeWord_;
     std::vector<Entry> entries_;
@@ -73,7 +74,8 @@ public:
 
     void noteNonFinite(const Eigen::Vector3d& position, int place) {
         if (!position.allFinite()) {
-            counter_.add(ErrorCode::NonFinitePosition, "vertex", "without finite numbers", place);
+            counter_.add(ErrorCode::NonFinitePosition, "vertex",
+                         toile::translatable("without finite numbers"), place);
         }
     }
 

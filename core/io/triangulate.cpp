@@ -62,13 +62,14 @@ private:
     bool isUsable() {
         for (int i = 0; i < cornerCount(); ++i) {
             if (!position(i).allFinite()) {
-                counter_.add(ErrorCode::NonFinitePosition, "face", "left out", face_ + 1);
+                counter_.add(ErrorCode::NonFinitePosition, "face", toile::translatable("left out"),
+                             face_ + 1);
                 return false;
             }
         }
         if (repeatsCorner()) {
-            counter_.add(ErrorCode::DegenerateFaceRecord, "face", "left out: a corner is repeated",
-                         face_ + 1);
+            counter_.add(ErrorCode::DegenerateFaceRecord, "face",
+                         toile::translatable("left out: a corner is repeated"), face_ + 1);
             return false;
         }
         return true;
@@ -88,7 +89,8 @@ private:
         if (cornerCount() == 3) {
             add(0, 1, 2);
         } else if (cornerCount() > kMaxEarCorners) {
-            fan("divided as a fan: more corners than can be divided with care");
+            fan(toile::translatable(
+                "divided as a fan: more corners than can be divided with care"));
         } else {
             localise();
             cornerCount() == 4 ? divideQuad() : divideLarger();
@@ -168,7 +170,7 @@ private:
         return points;
     }
 
-    void fan(std::string_view why) {
+    void fan(const char* why) {
         counter_.add(ErrorCode::PolygonNotSimple, "face", why, face_ + 1);
         for (int i = 1; i + 1 < cornerCount(); ++i) {
             add(0, i, i + 1);
@@ -181,8 +183,8 @@ private:
         result_.sourceFace.push_back(face_);
     }
 
-    static constexpr std::string_view kCrossing =
-        "divided as a fan: it crosses itself or has no area";
+    static constexpr const char* kCrossing =
+        toile::translatable("divided as a fan: it crosses itself or has no area");
 
     const PolygonSoup& soup_;
     std::string name_;

@@ -299,7 +299,10 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
     file.pieces = read(millimetresPer(file.unit), file.notes);
     std::erase_if(file.pieces, [](const FilePiece& piece) { return !faultOf(piece).empty(); });
     if (file.pieces.empty()) {
-        return Error{ErrorCode::NoGeometry, {}, "it has no closed line that could be a piece"};
+        return Error{ErrorCode::NoGeometry,
+                     {},
+                     worded("it has no closed line that could be a piece; export the outlines of "
+                            "its pieces as closed lines")};
     }
     shareTexts(file.pieces);
     file.style = styleField(fields, "style name");

@@ -6,8 +6,8 @@
 #include <complex>
 #include <limits>
 #include <utility>
-#include <vector>
 
+#include "core/geometry/likeness.h"
 #include "core/geometry/nearest_on_line.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
@@ -16,8 +16,7 @@
 namespace toile {
 namespace {
 
-using Complex = std::complex<double>;
-using geometry::NearestOnLine;
+using geometry::CentredPlaces, geometry::NearestOnLine;
 
 constexpr int kRoughPoints = 128;
 constexpr int kFinePoints = 400;
@@ -54,37 +53,13 @@ Points2 mirroredLine(const Points2& closed) {
     return image;
 }
 
-std::vector<Complex> centred(const Points2& points, Eigen::RowVector2d& middle) {
+CentredPlaces centred(const Points2& points, Eigen::RowVector2d& middle) {
     middle = points.colwise().mean();
-    std::vector<Complex> numbers;
+    CentredPlaces numbers;
     for (Eigen::Index k = 0; k < points.rows(); ++k) {
         numbers.emplace_back(points(k, 0) - middle.x(), points(k, 1) - middle.y());
     }
     return numbers;
-}
-
-/// What turns the second of two lists of points, of one middle, nearest to the first.
-struct Turn {
-    double angle = 0;
-    double square = std::numeric_limits<double>::infinity();  ///< sum of squared distances
-};
-
-/// From which point on, and by which turn, even points of a line come nearest to another's.
-Turn bestTurn(const std::vector<Complex>& line, const std::vector<Complex>& other) {
-    const std::size_t count = line.size();
-    double squares = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-        squares += std::norm(line[k]) + std::norm(other[k]);
-    }
-    Complex best = 0;
-    for (std::size_t start = 0; start < count; ++start) {
-        Complex sum = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            sum += line[k] * std::conj(other[(k + start) % count]);
-        }
-        best = std::abs(sum) > std::abs(best) ? sum : best;
-    }
-    return {std::arg(best), std::max(0.0, squares - 2 * std::abs(best))};
 }
 
 bool isLine(const Points2& closed) {
@@ -133,7 +108,8 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
     Eigen::RowVector2d middle, otherMiddle;
     const auto even = centred(evenPoints(line, kRoughPoints), middle);
     const auto otherEven = centred(evenPoints(other, kRoughPoints), otherMiddle);
-    other = turned(other, bestTurn(even, otherEven).angle, otherMiddle, middle);
+    const auto best = geometry::bestLikeness(even, otherEven).likeness;
+    other = turned(other, std::arg(best), otherMiddle, middle);
     const Points2 points = pointsToTry(line);
     const NearestOnLine onLine(line);
     LineFit fit{other, mirrored, std::numeric_limits<double>::infinity(), 0};
@@ -152,11 +128,7 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
         }
         const auto first = centred(pairs.first, middle);
         const auto second = centred(pairs.second, otherMiddle);
-        Complex sum = 0;
-        for (std::size_t k = 0; k < first.size(); ++k) {
-            sum += first[k] * std::conj(second[k]);
-        }
-        other = turned(other, std::arg(sum), otherMiddle, middle);
+        other = turned(other, std::arg(geometry::likeness(first, second)), otherMiddle, middle);
     }
     return fit;
 }
@@ -176,7 +148,9 @@ double roughDistance(const Points2& line, const Points2& other, bool mirrored) {
     const auto even = centred(evenPoints(line, kRoughPoints), middle);
     const auto otherEven =
         centred(evenPoints(mirrored ? mirroredLine(other) : other, kRoughPoints), middle);
-    return std::sqrt(bestTurn(even, otherEven).square / kRoughPoints);
+    const double best = std::abs(geometry::bestLikeness(even, otherEven).likeness);
+    const double square = geometry::squaresOf(even) + geometry::squaresOf(otherEven) - 2 * best;
+    return std::sqrt(std::max(0.0, square) / kRoughPoints);
 }
 
 LineFit fitLine(const Points2& line, const Points2& other, bool canMirror) {

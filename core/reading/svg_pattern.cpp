@@ -172,7 +172,10 @@ Result<PatternFile> readSvgPattern(std::string_view bytes, std::optional<FileUni
     }
     std::erase_if(file.pieces, [](const FilePiece& piece) { return outlineOf(piece).rows() < 3; });
     if (file.pieces.empty()) {
-        return Error{ErrorCode::NoGeometry, {}, "it has no closed line that could be a piece"};
+        return Error{ErrorCode::NoGeometry,
+                     {},
+                     worded("it has no closed line that could be a piece; export the outlines of "
+                            "its pieces as closed lines")};
     }
     file.format = isOurs ? worded("SVG of Toile") : worded("SVG drawing");
     if (stated) {

@@ -243,6 +243,9 @@ TEST(ObjReader, RefusesAFileWithoutFaces) {
     EXPECT_EQ(points.error().subject.name, "test");
     EXPECT_EQ(points.error().detail,
               "3 vertices, no faces; 1 face left out: fewer than three corners, line 4");
+    const std::vector<Wording>& parts = points.error().detail.arguments();
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_STREQ(parts[1].pattern(), "%1 %2, %3");  // in other languages too
 }
 
 TEST(ObjReader, StopsWhenCancelled) {

@@ -54,6 +54,34 @@ TEST_F(ReadSoup, RefusesOtherEndings) {
     }
 }
 
+TEST_F(ReadSoup, SaysOfAFolderAndOfNothingThatItIsThat) {
+    Progress progress;
+    fs::create_directories(folder_ / "meshes");
+    fs::create_directories(folder_ / "meshes.obj");
+    for (const char* folder : {"meshes", "meshes.obj", "."}) {
+        const Result<PolygonSoup> soup = readSoup(folder_ / folder, progress);
+        ASSERT_FALSE(soup) << folder;
+        EXPECT_EQ(soup.error().code, ErrorCode::FileUnreadable) << folder;
+        EXPECT_EQ(soup.error().detail, "it is a folder") << folder;
+    }
+    for (const char* missing : {"a.blend", "obj", "a.dxf"}) {
+        const Result<PolygonSoup> soup = readSoup(folder_ / missing, progress);
+        ASSERT_FALSE(soup) << missing;
+        EXPECT_EQ(soup.error().code, ErrorCode::FileUnreadable) << missing;
+        EXPECT_EQ(soup.error().detail, "there is no such file") << missing;
+    }
+}
+
+TEST_F(ReadSoup, SaysOfAPatternThatItIsOne) {
+    for (const char* fileName : {"skirt.dxf", "skirt.SVG", "skirt_specification.json"}) {
+        const Result<PolygonSoup> soup = readAs(fileName, "0\nSECTION\n");
+        ASSERT_FALSE(soup) << fileName;
+        EXPECT_EQ(soup.error().code, ErrorCode::UnknownFormat) << fileName;
+        EXPECT_NE(soup.error().detail.find("pattern"), std::string::npos) << fileName;
+    }
+    EXPECT_EQ(readAs("report.json", "{}").error().code, ErrorCode::UnknownFormat);
+}
+
 TEST_F(ReadSoup, RefusesWhatCannotBeRead) {
     Progress progress;
     const Result<PolygonSoup> soup = readSoup(folder_ / "missing.obj", progress);

@@ -10,18 +10,15 @@
 
 #include "core/pipeline/piece_work.h"
 #include "core/pipeline/pipeline.h"
+#include "tests/core/support/sanitized.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr int kPanelSide = 120;
-constexpr double kAllowed = 1;  // checked code is slow and locks a lot
-#else
-constexpr int kPanelSide = 708;  // squares: a million triangles
-constexpr double kAllowed = kCancelSeconds;
-#endif
+const int kPanelSide = test::isSanitized() ? 120 : 708;  // squares: a million triangles
+/// Checked code is slow and locks a lot.
+const double kAllowed = test::isSanitized() ? 1 : kCancelSeconds;
 /// The machine may be busy with something else at just the wrong moment.
 constexpr int kTries = 3;
 

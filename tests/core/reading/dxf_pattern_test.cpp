@@ -311,6 +311,7 @@ TEST(DxfPattern, RefusesWhatHasNoPieces) {
         readDxfPattern(DxfBuilder().section("ENTITIES").line("1", 0, 0, 1, 1).end().take());
     ASSERT_FALSE(file);
     EXPECT_EQ(file.error().code, ErrorCode::NoGeometry);
+    EXPECT_NE(file.error().detail.pattern(), nullptr);  // in other languages too
     EXPECT_FALSE(readDxfPattern("nothing"));
 }
 

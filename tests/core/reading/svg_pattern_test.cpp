@@ -52,6 +52,7 @@ TEST(SvgPattern, TakesOuterLinesForPieces) {
     const auto none = readSvgPattern("<svg xmlns='http://www.w3.org/2000/svg'/>");
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::NoGeometry);
+    EXPECT_NE(none.error().detail.pattern(), nullptr);  // in other languages too
 }
 
 TEST(SvgPattern, ReadsTheFilesOfOtherPrograms) {
