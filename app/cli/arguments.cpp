@@ -12,7 +12,10 @@
 #include "app/cli/check_arguments.h"
 #include "app/cli/choice_options.h"
 #include "app/cli/command_line.h"
+#include "app/cli/exit_status.h"
+#include "app/cli/first_word.h"
 #include "app/cli/marker_options.h"
+#include "app/cli/option_groups.h"
 #include "app/cli/prove_options.h"
 #include "app/cli/reading_options.h"
 #include "core/base/text.h"
@@ -31,6 +34,7 @@ struct Typed {
     std::vector<std::string> methods;
     std::string report, picture, size, look;
     std::map<std::string, std::string> exporting;  ///< by FormatOption::name
+    OptionGroups groups;
 };
 
 constexpr Word<ViewsShown> kViewWords[] = {
@@ -102,7 +106,7 @@ void addMethodOptions(CLI::App& command, StatedOptions& stated, bool isOne = tru
             "--authalic", [&stated](double mu) { stated.authalic = mu; },
             "From 0, keep angles, to 1, keep areas: the interior of wang2005 and curvature")
         ->type_name("MU")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(within(0.0, 1.0))
         ->default_str("0");
 }
 
@@ -147,7 +151,7 @@ void addPatternOptions(CLI::App& command, StatedOptions& stated, bool hasPreset 
             .add_option_function<double>(
                 option, [&width](double typed) { width = typed; }, help)
             ->type_name("MM")
-            ->check(CLI::Range(0.0, kMaxAllowance))
+            ->check(within(0.0, kMaxAllowance))
             ->default_str(shortest(otherwise));
     };
     addWidth("--allowance", stated.allowance, usual.seam,
@@ -211,7 +215,7 @@ void addExporting(CLI::App& command, Typed& typed) {
         added->type_name(words.empty() ? "NUMBER" : CLI::detail::join(words, "|"))
             ->default_str(otherwise);
         if (words.empty()) {
-            added->check(CLI::Range(row.least, row.most).description(""));
+            added->check(within(row.least, row.most).description(""));
         } else {
             added->check(oneOf(words));
         }
@@ -227,26 +231,39 @@ void addFlattening(CLI::App& command, Typed& typed, Arguments& arguments) {
     command.add_flag("--half", arguments.stated.byHalf,
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
                      "that mirror each other, to be cut as a pair; asks for --mirror auto");
+    areAbout(kFlattening, command, typed.groups);
     addReading(command, arguments);
+    areAbout(kReading, command, typed.groups);
     addExporting(command, typed);
+    areAbout(kExporting, command, typed.groups);
 }
 
 void addFlatten(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& flatten = addCommand(app, arguments, Arguments::Command::Flatten, "flatten",
                                    "Flatten every piece of a garment");
+    areAbout(kInputFiles, flatten, typed.groups);
     flatten
         .add_option(
             "-o,--output", arguments.outputs,
             "File to write, by its ending: " + formatList() + ". May be given several times")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
+    areAbout(kOutputFiles, flatten, typed.groups);
     addFlattening(flatten, typed, arguments);
-    addFailOn(flatten, arguments);
-    flatten.add_flag("--ledger", arguments.ledger,
-                     "Print every seam with the lengths of its two sides");
+    flatten
+        .add_option("--threads", arguments.threads,
+                    "To work with, 0: all there are; the result is the same")
+        ->type_name("N")
+        ->check(within(0, kMostThreads))
+        ->capture_default_str();
+    areAbout(kThreads, flatten, typed.groups);
     flatten
         .add_option("--report", typed.report, "Write the JSON report (the same as -o FILE.json)")
         ->type_name("FILE.json");
+    areAbout(kOutputFiles, flatten, typed.groups);
+    addFailOn(flatten, arguments);
+    flatten.add_flag("--ledger", arguments.ledger,
+                     "Print every seam with the lengths of its two sides");
 }
 
 void addBatch(CLI::App& app, Typed& typed, Arguments& arguments) {
@@ -322,7 +339,7 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
         .add_option("--morph", picture.morph,
                     "The garment on its way to the pattern: 0 as it is worn, 1 flat")
         ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(within(0.0, 1.0))
         ->capture_default_str();
     render.add_flag("--wireframe", picture.wireframe, "Draw the mesh's edges");
     render.add_flag("--xray", picture.xray, "Let cloth show what is behind it");
@@ -336,7 +353,7 @@ void addRender(CLI::App& app, Typed& typed, Arguments& arguments) {
                     "A square picture of the garment alone, so many pixels wide, for file "
                     "managers, made quickly; its name may end in anything")
         ->type_name("PIXELS")
-        ->check(CLI::Range(kMinPicture, kMaxPicture))
+        ->check(within(kMinPicture, kMaxPicture))
         ->excludes("--size", "--view", "--overlay", "--morph");
     addMethodOptions(render, arguments.stated);
     addLineOptions(render, arguments.stated);
@@ -422,6 +439,7 @@ void addProve(CLI::App& app, Typed& typed, Arguments& arguments) {
         addCommand(app, arguments, Arguments::Command::Prove, "prove",
                    "Sew the pattern of a garment back together and measure how far from the "
                    "design it comes to rest (docs/prove.md)");
+    areAbout(kInputFiles, command, typed.groups);
     command.footer(
         "\nExit status 1 where the pattern has a fault that is seen before it is sewn, such as a\n"
         "mirrored piece or a seam whose sides do not fit, or a piece failed. Ctrl-C ends it.");
@@ -431,15 +449,22 @@ void addProve(CLI::App& app, Typed& typed, Arguments& arguments) {
                     "pattern, in any other format of flatten")
         ->type_name("FILE")
         ->allow_extra_args(false);  // so that inputs may follow
+    areAbout(kOutputFiles, command, typed.groups);
     addPicture(command, typed, arguments, "What the picture has painted on the cloth [gap]");
-    addProveOptions(command, arguments);
+    areAbout(kForTerminal, command, typed.groups);
+    addSewing(command, arguments);
     addFabric(command, arguments,
               "What the garment is cut from, which says how it resists [what the project says, "
               "else a sheet that is alike in all directions]");
+    areAbout(kSewing, command, typed.groups);
+    addProveOutput(command, arguments);
+    areAbout(kForTerminal, command, typed.groups);
     addMethodOptions(command, arguments.stated);
     addLineOptions(command, arguments.stated);
     addPatternOptions(command, arguments.stated, false);
+    areAbout(kFlattening, command, typed.groups);
     addReading(command, arguments);
+    areAbout(kReading, command, typed.groups);
 }
 
 /// Of a proof: what is typed of a picture that is not asked for.
@@ -457,10 +482,12 @@ std::string wrongWithoutPicture(const CLI::App& app, const Arguments& arguments)
     return {};
 }
 
-void addInfo(CLI::App& app, Arguments& arguments) {
+void addInfo(CLI::App& app, Typed& typed, Arguments& arguments) {
     CLI::App& info = addCommand(app, arguments, Arguments::Command::Info, "info",
                                 "Tell what a garment file holds");
+    areAbout(kInputFiles, info, typed.groups);
     addReading(info, arguments);
+    areAbout(kReading, info, typed.groups);
     CLI::Option* json = info.add_flag("--json", arguments.json, "Print as JSON");
     info.add_flag("--advice", arguments.advice,
                   "Say which cuts would take most strain away, and what they leave")
@@ -484,13 +511,13 @@ bool isNumber(const std::string& text) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// The words after the program's name, as CLI11 takes them: last first. `--fair` may stand alone:
-/// what follows is its value only where it begins as a number does.
-std::vector<std::string> reversedWords(int argc, const char* const* argv) {
+/// As CLI11 takes them: last first. `--fair` may stand alone: what follows is its value only where
+/// it begins as a number does.
+std::vector<std::string> reversedWords(const std::vector<std::string>& typed) {
     std::vector<std::string> words;
-    for (int i = 1; i < argc; ++i) {
-        words.emplace_back(argv[i]);
-        const std::string next = i + 1 < argc ? argv[i + 1] : "";
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+        words.push_back(typed[i]);
+        const std::string next = i + 1 < typed.size() ? typed[i + 1] : "";
         if (words.back() == "--fair" &&
             (next.empty() || !isNumber(next.substr(0, next.find(','))))) {
             words.emplace_back(shortest(Fairing{}.tolerance));
@@ -512,6 +539,19 @@ std::vector<Method> methodsOf(const Typed& typed) {
     return methods;
 }
 
+/// Rows as those of options, which the manual page reads too.
+std::string exitStatusHelp() {
+    constexpr std::size_t kColumn = 30;
+    std::string text = "\nExit status:\n";
+    for (const auto& [status, meaning] : exitMeanings()) {
+        std::string row = std::string("  ") + status;
+        row.resize(kColumn, ' ');
+        text += row + meaning + '\n';
+    }
+    text.pop_back();
+    return text;
+}
+
 Arguments message(std::string text, int status) {
     Arguments arguments;
     arguments.command = Arguments::Command::Message;
@@ -520,35 +560,65 @@ Arguments message(std::string text, int status) {
     return arguments;
 }
 
-/// One sentence, as every error.
-Arguments wrongUsage(const std::string& what) {
-    return message("toile: " + what + "; see toile --help.\n", kExitUsage);
+std::vector<std::string> namesOfCommands(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return names;
 }
 
-/// CLI11's own wording for help, version and usage errors.
+/// One sentence, as every error; it ends with where the command that was typed is explained.
+Arguments wrongUsage(const CLI::App& app, const std::string& what) {
+    const auto typed = app.get_subcommands();
+    const std::string command = typed.empty() ? "" : typed.front()->get_name() + " ";
+    return message("toile: " + what + "; see toile " + command + "--help.\n", kExitUsage);
+}
+
+/// "--split: At Most 1 required but received 2", as whoever typed it sees it.
+std::string saidTwice(const std::string& said) {
+    const std::size_t end = said.find(": At Most 1 required");
+    return end == std::string::npos ? said
+                                    : said.substr(0, end) + " is said more than once; say it once";
+}
+
+/// CLI11's own wording for help, version and most usage errors.
 Arguments fromParseError(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
     if (app.exit(error, out, err) == 0) {
         return message(out.str(), kExitDone);
     }
-    const std::string said = err.str();
-    return wrongUsage(said.substr(0, said.find('\n')));
+    std::string said = err.str().substr(0, err.str().find('\n'));
+    constexpr std::string_view kFlagWithValue = " was given a disallowed flag override";
+    if (said.ends_with(kFlagWithValue)) {
+        said = "--" + said.substr(0, said.size() - kFlagWithValue.size()) +
+               " takes no value: it is said or left out";
+    }
+    return wrongUsage(app, saidTwice(said));
+}
+
+/// "--auto-cut=yes" would be read, and so would "--auto-cut=no" and "--auto-cut=7".
+void refuseValuesOfFlags(CLI::App& app) {
+    for (CLI::Option* option : app.get_options()) {
+        if (option->get_items_expected_max() == 0) {
+            option->disable_flag_override();
+        }
+    }
+    for (CLI::App* command : app.get_subcommands({})) {
+        refuseValuesOfFlags(*command);
+    }
 }
 
 }  // namespace
 
-Arguments parseArguments(int argc, const char* const* argv) {
+Arguments parseArguments(int argc, const char* const* argv, unsigned taken) {
     CLI::App app{
         "Toile: sewing patterns from 3D garments.\n"
         "Without a command it opens the window.\n"};
     app.name("toile");
     app.set_version_flag("--version", "toile " + std::string(version()));
-    app.footer(
-        "\nExit status: 0 all pieces done, 1 some piece failed (the rest is written),\n"
-        "isometric flipped triangles, check or prove found faults or walk unequal lengths, or\n"
-        "with --fail-on doubt the pattern is in doubt; 2 wrong usage, 3 a file cannot be read or\n"
-        "written.");
+    app.footer(exitStatusHelp());
     app.require_subcommand(0, 1);
 
     Typed typed;
@@ -560,7 +630,7 @@ Arguments parseArguments(int argc, const char* const* argv) {
     addWalk(app, arguments);
     addMarker(app, typed, arguments);
     addProve(app, typed, arguments);
-    addInfo(app, arguments);
+    addInfo(app, typed, arguments);
     addRender(app, typed, arguments);
     addServe(app, arguments);
     // A window's files stand where a command could: `toile dress.obj`.
@@ -575,17 +645,28 @@ Arguments parseArguments(int argc, const char* const* argv) {
               "The list that the window shows in front at first");
     addMethodOptions(app, arguments.stated);
     addReading(app, arguments);
+    refuseValuesOfFlags(app);
+    const std::vector<std::string> words = wordsAfterProgram(argc, argv);
+    if (const std::string wrong = unknownFirstWord(words, namesOfCommands(app)); !wrong.empty()) {
+        return wrongUsage(app, wrong);
+    }
     try {
-        app.parse(reversedWords(argc, argv));
+        app.parse(reversedWords(words));
+    } catch (const CLI::CallForHelp& help) {
+        return taken == kEveryOption ? fromParseError(app, help)
+                                     : wrongUsage(app, outOfPlace("--help", kForTerminal));
     } catch (const CLI::ParseError& error) {
         return fromParseError(app, error);
+    }
+    if (const std::string wrong = wordNotTaken(app, typed.groups, taken); !wrong.empty()) {
+        return wrongUsage(app, wrong);
     }
 
     if (arguments.command == Arguments::Command::Window) {
         arguments.inputs = typed.windowFiles;
     } else if (!typed.windowFiles.empty()) {
-        return wrongUsage("\"" + typed.windowFiles.front().string() +
-                          "\" stands before the command");
+        return wrongUsage(
+            app, "\"" + typed.windowFiles.front().string() + "\" stands before the command");
     }
     if (arguments.command == Arguments::Command::Marker) {  // places of pieces, and no blocks
         arguments.exporting.dxf.profile = DxfProfile::Plain;
@@ -593,18 +674,18 @@ Arguments parseArguments(int argc, const char* const* argv) {
     for (const FormatOption& row : formatOptions()) {
         const auto value = typed.exporting.find(row.name);
         if (value != typed.exporting.end() && !row.set(arguments.exporting, value->second)) {
-            return wrongUsage(std::string("--") + row.name + " takes a number from " +
-                              shortest(row.least) + " to " + shortest(row.most));
+            return wrongUsage(app, std::string("--") + row.name + " takes a number from " +
+                                       shortest(row.least) + " to " + shortest(row.most));
         }
     }
     for (const std::string& wrong : {readPictureSize(typed.size, arguments.picture),
                                      readPictureLook(typed.look, arguments.picture)}) {
         if (!wrong.empty()) {
-            return wrongUsage(wrong);
+            return wrongUsage(app, wrong);
         }
     }
     if (const std::string wrong = wrongWithoutPicture(app, arguments); !wrong.empty()) {
-        return wrongUsage(wrong);
+        return wrongUsage(app, wrong);
     }
     arguments.options = arguments.stated.over(FlattenOptions{});
     arguments.lines = arguments.stated.over(LineSettings{});
@@ -619,10 +700,10 @@ Arguments parseArguments(int argc, const char* const* argv) {
     }
     if (!typed.report.empty() && !typed.report.ends_with(".json") &&
         !typed.report.ends_with(".JSON")) {
-        return wrongUsage("the report's name must end in .json, not \"" + typed.report + "\"");
+        return wrongUsage(app, "the report's name must end in .json, not \"" + typed.report + "\"");
     }
     if (const std::string wrong = wrongIn(arguments); !wrong.empty()) {
-        return wrongUsage(wrong);
+        return wrongUsage(app, wrong);
     }
     return arguments;
 }

@@ -19,6 +19,19 @@
 
 namespace toile::app {
 
+/// What options are about.
+enum OptionGroup : unsigned {
+    kForTerminal = 0,   ///< what is printed, the exit status, pictures
+    kInputFiles = 1,    ///< files to read
+    kReading = 2,       ///< how they are read, divided and cut
+    kFlattening = 4,    ///< how pieces are flattened and drawn
+    kThreads = 8,       ///< how many threads work
+    kOutputFiles = 16,  ///< files to write
+    kExporting = 32,    ///< how they are written
+    kSewing = 64,       ///< what is sewn in a proof, and how
+    kEveryOption = ~0U,
+};
+
 /// What the user typed, parsed and checked.
 struct Arguments {
     enum class Command {
@@ -69,10 +82,13 @@ struct Arguments {
     std::string message;
     int status = 0;
     std::optional<Error> error{};  ///< what the message says, where that is no wrong usage
+
+    bool isMessage() const { return command == Command::Message; }
 };
 
 /// Parses the command line. Never exits and never throws; wrong usage comes back as a Message with
 /// status 2. Cost: negligible.
-Arguments parseArguments(int argc, const char* const* argv);
+/// @param taken  of `OptionGroup`: options of other groups are wrong usage
+Arguments parseArguments(int argc, const char* const* argv, unsigned taken = kEveryOption);
 
 }  // namespace toile::app

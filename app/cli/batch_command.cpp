@@ -10,7 +10,9 @@
 #include "app/cli/batch_garment.h"
 #include "app/cli/batch_list.h"
 #include "app/cli/batch_process.h"
+#include "app/cli/batch_records_file.h"
 #include "app/cli/command_line.h"
+#include "app/cli/input.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
@@ -28,21 +30,19 @@ constexpr const char* kFiguresFile = "figures.json";
 /// Why there are no figures.
 OrderedJson figuresOfEnd(const ProcessEnd& end, const BatchArguments& batch) {
     if (end.isTimedOut) {
-        return failedFigures(
-            kTimedOut, "",
-            "took longer than " + shortest(batch.limitSeconds) + " s; give it more with --limit");
+        return failedFigures({kTimedOut, "took longer than " + shortest(batch.limitSeconds) +
+                                             " s; give it more with --limit"});
     }
     if (end.signal == SIGKILL || end.signal == SIGTERM) {
-        return failedFigures(kKilled, "",
-                             "was killed from outside, as happens where memory is short; run the "
-                             "batch again, fewer garments at once");
+        return failedFigures({kKilled,
+                              "was killed from outside, as happens where memory is short; run the "
+                              "batch again, fewer garments at once"});
     }
     if (end.signal > 0) {
-        return failedFigures(kCrashed, "",
-                             std::string("ended by a fault of the program (") +
-                                 strsignal(end.signal) + "); please report the file");
+        return failedFigures({kCrashed, std::string("ended by a fault of the program (") +
+                                            strsignal(end.signal) + "); please report the file"});
     }
-    return failedFigures({ErrorCode::OutOfMemory, {}, "no process could be had"});
+    return failedFigures(Error{ErrorCode::OutOfMemory, {}, "no process could be had"});
 }
 
 bool wasKilled(const ProcessEnd& end) {
@@ -185,23 +185,13 @@ Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArgumen
     return true;
 }
 
-std::filesystem::path recordsOf(const BatchArguments& batch) {
-    const std::string stem = batch.list == "-" ? "stdin" : pathText(batch.list.stem());
-    return batch.folder / (stem + ".jsonl");
-}
-
-int printEnd(const Error& error, std::ostream& err) {
-    err << "toile: " << sentence(error) << '\n';
-    return kExitUnreadable;
-}
-
 }  // namespace
 
 int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     const BatchArguments& batch = arguments.batch;
     const auto lines = readBatchList(batch.list);
     if (!lines) {
-        return printEnd(lines.error(), err);
+        return refuse(lines.error(), err);
     }
     if (isNoBatchList(batch.list, *lines)) {
         const std::string list = batch.list == "-" ? "standard input" : pathText(batch.list);
@@ -213,6 +203,10 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     std::error_code ignored;  // said where something is written
     std::filesystem::create_directories(batch.folder, ignored);
     const BatchSignals signals;
+    if (const auto refusal = refusalOfRecords(batch)) {
+        err << "toile: " << refusal->message << '\n';
+        return refusal->code == kWrongUsage ? kExitUsage : kExitUnreadable;
+    }
     const ProcessLimits limits{batch.limitSeconds, batch.memoryMib, batch.threads};
     BatchTally tally;
     for (const auto& [path, words] : *lines) {
@@ -224,7 +218,7 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
                                  ? Result<bool>(false)
                                  : finishGarment(next, batch, limits, tally, out);
         if (!isThere) {
-            return printEnd(isThere.error(), err);
+            return refuse(isThere.error(), err);
         }
         if (!*isThere || BatchSignals::received() != 0) {
             err << "toile: interrupted; run the same command again to go on.\n";
@@ -232,7 +226,7 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         }
     }
     if (const auto written = writeFile(recordsOf(batch), tally.records); !written) {
-        return printEnd(written.error(), err);
+        return refuse(written.error(), err);
     }
     out << counted(tally.lines, "garment") << ": " << tally.done << " done, " << tally.someFailed
         << " with failed pieces, " << tally.failed << " failed; " << tally.before

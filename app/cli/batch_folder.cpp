@@ -70,8 +70,7 @@ std::string BatchFolder::finished(const std::string& key) const {
         std::error_code ignored;
         return fs::exists(folder_ / output, ignored);
     });
-    return head.key == key && isThere && !isWorthAnotherTry(head.code) ? std::move(*line)
-                                                                       : std::string();
+    return head.key == key && isThere && !head.isWorthAnotherTry ? std::move(*line) : std::string();
 }
 
 Result<bool> BatchFolder::claim(const std::function<bool()>& isEnough) {

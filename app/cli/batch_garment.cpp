@@ -34,13 +34,9 @@ void addNotes(OrderedJson& figures, const std::string& said) {
 OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::string>& formats,
                                 const std::filesystem::path& folder) {
     std::ostringstream said;
-    const auto refused = refusalOfFiles(entry.arguments);
-    const Arguments arguments = refused ? Arguments{} : withProject(entry.arguments, said);
-    if (const auto pipe = refused ? refused : refusalOfFiles(arguments)) {
-        return failedFigures(*pipe);
-    }
-    if (arguments.command == Arguments::Command::Message) {
-        return refusedFigures(arguments);
+    const Arguments arguments = withProjectOfFiles(entry.arguments, said);
+    if (arguments.isMessage()) {
+        return failedFigures(Refusal(arguments));
     }
     Progress progress;
     auto read = readGarment(arguments, progress, said);
@@ -84,10 +80,10 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
         return flattenedAndWritten(entry, formats, folder);
     } catch (const std::bad_alloc&) {
         liftMemoryLimit();  // to say so takes some
-        return failedFigures({ErrorCode::OutOfMemory, Subject::file(entry.path)});
+        return failedFigures(Error{ErrorCode::OutOfMemory, Subject::file(entry.path)});
     } catch (const std::exception& fault) {
-        return failedFigures(kCrashed, "",
-                             std::string("stopped by an unexpected fault (") + fault.what() + ")");
+        return failedFigures(
+            {kCrashed, std::string("stopped by an unexpected fault (") + fault.what() + ")"});
     }
 }
 

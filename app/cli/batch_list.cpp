@@ -9,13 +9,12 @@
 #include <utility>
 
 #include "app/cli/command_line.h"
+#include "app/cli/input.h"
 #include "app/cli/typed_words.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/io/soup.h"
-#include "core/project/project_file.h"
 
 namespace toile::app {
 namespace {
@@ -53,12 +52,16 @@ std::string hashOfFiles(const std::vector<std::filesystem::path>& files) {
     return files.size() == 1 ? hashes : hashText(contentHash(hashes));
 }
 
-/// By its ending alone: it need not be there.
-bool looksLikeGarment(const std::filesystem::path& path) {
-    const std::string ending = path.extension().string();
-    return isProjectFile(path) || std::ranges::any_of(readableEndings(), [&](const auto& known) {
-               return equalsIgnoringCase(ending, known);
-           });
+/// The first option with a value, of a line's own, that all have already; null where none is.
+const std::string* saidForAll(const std::vector<std::string>& ofAll,
+                              const std::vector<std::string>& own) {
+    const auto isAgain = [&ofAll](const std::string& word) {
+        const auto said = std::ranges::find(ofAll, word.substr(0, word.find('=')));
+        return word.starts_with("--") && said != ofAll.end() && std::next(said) != ofAll.end() &&
+               !std::next(said)->starts_with("--");
+    };
+    const auto again = std::ranges::find_if(own, isAgain);
+    return again == own.end() ? nullptr : &*again;
 }
 
 /// The file's stem as far as any file system takes it.
@@ -87,10 +90,11 @@ Result<BatchLines> readBatchList(const std::filesystem::path& list) {
         if (line.ends_with('\r')) {
             line.pop_back();
         }
-        if (trimmed(line).empty() || line.starts_with('#')) {
+        if (trimmed(line).empty() || trimmed(line).front() == '#') {
             continue;
         }
         std::vector<std::string> words = divided(line, '\t');
+        std::erase_if(words, [](const std::string& word) { return trimmed(word).empty(); });
         const std::string path = words.front();
         words.erase(words.begin());
         lines.emplace_back(path, std::move(words));
@@ -111,11 +115,12 @@ BatchEntry batchEntry(const BatchArguments& batch, const std::string& path,
                       const std::vector<std::string>& ownWords) {
     BatchEntry entry{.path = path, .words = batch.words};
     entry.words.insert(entry.words.end(), ownWords.begin(), ownWords.end());
-    entry.arguments = typedWords("flatten", {path}, entry.words);
-    if (const char* word = wordOutOfPlace(entry.arguments)) {
+    entry.arguments = typedWords("flatten", {path}, entry.words,
+                                 kInputFiles | kReading | kFlattening | kExporting);
+    if (const std::string* again = saidForAll(batch.words, ownWords)) {
         entry.arguments = {};
         entry.arguments.command = Arguments::Command::Message;
-        entry.arguments.message = outOfPlaceSentence(word);
+        entry.arguments.message = *again + " is said for all garments already; leave it out here";
     }
     entry.arguments.threads = batch.threads;
     return entry;
@@ -145,21 +150,6 @@ void identify(BatchEntry& entry, const BatchArguments& batch, const std::string&
     entry.name = plainStem(entry.path) + '-' + hashText(contentHash(content)).substr(6);
     entry.key = hashText(
         contentHash(content + '\n' + joinedWords(batch.formats) + '\n' + std::string(version())));
-}
-
-std::optional<Error> refusalOfFiles(const Arguments& arguments) {
-    std::vector<std::filesystem::path> files = arguments.inputs;
-    files.push_back(arguments.seams);
-    for (const std::filesystem::path& file : files) {
-        std::error_code missing;  // that is for who reads it to say, as of a folder
-        const auto status = std::filesystem::status(file, missing);
-        if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-            !std::filesystem::is_directory(status)) {
-            return Error{ErrorCode::FileUnreadable, Subject::file(file.string()),
-                         "it is no regular file"};
-        }
-    }
-    return std::nullopt;
 }
 
 }  // namespace toile::app

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,8 @@ struct BatchEntry {
 /// Paths and own words of garments.
 using BatchLines = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// The garments of a list, in its order. Blank lines and those that begin with # are none. Errors:
-/// FileUnreadable, of the list alone.
+/// The garments of a list, in its order. Blank lines and those that begin with #, after blanks or
+/// not, are none, and empty fields are skipped. Errors: FileUnreadable, of the list alone.
 Result<BatchLines> readBatchList(const std::filesystem::path& list);
 
 /// Whether it is a garment that was given in place of a list: by its ending, or as none of its
@@ -45,8 +44,5 @@ std::string hashOfContent(const BatchEntry& entry);
 
 /// Gives it hash, name and key. @param hash  of its content
 void identify(BatchEntry& entry, const BatchArguments& batch, const std::string& hash);
-
-/// Why files are not to be opened: they are read twice, and a pipe is empty then. FileUnreadable.
-std::optional<Error> refusalOfFiles(const Arguments& arguments);
 
 }  // namespace toile::app

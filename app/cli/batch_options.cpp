@@ -50,17 +50,17 @@ void addBatchOptions(CLI::App& command, BatchArguments& batch) {
         .add_option("--limit", batch.limitSeconds,
                     "Time that a garment may take by the clock; 0: all it wants")
         ->type_name("SECONDS")
-        ->check(CLI::Range(0.0, kLongestLimit))
+        ->check(within(0.0, kLongestLimit))
         ->capture_default_str();
     command
         .add_option("--memory", batch.memoryMib,
                     "Memory that a garment may take; 0: as much as there is")
         ->type_name("MIB")
-        ->check(CLI::Range(0, kMostMemory))
+        ->check(within(0, kMostMemory))
         ->capture_default_str();
     command.add_option("--threads", batch.threads, "Threads that work at one garment")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostThreads))
+        ->check(within(1, kMostThreads))
         ->capture_default_str();
 }
 

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "app/cli/batch_list.h"
-#include "app/cli/typed_words.h"
 #include "core/base/content_hash.h"
 #include "core/base/version.h"
 #include "core/diagnose/doubt.h"
@@ -15,18 +14,6 @@
 
 namespace toile::app {
 namespace {
-
-OrderedJson errorOf(std::string_view code, std::string_view subject, std::string_view message) {
-    OrderedJson error;
-    error["code"] = text(code);
-    error["subject"] = textOrNull(std::string(subject));
-    error["message"] = text(message);
-    return error;
-}
-
-OrderedJson errorOf(const Error& error) {
-    return errorOf(name(error.code), error.subject.name, sentence(error));
-}
 
 /// Every field, in its order, with nothing in it.
 OrderedJson noFigures(const char* status) {
@@ -78,46 +65,34 @@ std::string fingerprintOf(const PieceResults& results) {
 
 }  // namespace
 
-OrderedJson failedFigures(std::string_view code, std::string_view subject,
-                          std::string_view message) {
+OrderedJson failedFigures(const Refusal& why) {
     OrderedJson figures = noFigures(kBatchFailed);
-    figures["error"] = errorOf(code, subject, message);
+    figures["error"] = refusalJson(why);
     return figures;
-}
-
-OrderedJson failedFigures(const Error& error) {
-    OrderedJson figures = noFigures(kBatchFailed);
-    figures["error"] = errorOf(error);
-    return figures;
-}
-
-OrderedJson refusedFigures(const Arguments& message) {
-    return message.error ? failedFigures(*message.error)
-                         : failedFigures(kWrongUsage, "", withoutSpeaker(message.message));
 }
 
 OrderedJson figuresOf(const Garment& garment, const PieceResults& results) {
     OrderedJson figures = noFigures(kBatchDone);
     long long triangles = 0;
     int failed = 0;
-    const auto fail = [&figures](const OrderedJson& error) {
+    const auto fail = [&figures](const Refusal& why) {
         figures["status"] = kBatchSomeFailed;
-        figures["error"] = figures["error"].is_null() ? error : figures["error"];
+        figures["error"] = figures["error"].is_null() ? refusalJson(why) : figures["error"];
     };
     for (const auto& result : results) {
         triangles += result->piece->mesh.F.rows();
         if (result->error && !isLeftOut(*result)) {
             ++failed;
-            fail(errorOf(*result->error));
+            fail(*result->error);
         } else if (breaksPromise(*result)) {
             ++failed;
-            fail(errorOf(name(ErrorCode::TrianglesFlipped), result->piece->name,
-                         describe(ErrorCode::TrianglesFlipped)));
+            fail({std::string(name(ErrorCode::TrianglesFlipped)),
+                  std::string(describe(ErrorCode::TrianglesFlipped)), result->piece->name});
         }
     }
     for (const Error& problem : garment.problems) {
         if (!isNote(problem.code)) {
-            fail(errorOf(problem));
+            fail(problem);
         }
     }
     figures["pieces"] = results.size();
@@ -178,23 +153,12 @@ RecordHead headOf(std::string_view line) {
     if (record["error"].is_object()) {
         head.code = word(record["error"], "code");
         head.message = word(record["error"], "message");
+        head.isWorthAnotherTry = record["error"].value("again", OrderedJson()) == true;
     }
     for (const OrderedJson& output : record["outputs"]) {
         head.outputs.push_back(output.is_string() ? output.get<std::string>() : std::string());
     }
     return head;
-}
-
-bool isWorthAnotherTry(std::string_view code) {
-    for (const std::string_view transient :
-         {std::string_view(kTimedOut), std::string_view(kCrashed), std::string_view(kKilled),
-          name(ErrorCode::OutOfMemory), name(ErrorCode::FileUnreadable),
-          name(ErrorCode::FileUnwritable), name(ErrorCode::Cancelled)}) {
-        if (code == transient) {
-            return true;
-        }
-    }
-    return false;
 }
 
 }  // namespace toile::app

@@ -2,7 +2,6 @@
 #include "app/cli/check_arguments.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -130,12 +129,6 @@ std::string wrongIn(const Arguments& arguments) {
     }
     if (std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
         return wrong;
-    }
-    if (std::isnan(arguments.options.authalic)) {  // which is neither below nor above a limit
-        return "--authalic must be a number from 0 to 1";
-    }
-    if (std::isnan(arguments.picture.morph)) {
-        return "--morph must be a number from 0 to 1";
     }
     if (arguments.command == Arguments::Command::Marker) {
         if (std::string wrong =

@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/check/finding.h"
 #include "core/check/ready_to_cut.h"
@@ -26,6 +27,20 @@ std::vector<PieceSettings> settingsNow(const Arguments& arguments, const Garment
         }
     }
     return settings;
+}
+
+/// The grain that was stated is set: where the project says none of a piece, by the rule.
+void setGrains(const Arguments& arguments, CutPlan& plan) {
+    std::vector<Fabric> fabrics;
+    for (const PieceSettings& said : plan.settings) {
+        fabrics.push_back(fabricOf(said.material, plan.materials, plan.fabric));
+    }
+    const auto grains =
+        grainsByRule(arguments, *plan.garment, plan.results, fabrics, plan.pattern->symmetry.get());
+    for (std::size_t p = 0; p < grains.size(); ++p) {
+        std::optional<double>& grain = plan.settings[p].grain;
+        grain = grain ? grain : grains[p];
+    }
 }
 
 /// A line for each finding; those that say the same of several pieces or seams share one.
@@ -54,7 +69,7 @@ std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& p
                               arguments.lines, plan.fabric);
     const auto proof = proofOf(source, {.settings = arguments.prove.settings}, progress);
     if (!proof) {
-        err << "toile: " << sentence(proof.error()) << '\n';
+        refuse(refusalOfProof(proof.error(), plan.results), err);
         return nullptr;
     }
     return *proof;
@@ -78,6 +93,10 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.fabric = arguments.fabric.value_or(plan.fabric);
     plan.settings = settingsNow(arguments, *plan.garment, plan.results);
     plan.materials = materialsOf(arguments, plan.settings);
+    setGrains(arguments, plan);
+    if (arguments.project) {
+        plan.rules = clothRules(arguments.project->markers);
+    }
     if (arguments.isProving) {
         plan.proof = proved(arguments, plan, progress, err);
     }

@@ -2,18 +2,18 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/most_threads.h"
+#include "core/base/text.h"
 #include "core/base/words.h"
 
 // For the sources of this folder that add options, which are compiled together: CLI11 takes
 // seconds.
 namespace toile::app {
-
-/// That work at one garment; OpenBLAS has memory for no more.
-inline constexpr int kMostThreads = 64;
 
 template <class Value, std::size_t n>
 std::vector<std::string> namesOf(const Word<Value> (&words)[n]) {
@@ -29,6 +29,30 @@ inline CLI::Validator oneOf(const std::vector<std::string>& words) {
     CLI::Validator member = CLI::IsMember(words);
     member.description("");
     return member;
+}
+
+template <class Number>
+std::string limitText(Number limit) {
+    if constexpr (std::is_integral_v<Number>) {
+        return std::to_string(limit);
+    } else {
+        return shortest(double(limit));
+    }
+}
+
+/// A number from one to the other, which "nan" is not: it is neither below nor above them.
+template <class Number>
+CLI::Validator within(Number least, Number most) {
+    return {[least, most](const std::string& typed) {
+                Number number{};
+                if (CLI::detail::lexical_cast(typed, number) && number >= least && number <= most) {
+                    return std::string();
+                }
+                return std::string(std::is_integral_v<Number> ? "takes a whole number from "
+                                                              : "takes a number from ") +
+                       limitText(least) + " to " + limitText(most) + ", not \"" + typed + '"';
+            },
+            CLI::Range(least, most).get_description()};
 }
 
 /// An option that takes one of these words.

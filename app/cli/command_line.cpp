@@ -9,10 +9,11 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/serve_command.h"
+#include "core/layout/cloth_rows.h"
 #include "core/linalg/blas_call.h"
 #include "core/pattern/piece_grain.h"
 #include "core/project/layer_materials.h"
-#include "core/project/place_pieces.h"
+#include "core/project/place_on_cloth.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -142,6 +143,35 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     return arguments;
 }
 
+Arguments withProjectOfFiles(const Arguments& arguments, std::ostream& err) {
+    if (const auto pipe = refusalOfFiles(arguments)) {
+        return refused(*pipe);
+    }
+    Arguments whole = withProject(arguments, err);
+    const auto pipe = refusalOfFiles(whole);
+    return pipe ? refused(*pipe) : whole;
+}
+
+std::optional<Error> refusalOfFiles(const Arguments& arguments) {
+    const auto firstOdd = [](const std::vector<fs::path>& files) {
+        return std::ranges::find_if(files, [](const fs::path& file) {
+            std::error_code missing;
+            const auto status = fs::status(file, missing);
+            return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+        });
+    };
+    constexpr const char* kWhy = "it is no regular file";
+    std::vector<fs::path> read = arguments.inputs;
+    read.insert(read.end(), {arguments.seams, arguments.pattern, arguments.prove.body});
+    if (const auto odd = firstOdd(read); odd != read.end()) {
+        return Error{ErrorCode::FileUnreadable, Subject::file(odd->string()), kWhy};
+    }
+    if (const auto odd = firstOdd(arguments.outputs); odd != arguments.outputs.end()) {
+        return Error{ErrorCode::FileUnwritable, Subject::file(odd->string()), kWhy};
+    }
+    return std::nullopt;
+}
+
 std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment) {
     return arguments.project ? settingsFor(*arguments.project, garment) : usualSettings(garment);
 }
@@ -158,28 +188,36 @@ MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSett
     return materialsInUse({}, used, arguments.fabric.value_or(fabricPresets().front()));
 }
 
+std::vector<std::optional<double>> grainsByRule(const Arguments& arguments, const Garment& garment,
+                                                const PieceResults& results,
+                                                const std::vector<Fabric>& fabrics,
+                                                const Symmetry* symmetry) {
+    return arguments.lines.grain
+               ? findGrains(garment, results, symmetry, *arguments.lines.grain, fabrics)
+               : std::vector<std::optional<double>>();
+}
+
 namespace {
 
 LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garment,
                                const PieceResults& results) {
     std::vector<PieceSettings> settings = settingsOf(arguments, garment);
-    if (!arguments.project && std::ranges::all_of(settings, [](const PieceSettings& said) {
-            return said == PieceSettings{};
-        })) {
-        return inRows(garment, results, arguments.lines, arguments.stated.byHalf);
-    }
-    const auto symmetry = symmetryOf(garment, arguments.lines);
+    Pattern pattern =
+        makePattern(garment, results, arguments.lines, symmetryOf(garment, arguments.lines));
+    pattern.materials = materialsOf(arguments, settings);
+    const Fabric own = arguments.fabric.value_or(fabricPresets().front());
     if (arguments.project) {
-        const Pattern pattern = makePattern(garment, results, arguments.lines, symmetry);
         settings = placedSettings(std::move(settings), results,
-                                  std::vector<std::optional<FlatMotion>>(results.size()), &pattern);
+                                  std::vector<std::optional<FlatMotion>>(results.size()), &pattern,
+                                  pattern.materials, own);
     }
-    for (PieceSettings& piece : settings) {
-        piece.byHalf = piece.byHalf || arguments.stated.byHalf;
+    std::vector<std::optional<Placement>> placements;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        settings[i].byHalf = settings[i].byHalf || arguments.stated.byHalf;
+        static_cast<Cutting&>(pattern.pieces[i]) = settings[i];
+        placements.push_back(settings[i].placement);
     }
-    LaidOutPattern laid = layOut(garment, results, settings, {}, arguments.lines, symmetry);
-    laid.pattern.materials = materialsOf(arguments, settings);
-    return laid;
+    return laidOut(std::move(pattern), placements, own);
 }
 
 }  // namespace
@@ -193,8 +231,8 @@ LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
         for (const PatternPiece& piece : laid.pattern.pieces) {
             fabrics.push_back(fabricOf(piece.material, laid.pattern.materials, own));
         }
-        const auto grains = findGrains(garment, results, laid.pattern.symmetry.get(),
-                                       *arguments.lines.grain, fabrics);
+        const auto grains =
+            grainsByRule(arguments, garment, results, fabrics, laid.pattern.symmetry.get());
         for (std::size_t p = 0; p < grains.size(); ++p) {
             std::optional<double>& grain = laid.pattern.pieces[p].grain;
             grain = grain ? grain : grains[p];

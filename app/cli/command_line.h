@@ -2,17 +2,18 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <vector>
 
 #include "app/cli/arguments.h"
+#include "app/cli/exit_status.h"
+#include "core/garment/fabric.h"
 #include "core/garment/garment.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 
-/// The commands that need no display. Exit status: 0 all pieces done, 1 some piece failed (the rest
-/// is written) or a check or a walk found faults, or doubts where that was asked for, 2 wrong
-/// usage, 3 input unreadable or output unwritable.
-enum ExitStatus { kExitDone = 0, kExitSomeFailed = 1, kExitUsage = 2, kExitUnreadable = 3 };
+// The commands that need no display.
 
 struct Arguments;
 
@@ -39,11 +40,24 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
 /// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
 /// back as it is. What cannot be done comes back as a Message; notes are printed.
 Arguments withProject(Arguments arguments, std::ostream& err);
+/// The same for who cannot wait for a pipe, or reads files twice: one is a Message too, unopened.
+Arguments withProjectOfFiles(const Arguments& arguments, std::ostream& err);
+/// Which of the files is neither a regular file nor a folder: FileUnreadable of those to read,
+/// FileUnwritable of those to write. What is not there is for who reads it to say.
+std::optional<Error> refusalOfFiles(const Arguments& arguments);
 
 /// What the project says of the pieces; as nobody had said anything without one.
 std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment);
 /// What pieces of such settings may be cut from beside the garment's fabric.
 MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSettings>& settings);
+
+/// How the grain runs by the rule that was stated, where nothing is said of a piece: one per piece,
+/// or empty where no rule was.
+/// @param fabrics  one per piece  @param symmetry  null: every piece is looked at alone
+std::vector<std::optional<double>> grainsByRule(const Arguments& arguments, const Garment& garment,
+                                                const PieceResults& results,
+                                                const std::vector<Fabric>& fabrics,
+                                                const Symmetry* symmetry);
 
 /// The pattern laid out, cut and called as the project says; in rows without a project.
 LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,

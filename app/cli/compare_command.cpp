@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
 #include "core/pipeline/pipeline.h"
@@ -51,7 +52,8 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
         const auto proof = proofOf(source, {.settings = arguments.prove.settings},
                                    Progress(progress, 1.0 / double(comparison.methods.size())));
         if (!proof) {
-            err << "toile: " << name(method.method) << ": " << sentence(proof.error()) << '\n';
+            err << "toile: " << name(method.method) << ": "
+                << refusalOfProof(proof.error(), method.results).message << '\n';
             failed = true;
             continue;
         }

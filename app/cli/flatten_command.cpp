@@ -37,23 +37,23 @@ std::vector<std::string> rowOf(const PieceResult& result) {
     const Piece& piece = *result.piece;
     std::vector<std::string> row{piece.name, std::to_string(piece.mesh.F.rows())};
     if (!result.quality) {
-        row.insert(row.end(),
-                   {"-", "-", "-", "-", "-", "-", "-", isLeftOut(result) ? "left out" : "failed"});
+        row.insert(row.end(), {"-", "-", "-", "-", "-", "-", "-", "-",
+                               isLeftOut(result) ? "left out" : "failed"});
         return row;
     }
     const PieceQuality& q = *result.quality;
-    row.insert(
-        row.end(),
-        {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
-         fixed(q.perimeter2d / kMillimetresPerCentimetre, 1), scientific(q.maxBoundaryLengthError),
-         percent(q.strainMeanAbs), percent(q.strainMax), std::to_string(q.flippedTriangles),
-         std::to_string(q.outlineCrossings), fixed(kMillisecondsPerSecond * result.seconds, 1)});
+    row.insert(row.end(), {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
+                           fixed(q.perimeter2d / kMillimetresPerCentimetre, 1),
+                           scientific(q.maxBoundaryLengthError), percent(q.strainMin),
+                           percent(q.strainMax), percent(q.strainMeanAbs),
+                           std::to_string(q.flippedTriangles), std::to_string(q.outlineCrossings),
+                           fixed(kMillisecondsPerSecond * result.seconds, 1)});
     return row;
 }
 
 void printResults(const PieceResults& results, std::ostream& out) {
-    Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % mean",
-                 "max", "flips", "crossings", "ms"});
+    Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % least",
+                 "most", "mean size", "flips", "crossings", "ms"});
     for (const auto& result : results) {
         table.add(rowOf(*result));
     }

@@ -9,10 +9,19 @@
 #include "app/cli/command_line.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
+#include "core/io/soup.h"
 #include "core/project/left_out.h"
 #include "core/project/piece_names.h"
+#include "core/project/project_file.h"
 
 namespace toile::app {
+
+bool looksLikeGarment(const std::filesystem::path& path) {
+    const std::string ending = path.extension().string();
+    return isProjectFile(path) || std::ranges::any_of(readableEndings(), [&](const auto& known) {
+               return equalsIgnoringCase(ending, known);
+           });
+}
 
 Result<LoadOptions> loadingOf(const Arguments& arguments, std::ostream& err) {
     LoadOptions options = arguments.load;
@@ -88,6 +97,11 @@ void printCuts(const Garment& garment, std::ostream& out) {
     }
     table.print(out);
     out << '\n';
+}
+
+int refuse(const Refusal& refusal, std::ostream& err) {
+    err << "toile: " << refusal.message << '\n';
+    return kExitUnreadable;
 }
 
 bool printProblems(const Garment& garment, std::ostream& err) {

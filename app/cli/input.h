@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "app/cli/refusal.h"
 #include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
 
 namespace toile::app {
 
 struct Arguments;
+
+/// Whether it is a mesh or a project, by its ending alone: it need not be there.
+bool looksLikeGarment(const std::filesystem::path& path);
 
 /// How the garment is to be made, with the seams file read, if one was given; notes are printed.
 /// Errors: those of `readSeamsFile`.
@@ -35,6 +40,9 @@ PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,
 /// Every cut that was made: its name, author, length and the piece it opened; nothing where there
 /// is none.
 void printCuts(const Garment& garment, std::ostream& out);
+
+/// Prints why it cannot be done. @return the exit status, kExitUnreadable
+int refuse(const Refusal& refusal, std::ostream& err);
 
 /// What there is to say about the files and the garment, a sentence a line.
 /// @return whether something asked for was not done, which is more than a note

@@ -26,11 +26,6 @@ namespace {
 
 constexpr double kBetweenLines = 1;  // s, of those that say how far the search is
 
-int refuseMarker(const Error& error, std::ostream& err) {
-    err << "toile: " << sentence(error) << '\n';
-    return kExitUnreadable;
-}
-
 /// The settings with their hides.
 Result<MarkerSettings> withHides(const MarkerArguments& typed, std::ostream& err) {
     MarkerSettings settings = typed.settings;
@@ -210,7 +205,7 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
     const MarkerArguments& typed = arguments.marker;
     const auto said = withHides(typed, err);
     if (!said) {
-        return refuseMarker(said.error(), err);
+        return refuse(said.error(), err);
     }
     Progress progress;
     const auto garment = readInput(arguments, progress, err);
@@ -252,7 +247,7 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
                                        arguments.fabric.value_or(fabricPresets().front()));
         auto nester = begun(pattern, material, fabric, plan, typed.threads);
         if (!nester) {
-            return refuseMarker(nester.error(), err);
+            return refuse(nester.error(), err);
         }
         search(*nester, typed, progress, err);
         markers.push_back({pattern, plan.settings, nester->best()});
@@ -262,13 +257,13 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
         if (const auto written =
                 writeMarker(arguments, *garment, results, markers.back(), endings[k], out);
             !written) {
-            return refuseMarker(written.error(), err);
+            return refuse(written.error(), err);
         }
     }
     if (!typed.report.empty()) {
         const auto written = writeFile(typed.report, writeMarkers(markers, typed.minutesPerMetre));
         if (!written) {
-            return refuseMarker(written.error(), err);
+            return refuse(written.error(), err);
         }
     }
     out.flush();

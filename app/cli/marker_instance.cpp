@@ -6,6 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
+#include "app/cli/input.h"
 #include "app/cli/marker_interruptible.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
@@ -15,20 +16,12 @@
 #include "core/nest/nest_writer.h"
 
 namespace toile::app {
-namespace {
-
-int refuseInstance(const Error& error, std::ostream& err) {
-    err << "toile: " << sentence(error) << '\n';
-    return kExitUnreadable;
-}
-
-}  // namespace
 
 int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     const MarkerArguments& typed = arguments.marker;
     auto instance = readNestInstance(arguments.inputs.front());
     if (!instance) {
-        return refuseInstance(instance.error(), err);
+        return refuse(instance.error(), err);
     }
     NestOptions options;
     options.seed = typed.settings.seed;
@@ -40,7 +33,7 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
     const Interruptible interruptible(progress);
     auto nester = Nester::make(std::move(*instance), options, progress);
     if (!nester) {
-        return refuseInstance(nester.error(), err);
+        return refuse(nester.error(), err);
     }
     const NestResult& best = nester->best();
     while (!best.optimal && !progress.isCancelled() &&
@@ -58,7 +51,7 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
                                      ? nestReport(nester->instance(), options, best)
                                      : nestPicture(nester->instance(), best);
         if (const auto written = writeFile(path, text); !written) {
-            return refuseInstance(written.error(), err);
+            return refuse(written.error(), err);
         }
     }
     out.flush();

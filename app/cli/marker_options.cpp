@@ -47,7 +47,7 @@ void addCloth(CLI::App& command, MarkerArguments& marker) {
     MarkerSettings& settings = marker.settings;
     command.add_option("--width", settings.width, "Width of the cloth [as its fabric says]")
         ->type_name("MM")
-        ->check(CLI::Range(1.0, kMaxClothWidth));
+        ->check(within(1.0, kMaxClothWidth));
     addRead(command, "--sheet", settings, readSheet, "ALONGxACROSS",
             "Lay on sheets of this size instead, in mm along the warp and across it");
     command
@@ -59,7 +59,7 @@ void addCloth(CLI::App& command, MarkerArguments& marker) {
     const auto addLength = [&command](const char* option, double& length, const char* help) {
         return command.add_option(option, length, help)
             ->type_name("MM")
-            ->check(CLI::Range(0.0, kMostApart))
+            ->check(within(0.0, kMostApart))
             ->capture_default_str();
     };
     notes<&MarkerSettings::gap>(marker,
@@ -74,7 +74,7 @@ void addCloth(CLI::App& command, MarkerArguments& marker) {
     notes<&MarkerSettings::garments>(
         marker, command.add_option("--garments", settings.garments, "How many garments are cut")
                     ->type_name("N")
-                    ->check(CLI::Range(1, kMostGarments))
+                    ->check(within(1, kMostGarments))
                     ->capture_default_str());
     command
         .add_option("--material", marker.material,
@@ -102,7 +102,7 @@ void addRules(CLI::App& command, MarkerArguments& marker) {
                 "--turn", [&settings](double degrees) { settings.tolerance = degrees * kDegree; },
                 "Pieces may be turned by so much off the grain [0]")
             ->type_name("DEGREES")
-            ->check(CLI::Range(0.0, 180.0)));
+            ->check(within(0.0, 180.0)));
     notes<&MarkerSettings::repeat>(
         marker,
         addRead(
@@ -127,24 +127,24 @@ void addMarkerOptions(CLI::App& command, MarkerArguments& marker) {
     addRules(command, marker);
     command.add_option("--rounds", marker.rounds, "End after so many rounds")
         ->type_name("N")
-        ->check(CLI::Range(0, 1'000'000'000));
+        ->check(within(0, 1'000'000'000));
     command
         .add_option("--time", marker.seconds,
                     "End after so many seconds [5 where no rounds are given], for each material")
         ->type_name("S")
-        ->check(CLI::Range(0.0, 1e6));
+        ->check(within(0.0, 1e6));
     notes<&MarkerSettings::seed>(
         marker, command.add_option("--seed", marker.settings.seed, "Another seed, another nest")
                     ->type_name("N")
                     ->capture_default_str());
     command.add_option("--threads", marker.threads, "To work with; the nest is the same [all]")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostThreads));
+        ->check(within(1, kMostThreads));
     command
         .add_option("--minutes-per-metre", marker.minutesPerMetre,
                     "Say how long the seams take to sew")
         ->type_name("MINUTES")
-        ->check(CLI::Range(0.0, 1000.0));
+        ->check(within(0.0, 1000.0));
 }
 
 }  // namespace toile::app

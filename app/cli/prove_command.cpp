@@ -26,11 +26,6 @@ namespace {
 
 constexpr double kBetweenSteps = 5;  // s, of the lines that say how far it is
 
-int refuseProof(const Error& error, std::ostream& err) {
-    err << "toile: " << sentence(error) << '\n';
-    return kExitUnreadable;
-}
-
 DrawProof drawProof = nullptr;
 
 Result<void> writeProofFiles(const Arguments& arguments, const ExportSource& source,
@@ -91,30 +86,33 @@ DrawProof proofPictures() {
     return drawProof;
 }
 
-ProofOrdered proofOrder(const Arguments& arguments, const Garment& garment, Progress& progress) {
+std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const Garment& garment,
+                                             Progress& progress) {
     const ProveArguments& typed = arguments.prove;
     const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
     if (typed.isReference && std::ranges::none_of(garment.pieces, hasPanel)) {
-        return UnfitProof{"the garment carries no panels of its designer's; leave out --reference"};
+        return Refusal(kNotProved,
+                       "the garment carries no panels of its designer's; leave out --reference.");
     }
     ProofOrder order{
         .isReference = typed.isReference, .settings = typed.settings, .scale = typed.scale};
     if (!arguments.pattern.empty()) {
         auto file = readPatternFile(arguments.pattern, typed.patternUnit);
         if (!file) {
-            return file.error();
+            return Refusal(file.error());
         }
         order.file = std::move(*file);
     }
     if (!typed.body.empty()) {
         auto body = readBody(typed.body, typed.bodyUnit, garment, progress);
         if (!body) {
-            return body.error();
+            return Refusal(body.error());
         }
         if (!isNear(*body, garment)) {
-            return UnfitProof{"\"" + shownText(typed.body.string(), kMaxOfPlace) +
-                                  "\" lies nowhere near the garment; say its unit with --body-unit",
-                              typed.body.string()};
+            return Refusal(kNotProved,
+                           "\"" + shownText(typed.body.string(), kMaxOfPlace) +
+                               "\" lies nowhere near the garment; say its unit with --body-unit.",
+                           typed.body.string());
         }
         order.body = std::move(*body);
         order.bodyName = typed.body.filename().string();
@@ -131,28 +129,31 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     }
     const ProveArguments& typed = arguments.prove;
     auto ordered = proofOrder(arguments, *garment, progress);
-    if (const auto* error = std::get_if<Error>(&ordered)) {
-        return refuseProof(*error, err);
-    }
-    if (const auto* unfit = std::get_if<UnfitProof>(&ordered)) {
-        err << "toile: " << unfit->sentence << ".\n";
-        return kExitUnreadable;
+    if (const auto* refusal = std::get_if<Refusal>(&ordered)) {
+        return refuse(*refusal, err);
     }
     ProofOrder& order = std::get<ProofOrder>(ordered);
     order.watch = teller(err);
     progress.start(1);
     PieceResults results = flattened(arguments, *garment, progress);
     if (progress.isCancelled()) {
-        return refuseProof({ErrorCode::Cancelled}, err);
+        return refuse(Error{ErrorCode::Cancelled}, err);
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     status = printFailures(results, err) ? kExitSomeFailed : status;
+    const auto isFlat = [](const PieceResults::value_type& result) {
+        return result->flat.has_value();
+    };
+    if (!order.isReference && std::ranges::none_of(results, isFlat)) {
+        err << "toile: no piece lies flat: there is nothing to sew.\n";
+        return kExitSomeFailed;
+    }
     std::shared_ptr<const Proof> best;
     if (typed.rounds > 0) {
         auto made =
             improved(arguments, *garment, results, order, progress, arguments.json ? err : out);
         if (!made) {
-            return refuseProof(made.error(), err);
+            return refuse(made.error(), err);
         }
         results = std::move(made->results);
         best = std::move(made->proof);
@@ -164,7 +165,7 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         best ? Result<std::shared_ptr<const Proof>>(best) : proofOf(source, order, progress);
     interruptible.reset();  // from here on Ctrl-C ends the program
     if (progress.isCancelled()) {
-        return refuseProof({ErrorCode::Cancelled}, err);
+        return refuse(Error{ErrorCode::Cancelled}, err);
     }
     if (!proof && proof.error().code == ErrorCode::NoGeometry) {  // of the pattern, not of a mesh
         const auto& read = arguments.pattern.empty() ? arguments.inputs.front() : arguments.pattern;
@@ -173,7 +174,7 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         return kExitUnreadable;
     }
     if (!proof) {
-        return refuseProof(proof.error(), err);
+        return refuse(proof.error(), err);
     }
     if (arguments.json) {
         out << writeProof(*garment, **proof);
@@ -182,7 +183,7 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     }
     status = (*proof)->faults.empty() ? status : kExitSomeFailed;
     if (const auto written = writeProofFiles(arguments, source, *proof, err); !written) {
-        return refuseProof(written.error(), err);
+        return refuse(written.error(), err);
     }
     if (typed.rounds > 0 &&
         !writePatterns(patternsAmong(arguments.outputs), source, arguments.json ? err : out, err)) {

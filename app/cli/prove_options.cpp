@@ -27,8 +27,9 @@ CLI::Option* addUnit(CLI::App& command, const char* option, std::optional<FileUn
             option, [&unit](const std::string& text) { unit = parseFileUnit(text); }, help)
         ->type_name("mm|cm|dm|m|in|LENGTH")
         ->check([](const std::string& text) {
-            return parseFileUnit(text) ? std::string()
-                                       : text + " is no unit: mm, cm, dm, m, in, or a length";
+            return parseFileUnit(text)
+                       ? std::string()
+                       : text + " is no unit: mm, cm, dm, m, in, or a length such as 25.4mm";
         });
 }
 
@@ -50,7 +51,7 @@ void addSewnPattern(CLI::App& command, Arguments& arguments) {
                     "Sew the pattern this many times as large as it is: 0.97 as cloth that shrinks "
                     "by 3 %")
         ->type_name("FACTOR")
-        ->check(CLI::Range(kLeastScale, kMostScale))
+        ->check(within(kLeastScale, kMostScale))
         ->capture_default_str();
     CLI::Option* body =
         command
@@ -65,7 +66,7 @@ void addSewnPattern(CLI::App& command, Arguments& arguments) {
         .add_option("--edge", prove.settings.edge,
                     "Length of the cloth's triangles [as the garment's own]")
         ->type_name("MM")
-        ->check(CLI::Range(kLeastProofEdge, kMostProofEdge));
+        ->check(within(kLeastProofEdge, kMostProofEdge));
 }
 
 void addStiffness(CLI::App& command, StatedStiffness& stated) {
@@ -81,14 +82,14 @@ void addStiffness(CLI::App& command, StatedStiffness& stated) {
         ->delimiter(',')
         ->expected(1, 2)
         ->allow_extra_args(false)
-        ->check(CLI::Range(kLeastStretch, kMostStretch));
+        ->check(within(kLeastStretch, kMostStretch));
     const auto add = [&command](const char* option, std::optional<double>& value, double unit,
                                 const char* type, double least, double most, const char* help) {
         command
             .add_option_function<double>(
                 option, [&value, unit](double typed) { value = unit * typed; }, help)
             ->type_name(type)
-            ->check(CLI::Range(least, most));
+            ->check(within(least, most));
     };
     add("--shear", stated.shear, 1, "N/M", kLeastStretch / 100, kMostStretch,
         "How it resists being sheared, N/m");
@@ -106,7 +107,7 @@ void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed
                                             "Cloth keeps off itself [cloth goes through cloth]");
     command.add_option("--cloth-thickness", settings.thickness, "How far it keeps off itself")
         ->type_name("MM")
-        ->check(CLI::Range(kLeastThickness, kMostThickness))
+        ->check(within(kLeastThickness, kMostThickness))
         ->capture_default_str()
         ->needs(touches);
     if (needed != nullptr) {
@@ -114,13 +115,7 @@ void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed
     }
 }
 
-void addProveOptions(CLI::App& command, Arguments& arguments) {
-    command
-        .add_option("--sewn", arguments.prove.sewn,
-                    "The picture's garment on its way from as designed, 0, to as sewn, 1")
-        ->type_name("SHARE")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+void addSewing(CLI::App& command, Arguments& arguments) {
     addSewnPattern(command, arguments);
     ProofSettings& settings = arguments.prove.settings;
     addStiffness(command, settings.stiffness);
@@ -129,10 +124,22 @@ void addProveOptions(CLI::App& command, Arguments& arguments) {
                     "Pressure on the cloth towards the design or the body; below 0: outwards, as "
                     "of a cushion's filling")
         ->type_name("PA")
-        ->check(CLI::Range(-kMostPressure, kMostPressure))
+        ->check(within(-kMostPressure, kMostPressure))
         ->capture_default_str();
     command.add_flag("--gravity", settings.hasGravity, "Let the cloth's weight pull down");
     addSelfContact(command, arguments);
+    command.add_option("--threads", settings.threads, "To work with; the result is the same [all]")
+        ->type_name("N")
+        ->check(within(1, kMostThreads));
+}
+
+void addProveOutput(CLI::App& command, Arguments& arguments) {
+    command
+        .add_option("--sewn", arguments.prove.sewn,
+                    "The picture's garment on its way from as designed, 0, to as sewn, 1")
+        ->type_name("SHARE")
+        ->check(within(0.0, 1.0))
+        ->capture_default_str();
     CLI::Option* improve = command.add_flag(
         "--prove-improve", [&arguments](std::int64_t) { arguments.prove.rounds = kImproveRounds; },
         "Improve the pattern, round by round: as cloth that hangs by its weight sags, and comes to "
@@ -143,11 +150,8 @@ void addProveOptions(CLI::App& command, Arguments& arguments) {
             "--rounds", [&arguments](int rounds) { arguments.prove.rounds = rounds; },
             "At most so many [" + std::to_string(kImproveRounds) + "]")
         ->type_name("N")
-        ->check(CLI::Range(1, kMostRounds))
+        ->check(within(1, kMostRounds))
         ->needs(improve);
-    command.add_option("--threads", settings.threads, "To work with; the result is the same [all]")
-        ->type_name("N")
-        ->check(CLI::Range(1, kMostThreads));
     command
         .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")
         ->type_name("FILE.json")

@@ -14,6 +14,8 @@ struct Arguments;
 void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed = nullptr);
 
 /// Adds what `toile prove` is told of pattern, body and cloth to a command.
-void addProveOptions(CLI::App& command, Arguments& arguments);
+void addSewing(CLI::App& command, Arguments& arguments);
+/// Adds what becomes of a proof. Precondition: the options of sewing are there.
+void addProveOutput(CLI::App& command, Arguments& arguments);
 
 }  // namespace toile::app

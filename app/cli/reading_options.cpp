@@ -23,7 +23,7 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
         .add_option("--layer", preparing.onlyLayer,
                     "Which of several layers of cloth is taken, from the outermost, 1; 0: all")
         ->type_name("N")
-        ->check(CLI::Range(0, kMostLayers));
+        ->check(within(0, kMostLayers));
     ScanSteps& scan = preparing.scan;
     command.add_flag_callback(
         "--keep-debris", [&scan] { scan.dropDebris = false; },
@@ -31,7 +31,7 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
     const auto addLength = [&](const char* option, double& length, const char* help) {
         command.add_option(option, length, help)
             ->type_name("MM")
-            ->check(CLI::Range(0.0, kMaxPreparedLength));
+            ->check(within(0.0, kMaxPreparedLength));
     };
     addLength("--close-holes", scan.largestHole,
               "Of a scan: close holes up to this perimeter; 0: none");
@@ -73,8 +73,9 @@ void addReading(CLI::App& command, Arguments& arguments) {
             "Unit of the input's coordinates; or what one is: 12.5mm")
         ->type_name("mm|cm|dm|m|in|LENGTH")
         ->check([](const std::string& text) {
-            return parseFileUnit(text) ? std::string()
-                                       : text + " is no unit: mm, cm, dm, m, in, or a length";
+            return parseFileUnit(text)
+                       ? std::string()
+                       : text + " is no unit: mm, cm, dm, m, in, or a length such as 25.4mm";
         });
     addChoice(command, "--up", load.up, {"y", "z"}, parseUpAxis,
               "Axis of the input that points up");
@@ -94,7 +95,7 @@ void addReading(CLI::App& command, Arguments& arguments) {
             "Strain at which no further cut is worth its length: of what tailors would cut as much "
             "is cut as that needs [their usual seams]")
         ->type_name("PERCENT")
-        ->check(CLI::Range(0.1, 100.0));
+        ->check(within(0.1, 100.0));
     command.add_flag("--swap-front", load.isFrontSwapped,
                      "Take the guessed front of tailors' cuts for the back");
     command.add_flag("--weld", load.weld, "Join vertices that lie on each other");

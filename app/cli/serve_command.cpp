@@ -58,7 +58,7 @@ public:
         while (goesOn) {
             auto line = nextLine(in);
             goesOn = line && line->request.what != "quit";
-            if (line && line->request.what == "cancel" && !line->request.fault) {
+            if (line && line->request.what == "cancel" && !line->request.refusal) {
                 cancel(line->request);
             } else if (line) {
                 add(*std::move(line));
@@ -88,9 +88,9 @@ private:
                             (!waiting_.empty() && waitingBytes_ + line.bytes > kMostWaitingBytes);
         if (isFull && line.request.what != "quit") {
             say(serveAnswer(line.request.id,
-                            ServeFault{"too-many-requests",
-                                       "too many requests wait; send it again when some are "
-                                       "answered"}));
+                            Refusal(kTooManyRequests,
+                                    "too many requests wait; send it again when some are "
+                                    "answered")));
             return;
         }
         waitingBytes_ += line.bytes;

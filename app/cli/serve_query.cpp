@@ -80,14 +80,14 @@ Json flatArray(const std::string& word, const Garment& garment, const PieceResul
 }
 
 /// Which pieces are meant: all where none is named.
-std::variant<std::vector<int>, ServeFault> piecesMeant(const ServeRequest& request,
-                                                       const Garment& garment) {
+std::variant<std::vector<int>, Refusal> piecesMeant(const ServeRequest& request,
+                                                    const Garment& garment) {
     std::vector<int> meant;
     for (const std::string& wanted : request.pieces) {
         const auto found = std::ranges::find_if(
             garment.pieces, [&wanted](const auto& piece) { return piece->name == wanted; });
         if (found == garment.pieces.end()) {
-            return ServeFault{"no-such-piece", "the garment has no piece of this name", wanted};
+            return Refusal("no-such-piece", "the garment has no piece of this name", wanted);
         }
         meant.push_back(static_cast<int>(found - garment.pieces.begin()));
     }
@@ -102,18 +102,18 @@ std::variant<std::vector<int>, ServeFault> piecesMeant(const ServeRequest& reque
 ServeOutcome serveQuery(const ServeRequest& request, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern* laid) {
     const auto meant = piecesMeant(request, garment);
-    if (const auto* fault = std::get_if<ServeFault>(&meant)) {
-        return *fault;
+    if (const auto* refusal = std::get_if<Refusal>(&meant)) {
+        return *refusal;
     }
     Json report, arrays = Json::object(), told = Json::object();
     for (const std::string& word : request.wanted) {
         const bool isOfMesh = isAmong(word, kMeshArrays), isOfFlat = isAmong(word, kFlatArrays);
         if (!isOfMesh && !isOfFlat && word != "report" && !isAmong(word, kReportParts)) {
-            return ServeFault{"unknown-word", "there is nothing of this name to ask for: \"" +
-                                                  word + "\"; see docs/serve.md"};
+            return Refusal("unknown-word", "there is nothing of this name to ask for: \"" + word +
+                                               "\"; see docs/serve.md");
         }
         if (!laid && (isOfFlat || word == "doubts")) {
-            return ServeFault{"not-flat", "nothing is flat yet: ask for \"flatten\" first"};
+            return Refusal(kNotFlat, "nothing is flat yet: ask for \"flatten\" first");
         }
         if (isOfMesh || isOfFlat) {
             for (const int p : std::get<0>(meant)) {

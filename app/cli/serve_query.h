@@ -10,13 +10,13 @@
 
 namespace toile::app {
 
-using ServeOutcome = std::variant<OrderedJson, ServeFault>;
+using ServeOutcome = std::variant<OrderedJson, Refusal>;
 
 /// What `query` tells of a garment: parts of its report, and arrays of its pieces by name.
 /// @param results  one per piece; empty where it is not flat yet, then the parts of its
 ///                 description (`toile info --json`) stand for those of the report
 /// @param laid     the pattern, where it is flat
-/// Faults: unknown-word, no-such-piece, not-flat. Linear in what is asked for.
+/// Refused: unknown-word, no-such-piece, not-flat. Linear in what is asked for.
 ServeOutcome serveQuery(const ServeRequest& request, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern* laid);
 

@@ -68,19 +68,15 @@ void readOthers(JsonFields& fields, ServeRequest& request) {
 
 }  // namespace
 
-ServeFault serveFault(const Error& error) {
-    return {std::string(name(error.code)), sentence(error), error.subject.name};
-}
-
 ServeRequest readServeRequest(std::string_view line) {
     ServeRequest request;
     const auto json = parseJson(line, kLineName, ErrorCode::MalformedFile);
     if (!json) {
-        request.fault = ServeFault{kWrongRequest, json.error().detail};
+        request.refusal = {kWrongRequest, std::string(json.error().detail)};
         return request;
     }
     if (!json->is_object()) {
-        request.fault = ServeFault{kWrongRequest, "a request is an object"};
+        request.refusal = {kWrongRequest, "a request is an object"};
         return request;
     }
     JsonFaults faults;
@@ -102,18 +98,18 @@ ServeRequest readServeRequest(std::string_view line) {
         }
     }
     if (!faults.first.empty()) {
-        request.fault = ServeFault{kWrongRequest, faults.first};
+        request.refusal = {kWrongRequest, faults.first};
     } else if (!faults.unknown.empty()) {
-        request.fault = ServeFault{kWrongRequest, '"' + request.what + "\" has no field \"" +
-                                                      faults.unknown.front() + '"'};
+        request.refusal = {kWrongRequest, '"' + request.what + "\" has no field \"" +
+                                              faults.unknown.front() + '"'};
     }
     return request;
 }
 
 ServeRequest tooLongServeRequest() {
     ServeRequest request;
-    request.fault = ServeFault{
-        kWrongRequest, "the line is longer than " + std::to_string(kMostServeLine >> 20U) + " MiB"};
+    request.refusal = {kWrongRequest,
+                       "the line is longer than " + std::to_string(kMostServeLine >> 20U) + " MiB"};
     return request;
 }
 
@@ -121,11 +117,8 @@ std::string serveAnswer(const std::string& id, const OrderedJson& result) {
     return lineOf(id, "result", result);
 }
 
-std::string serveAnswer(const std::string& id, const ServeFault& fault) {
-    OrderedJson error{{"code", fault.code}};
-    error["subject"] = fault.subject.empty() ? OrderedJson(nullptr) : OrderedJson(fault.subject);
-    error["message"] = fault.message;
-    return lineOf(id, "error", error);
+std::string serveAnswer(const std::string& id, const Refusal& refusal) {
+    return lineOf(id, "error", refusalJson(refusal));
 }
 
 std::string serveProgress(const std::string& id, double fraction) {

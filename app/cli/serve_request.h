@@ -6,18 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/cli/refusal.h"
 #include "core/base/json_fields.h"
 
 namespace toile::app {
-
-/// Why a request of `toile serve` is not done. docs/serve.md lists the codes; those of errors of
-/// the core are their names.
-struct ServeFault {
-    std::string code, message;
-    std::string subject{};  ///< the file, piece, seam or cut that it is about, if it is about one
-};
-
-ServeFault serveFault(const Error& error);
 
 /// A line as it was read. What it does not say is empty.
 struct ServeRequest {
@@ -28,26 +20,26 @@ struct ServeRequest {
     std::optional<std::string> seams{};  ///< the text of a seams file
     bool settle = false;
     std::vector<std::string> wanted{}, pieces{};
-    std::string of = "null";            ///< the id of another request
-    std::optional<ServeFault> fault{};  ///< why it is none; then nothing else but the id counts
+    std::string of = "null";           ///< the id of another request
+    std::optional<Refusal> refusal{};  ///< why it is none; then nothing else but the id counts
 };
 
 /// All that can be asked for, in the order of docs/serve.md.
 inline constexpr std::string_view kServeWords[] = {"load",  "edit",   "flatten", "query", "export",
                                                    "prove", "cancel", "close",   "quit"};
 
-/// Bytes of a line; a longer one is a fault.
+/// Bytes of a line; a longer one is refused.
 inline constexpr std::size_t kMostServeLine = std::size_t{16} << 20U;
 inline constexpr std::size_t kMostServeId = 100;  ///< bytes of an id that is a text
 
-/// Never fails: what is no request has a fault. Linear.
+/// Never fails: what is no request has a refusal. Linear.
 ServeRequest readServeRequest(std::string_view line);
 /// For a line that is longer than is read.
 ServeRequest tooLongServeRequest();
 
 /// Lines of the answers, with their ends. @param id  as JSON
 std::string serveAnswer(const std::string& id, const OrderedJson& result);
-std::string serveAnswer(const std::string& id, const ServeFault& fault);
+std::string serveAnswer(const std::string& id, const Refusal& refusal);
 std::string serveProgress(const std::string& id, double fraction);
 
 }  // namespace toile::app

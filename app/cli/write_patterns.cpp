@@ -6,16 +6,39 @@
 
 #include "core/export/drawing_notes.h"
 #include "core/export/export_file.h"
+#include "core/export/formats.h"
 
 namespace toile::app {
+
+std::optional<Refusal> refusalOfNoPattern(const PieceResults& results) {
+    const auto isFlat = [](const auto& result) -> bool { return result->flat.has_value(); };
+    if (std::ranges::any_of(results, isFlat)) {
+        return std::nullopt;
+    }
+    return Refusal(kNotFlat, "no piece lies flat, so there is no pattern.");
+}
+
+std::optional<Refusal> refusalOfNoPattern(const PieceResults& results,
+                                          const std::vector<std::filesystem::path>& outputs) {
+    const auto isReport = [](const std::filesystem::path& output) {
+        const Format* format = formatOf(output);
+        return format != nullptr && (format->id == FormatId::Report ||
+                                     format->id == FormatId::Html || format->id == FormatId::Csv);
+    };
+    return std::ranges::all_of(outputs, isReport) ? std::nullopt : refusalOfNoPattern(results);
+}
+
+Refusal refusalOfProof(const Error& error, const PieceResults& results) {
+    const auto noPattern = refusalOfNoPattern(results);
+    return error.code == ErrorCode::NoGeometry && noPattern ? *noPattern : Refusal(error);
+}
 
 bool writePatterns(const std::vector<std::filesystem::path>& outputs, const ExportSource& source,
                    std::ostream& out, std::ostream& err) {
     if (outputs.empty()) {
         return true;
     }
-    const auto isFlat = [](const auto& result) -> bool { return result->flat.has_value(); };
-    if (std::ranges::none_of(source.results(), isFlat)) {
+    if (refusalOfNoPattern(source.results())) {
         err << "toile: no piece lies flat: there is no pattern in what is written\n";
     }
     for (const Wording& note : overlapNotes(source.laid().pattern, source.drawing())) {

@@ -2,10 +2,13 @@
 #include "app/cli/arguments.h"
 
 #include <algorithm>
+#include <regex>
 
 #include <gtest/gtest.h>
 
 #include "app/cli/command_line.h"
+#include "app/cli/typed_words.h"
+#include "tests/cli/docs_table.h"
 
 namespace toile::app {
 namespace {
@@ -54,6 +57,18 @@ TEST(Arguments, FlattenTakesManyInputsAndOutputs) {
     EXPECT_EQ(a.load.split, SplitMode::Auto);
     EXPECT_EQ(parse({"flatten", "a.obj", "--split", "uv"}).load.split, SplitMode::Uv);
     EXPECT_TRUE(parse({"info", "a.obj", "--strict"}).load.strict);
+}
+
+TEST(Arguments, WhatIsNotTakenIsWrongUsage) {
+    const char* typed[] = {"toile", "flatten", "a.obj", "--weld", "--method", "lscm"};
+    const auto parsed = [&typed](unsigned taken) {
+        return parseArguments(std::size(typed), typed, taken);
+    };
+    EXPECT_EQ(parsed(kEveryOption).options.method, Method::Lscm);
+    EXPECT_EQ(parsed(kReading | kFlattening).options.method, Method::Lscm);
+    EXPECT_NE(parsed(kReading).message.find("--method says how pieces"), std::string::npos);
+    EXPECT_NE(parsed(kFlattening).message.find("--weld says how files"), std::string::npos);
+    EXPECT_EQ(parsed(kExporting).status, 2);
 }
 
 TEST(Arguments, AnOutputMayComeBeforeTheInput) {
@@ -250,6 +265,8 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"flatten", "a.obj", "--split", "seams"},
         {"flatten", "a.obj", "--up", "x"},
         {"flatten", "a.obj", "--nonsense"},
+        {"flatten", "a.obj", "--auto-cut=no"},
+        {"info", "a.obj", "--json=7"},
         {"flatten", "a.obj", "-o"},
         {"flatten", "a.obj", "--quality", "superb"},
         {"flatten", "a.obj", "--free-boundary", "loose"},
@@ -288,6 +305,99 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         EXPECT_TRUE(a.message.starts_with("toile: ")) << a.message;
         EXPECT_EQ(std::count(a.message.begin(), a.message.end(), '\n'), 1) << a.message;
     }
+}
+
+/// The commands by the help, and the window, "".
+std::vector<std::string> everyCommand() {
+    std::vector<std::string> commands{""};
+    const std::string help = parse({"--help"}).message;
+    const std::size_t begin = help.find("Subcommands:");
+    const std::string listed = help.substr(begin, help.find("Exit status:") - begin);
+    const std::regex row("\n  (\\w+) ");
+    for (std::sregex_iterator at(listed.begin(), listed.end(), row), end; at != end; ++at) {
+        commands.push_back((*at)[1]);
+    }
+    return commands;
+}
+
+TEST(Arguments, NoNumberIsNanOrInfinite) {
+    int tried = 0;
+    for (const std::string& command : everyCommand()) {
+        std::vector<const char*> words{"--help"};
+        if (!command.empty()) {
+            words.insert(words.begin(), command.c_str());
+        }
+        const std::string help = parse(words).message;
+        const std::regex number("\n  (?:-\\w,)?(--[\\w-]+) \\S*(?:FLOAT in|INT in|NUMBER)");
+        for (std::sregex_iterator at(help.begin(), help.end(), number), end; at != end; ++at) {
+            const std::string option = (*at)[1];
+            for (const char* value : {"nan", "-nan", "inf", "-inf"}) {
+                words.back() = option.c_str();
+                words.push_back(value);
+                const Arguments a = parse(words);
+                words.pop_back();
+                EXPECT_EQ(a.status, kExitUsage) << command << ' ' << option << ' ' << value;
+                EXPECT_NE(a.message.find("number from"), std::string::npos) << a.message;
+                ++tried;
+            }
+        }
+    }
+    EXPECT_GT(tried, 4 * 60);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--allowance", "nan"}).message,
+              "toile: --allowance: takes a number from 0 to " + std::to_string(int(kMaxAllowance)) +
+                  ", not \"nan\"; see toile flatten --help.\n");
+    EXPECT_EQ(parse({"flatten", "a.obj", "--fair", "nan"}).status, kExitUsage);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--unit", "nanmm"}).status, kExitUsage);
+}
+
+TEST(Arguments, WhoAsksForHelpAsElsewhereGetsIt) {
+    EXPECT_EQ(parse({"help"}).message, parse({"--help"}).message);
+    EXPECT_EQ(parse({"help", "flatten"}).message, parse({"flatten", "--help"}).message);
+    EXPECT_EQ(parse({"help", "flatten"}).status, kExitDone);
+    EXPECT_EQ(parse({"help", "flaten"}).status, kExitUsage);
+}
+
+TEST(Arguments, AWordThatIsNoCommandAndNoFileIsNoGarment) {
+    EXPECT_EQ(parse({"flaten", "tee.obj", "--pattern"}).message,
+              "toile: there is no command or file \"flaten\" (did you mean flatten?); see toile "
+              "--help.\n");
+    EXPECT_NE(parse({"halp"}).message.find("did you mean help?"), std::string::npos);
+    const Arguments far = parse({"wardrobe"});
+    EXPECT_EQ(far.status, kExitUsage);
+    EXPECT_EQ(far.message.find("did you mean"), std::string::npos) << far.message;
+    // What could be a garment is for the window to open, there or not.
+    EXPECT_EQ(parse({"flaten.obj"}).command, Command::Window);
+    EXPECT_EQ(parse({TOILE_SOURCE_DIR "/README.md"}).command, Command::Window);
+}
+
+TEST(Arguments, WrongUsageEndsWithTheHelpOfItsCommand) {
+    for (const std::string& command : everyCommand()) {
+        std::vector<const char*> words{"--unt", "cm"};
+        if (!command.empty()) {
+            words.insert(words.begin(), command.c_str());
+        }
+        const std::string said = parse(words).message;
+        const std::string hint = "; see toile " + command + (command.empty() ? "" : " ") + "--help";
+        EXPECT_TRUE(said.ends_with(hint + ".\n")) << said;
+        EXPECT_EQ(withoutSpeaker(said).find("--help"), std::string::npos) << said;
+    }
+    const std::string later = parse({"check", "a.obj", "--fabric", "tin"}).message;
+    EXPECT_TRUE(later.ends_with("; see toile check --help.\n")) << later;
+}
+
+TEST(Arguments, AnOptionThatIsSaidTwiceIsCalledThat) {
+    EXPECT_EQ(parse({"flatten", "a.obj", "--split", "uv", "--split", "objects"}).message,
+              "toile: --split is said more than once; say it once; see toile flatten --help.\n");
+}
+
+TEST(Arguments, ExitStatusesAreToldInOnePlace) {
+    const std::string help = parse({"--help"}).message;
+    std::string table = "| Status | Meaning |\n|---|---|\n";
+    for (const auto& [status, meaning] : exitMeanings()) {
+        EXPECT_NE(help.find(meaning), std::string::npos) << meaning;
+        table += std::string("| ") + status + " | " + meaning + " |\n";
+    }
+    test::expectTableInDocs("report.md", "exit statuses", table);
 }
 
 }  // namespace

@@ -237,6 +237,7 @@ TEST(Batch, WhatTookTooLongIsTriedAgainNextTime) {
     bench.garment("a.obj", domeOf(60));
     EXPECT_EQ(bench.run("out", {"--limit", "0.001"}).status, 1);
     EXPECT_EQ(bench.records("out")[0]["error"]["code"], "timed-out");
+    EXPECT_EQ(bench.records("out")[0]["error"]["again"], true);
     EXPECT_EQ(bench.run("out").status, 0);
     EXPECT_EQ(bench.records("out")[0]["status"], "done");
 }
@@ -323,15 +324,17 @@ TEST(Batch, AListMayHaveAByteOrderMarkAndBlankLines) {
 TEST(Batch, WhatIsOfATerminalIsNoWordOfALine) {
     Bench bench;
     const std::string stray = (bench.folder / "stray.json").string();
-    for (const std::string& words : {"-o\t" + stray, "--report\t" + stray, std::string("--ledger"),
-                                     std::string("--fail-on\tdoubt")}) {
+    for (const std::string& words :
+         {"-o\t" + stray, "--report\t" + stray, std::string("--ledger"),
+          std::string("--fail-on\tdoubt"), std::string("--threads\t2")}) {
         bench.garment("a.obj", test::kPanel, '\t' + words);
     }
     EXPECT_EQ(bench.run("out").status, 1);
     const auto records = bench.records("out");
-    ASSERT_EQ(records.size(), 4U);
+    ASSERT_EQ(records.size(), 5U);
     for (const auto& record : records) {
         EXPECT_EQ(record["error"]["code"], "wrong-usage") << record.dump();
+        EXPECT_EQ(record["error"]["again"], false);
     }
     EXPECT_FALSE(fs::exists(stray));
 }
@@ -422,7 +425,83 @@ TEST(Batch, SaysWhatIsWrongWithItsOptions) {
     EXPECT_EQ(test::toileRun({"batch", "/no/list", "-o", (bench.folder / "o").string()}).status, 3);
     EXPECT_EQ(bench.run("out").status, 1);
     EXPECT_EQ(bench.records("out")[0]["error"]["code"], "wrong-usage");
-    EXPECT_EQ(bench.records("out")[1]["error"]["code"], "wrong-usage");
+    const auto again = bench.records("out")[1]["error"];
+    EXPECT_EQ(again["code"], "wrong-usage");
+    EXPECT_EQ(again["message"], "--unit is said for all garments already; leave it out here");
+    // A switch that is said again says the same.
+    EXPECT_EQ(bench.run("switch", {"--weld", "--true"}).status, 1);
+    bench.folder.write("shard.txt", (bench.folder / "a.obj").string() + "\t--weld\n");
+    EXPECT_EQ(bench.run("switch", {"--weld", "--true"}).status, 0);
+}
+
+TEST(Batch, EmptyWordsOfALineAreSkippedAndACommentMayStandFurtherRight) {
+    Bench bench;
+    const std::string path = bench.garment("a.obj", test::kPanel, "\t\t--split\t \tuv\t");
+    bench.folder.write("shard.txt", bench.list + "  # more of them\n\t#\n");
+    const auto run = bench.run("out");
+    EXPECT_EQ(run.status, 0) << run.out;
+    const auto records = bench.records("out");
+    ASSERT_EQ(records.size(), 1U);
+    EXPECT_EQ(records[0]["input"], path);
+    EXPECT_EQ(records[0]["options"], nlohmann::json({"--unit", "mm", "--split", "uv"}));
+}
+
+TEST(Batch, AListOfTheSameNameDoesNotTakeTheRecordsOfAnother) {
+    Bench bench;
+    const std::string mesh = bench.folder.write("a.obj", test::kPanel).string();
+    const fs::path folder = bench.folder / "";
+    fs::create_directories(folder / "one");
+    fs::create_directories(folder / "two");
+    const std::string one = bench.folder.write("one/shirts.txt", mesh + '\n').string();
+    const std::string two = bench.folder.write("two/shirts.txt", mesh + '\n' + mesh).string();
+    const auto run = [&](const std::string& list) {
+        return test::toileRun({"batch", list, "-o", (bench.folder / "out").string()});
+    };
+    EXPECT_EQ(run(one).status, 0);
+    const std::string records = bench.folder.read("out/shirts.jsonl");
+    const auto refused = run(two);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find(one), std::string::npos) << refused.err;
+    EXPECT_EQ(bench.folder.read("out/shirts.jsonl"), records);
+    // By another way to it, or with other lines, it is the same list.
+    bench.folder.write("one/shirts.txt", mesh + '\n' + mesh + '\n' + mesh + '\n');
+    EXPECT_EQ(run((folder / "two/../one/shirts.txt").string()).status, 0);
+    // One that is gone needs them no more.
+    fs::remove(one);
+    EXPECT_EQ(run(two).status, 0);
+    // A list in the folder itself keeps its records too, and goes where the folder goes.
+    fs::create_directories(folder / "out/lists");
+    const std::string own = bench.folder.write("out/lists/own.txt", mesh + '\n').string();
+    EXPECT_EQ(run(own).status, 0);
+    EXPECT_TRUE(fs::exists(folder / "out/own.jsonl"));
+    const std::string late = bench.folder.write("two/own.txt", mesh + '\n').string();
+    EXPECT_EQ(run(late).status, 2);
+    fs::copy(folder / "out", folder / "copy", fs::copy_options::recursive);
+    EXPECT_EQ(test::toileRun({"batch", (folder / "copy/lists/own.txt").string(), "-o",
+                              (folder / "copy").string()})
+                  .status,
+              0);
+}
+
+TEST(Batch, FilesOfOthersBesideTheRecordsStay) {
+    Bench bench;
+    const std::string mesh = bench.folder.write("a.obj", test::kPanel).string();
+    const fs::path out = bench.folder / "out";
+    fs::create_directories(out);
+    bench.folder.write("out/shirts.list", mesh + '\n');
+    bench.folder.write("out/shirts.jsonl.of", mesh + '\n');
+    const std::string list = bench.folder.write("shirts.txt", mesh + '\n').string();
+    const auto refused = test::toileRun({"batch", list, "-o", out.string()});
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find("shirts.jsonl.of is no note"), std::string::npos) << refused.err;
+    EXPECT_EQ(bench.folder.read("out/shirts.jsonl.of"), mesh + '\n');
+    fs::remove(out / "shirts.jsonl.of");
+    EXPECT_EQ(test::toileRun({"batch", list, "-o", out.string()}).status, 0);
+    EXPECT_EQ(bench.folder.read("out/shirts.list"), mesh + '\n');
+    // The list itself.
+    const std::string self = bench.folder.write("out/self.jsonl", mesh + '\n').string();
+    EXPECT_EQ(test::toileRun({"batch", self, "-o", out.string()}).status, 2);
+    EXPECT_EQ(bench.folder.read("out/self.jsonl"), mesh + '\n');
 }
 
 TEST(Batch, AMeshIsNoListOfGarments) {

@@ -162,6 +162,22 @@ TEST(Check, SaysHowMuchClothThePatternTakes) {
     EXPECT_GT(json["cloth"][0]["length_mm"], 100);
 }
 
+TEST(Check, AStatedGrainIsASetGrain) {
+    for (const char* option : {"--pattern", "--grain=vertical", "--grain=least-strain"}) {
+        const auto run = test::toileRun({"check", kSample, "--unit", "mm", option});
+        EXPECT_EQ(run.out.find("no grain is set"), std::string::npos) << option << run.out;
+    }
+    const auto run = test::toileRun({"check", kSample, "--unit", "mm", "--pattern"});
+    EXPECT_TRUE(run.out.starts_with("Ready to cut\n")) << run.out;
+}
+
+TEST(Check, APieceThatNoClothHoldsIsInDoubt) {
+    const test::TemporaryFolder folder;
+    const std::string flap = folder.write("flap.obj", test::kPanel).string();
+    const auto run = test::toileRun({"check", flap, "--unit", "cm", "--pattern"});
+    EXPECT_NE(run.out.find("where its cloth has room for 1400.0 mm"), std::string::npos) << run.out;
+}
+
 TEST(Check, GuessedUnitsAreNamed) {
     const test::TemporaryFolder folder;
     const std::string flap =

@@ -169,6 +169,26 @@ TEST_F(ProveCommand, RefusesWhatCannotBeRead) {
         2);
 }
 
+TEST_F(ProveCommand, WhereNoPieceLiesFlatItIsThePiecesThatFailed) {
+    const std::string closed = folder_
+                                   .write("closed.obj",
+                                          "v 0 0 0\nv 90 0 0\nv 0 90 0\nv 0 0 90\n"
+                                          "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+                                   .string();
+    const std::string made = (folder_ / "made.svg").string();
+    for (const std::vector<std::string>& more :
+         {std::vector<std::string>{"--json"},
+          std::vector<std::string>{"--prove-improve", "-o", made}}) {
+        std::vector<std::string> words{"prove", closed, "--unit", "mm"};
+        words.insert(words.end(), more.begin(), more.end());
+        const auto proof = test::toileRun(words);
+        EXPECT_EQ(proof.status, 1) << proof.err;
+        EXPECT_EQ(proof.out, "");
+        EXPECT_NE(proof.err.find("cut it open"), std::string::npos) << proof.err;
+        EXPECT_NE(proof.err.find("no piece lies flat"), std::string::npos) << proof.err;
+    }
+}
+
 #ifdef TOILE_GUI
 TEST_F(ProveCommand, DrawsWhereTheGapIs) {
     const std::string picture = (folder_ / "gap.png").string();

@@ -1,104 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `toile serve`: requests by themselves, several at once, and the built program.
-#include <cmath>
+// `toile serve`: requests by themselves.
 #include <filesystem>
-#include <fstream>
-#include <future>
-#include <map>
-#include <set>
-#include <sstream>
+#include <tuple>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
-#include "app/cli/serve_command.h"
-#include "app/cli/serve_session.h"
 #include "core/base/file.h"
 #include "tests/cli/run_program.h"
+#include "tests/cli/serve_support.h"
 #include "tests/fuzz/check_serve.h"
 
 namespace toile {
 namespace {
 
-using ServedJson = nlohmann::json;
-
-const std::string kSources = TOILE_SOURCE_DIR;
-const std::string kServedShirt = kSources + "/resources/samples/tshirt.obj";
 constexpr const char* kCentreBack =
     R"({"version":1,"cuts":[{"name":"centre back","points":[[0,800,-144.9],[0,1459.8,-55.8]]}]})";
-
-/// A garment and who asks for it.
-struct Served {
-    app::ServeSession session;
-
-    ServedJson said(const ServedJson& request) {
-        Progress progress;
-        return ServedJson::parse(session.answer(app::readServeRequest(request.dump()), progress));
-    }
-
-    ServedJson done(const ServedJson& request) {
-        ServedJson asked = request;
-        asked["id"] = 1;
-        const ServedJson answer = said(asked);
-        EXPECT_TRUE(answer.contains("result")) << answer.dump().substr(0, 2000);
-        return answer.value("result", ServedJson());
-    }
-
-    ServedJson refused(const ServedJson& request) {
-        ServedJson asked = request;
-        asked["id"] = 1;
-        return said(asked).value("error", ServedJson{{"code", "none"}});
-    }
-};
-
-ServedJson loadOf(const std::vector<std::string>& args) {
-    return {{"do", "load"}, {"args", args}};
-}
-
-std::vector<ServedJson> linesOf(const std::string& text) {
-    std::vector<ServedJson> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);) {
-        lines.push_back(ServedJson::parse(line));
-    }
-    return lines;
-}
-
-/// The answers without what is said on the way to them.
-std::vector<ServedJson> answersOf(const std::string& text) {
-    auto lines = linesOf(text);
-    std::erase_if(lines, [](const ServedJson& line) { return line.contains("progress"); });
-    return lines;
-}
-
-/// Where `part` says something that `whole` does not; of lists their beginnings are compared.
-std::string differenceOf(const ServedJson& part, const ServedJson& whole) {
-    if (part.is_object()) {
-        for (const auto& item : part.items()) {
-            if (!whole.is_object() || !whole.contains(item.key())) {
-                return item.key() + " is missing";
-            }
-            if (const auto inner = differenceOf(item.value(), whole[item.key()]); !inner.empty()) {
-                return item.key() + ": " + inner;
-            }
-        }
-        return "";
-    }
-    if (part.is_array()) {
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            const ServedJson missing;
-            const ServedJson& there = i < whole.size() ? whole[i] : missing;
-            if (const auto inner = differenceOf(part[i], there); !inner.empty()) {
-                return "[" + std::to_string(i) + "] " + inner;
-            }
-        }
-        return "";
-    }
-    const bool isEqual = part.is_number() && whole.is_number()
-                             ? std::abs(part.get<double>() - whole.get<double>()) < 1e-6
-                             : part == whole;
-    return isEqual ? "" : whole.dump() + " in place of " + part.dump();
-}
 
 TEST(ServeRequests, LoadTellsWhatInfoTells) {
     Served served;
@@ -180,6 +97,46 @@ TEST(ServeRequests, SettledResultsAreThoseOfAFreshSession) {
     EXPECT_EQ(edited.done(query), fresh.done(query));
 }
 
+TEST(ServeRequests, WhatIsNotFlatIsNeitherWrittenNorSewn) {
+    Served served;
+    const test::TemporaryFolder folder;
+    served.done(loadOf({folder.write("ball.obj", test::kBall).string(), "--unit", "mm"}));
+    const auto file = folder.path() / "ball.svg";
+    EXPECT_EQ(served.refused({{"do", "export"}, {"args", {"-o", file.string()}}})["code"],
+              "not-flat");
+    EXPECT_FALSE(std::filesystem::exists(file));
+    const auto report = folder.path() / "ball.json";  // which says why
+    served.done({{"do", "export"}, {"args", {"-o", report.string()}}});
+    EXPECT_TRUE(std::filesystem::exists(report));
+    EXPECT_EQ(served.refused({{"do", "prove"}})["code"], "not-flat");
+}
+
+TEST(ServeRequests, NobodyWaitsForWhoReadsAPipe) {
+    Served served;
+    const test::TemporaryFolder folder;
+    served.done(loadOf({folder.write("flap.obj", test::kPanel).string(), "--unit", "mm"}));
+    const auto pipe = folder.path() / "flap.svg";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(served.refused({{"do", "export"}, {"args", {"-o", pipe.string()}}})["code"],
+              "file-unwritable");
+}
+
+TEST(ServeRequests, FaultsOfProjectsHaveTheirCodeAndSubject) {
+    Served served;
+    const test::TemporaryFolder folder;
+    const auto refused = [&](const std::string& project) {
+        return served.refused(loadOf({folder.write("shirt.toile", project).string()}));
+    };
+    const auto newer =
+        refused(R"({"format": "toile-project", "version": 2147483647, "files": []})");
+    EXPECT_EQ(newer["code"], "newer-project");
+    EXPECT_EQ(newer["subject"], "shirt.toile");
+    const auto gone =
+        refused(R"({"format": "toile-project", "version": 1, "files": [{"path": "gone.obj"}]})");
+    EXPECT_EQ(gone["code"], "file-unreadable");
+    EXPECT_NE(gone["subject"].get<std::string>().find("gone.obj"), std::string::npos);
+}
+
 TEST(ServeRequests, RefusalsNameCodeAndSentenceAndLeaveTheGarment) {
     Served served;
     const test::TemporaryFolder folder;
@@ -191,7 +148,8 @@ TEST(ServeRequests, RefusalsNameCodeAndSentenceAndLeaveTheGarment) {
     const auto wrong = served.refused({{"do", "edit"}, {"args", {"--method", "lcsm"}}});
     EXPECT_EQ(wrong["code"], "wrong-usage");
     const auto typed = test::toileRun({"flatten", flap, "--method", "lcsm"});
-    EXPECT_EQ("toile: " + wrong["message"].get<std::string>() + "; see toile --help.\n", typed.err);
+    EXPECT_EQ("toile: " + wrong["message"].get<std::string>() + "; see toile flatten --help.\n",
+              typed.err);
     EXPECT_EQ(served.refused({{"do", "edit"}, {"args", {"other.obj"}}})["code"], "wrong-usage");
     EXPECT_EQ(served.refused({{"do", "edit"}, {"args", {"-o", "a.svg"}}})["code"], "wrong-usage");
     EXPECT_EQ(served.refused({{"do", "edit"}, {"seams", {{"version", 9}}}})["code"],
@@ -236,6 +194,65 @@ TEST(ServeRequests, ProveTellsTheReportOfAProof) {
     EXPECT_EQ(farBody["subject"], body);
 }
 
+TEST(ServeRequests, NobodyWaitsForAPipe) {
+    const test::TemporaryFolder folder;
+    const std::string panel = folder.write("flap.obj", test::kPanel).string();
+    std::vector<std::string> pipes;
+    for (const char* name : {"pipe.obj", "pipe.toile", "pipe.json", "pipe.dxf"}) {
+        pipes.push_back((folder / name).string());
+        ASSERT_EQ(mkfifo(pipes.back().c_str(), 0600), 0);
+    }
+    Served served;
+    served.done(loadOf({panel, "--unit", "mm"}));
+    for (const ServedJson& asked :
+         {loadOf({pipes[0]}), loadOf({panel, pipes[0]}), loadOf({pipes[1]}),
+          loadOf({panel, "--seams", pipes[2]}),
+          ServedJson{{"do", "edit"}, {"args", {"--seams", pipes[2]}}},
+          ServedJson{{"do", "prove"}, {"args", {"--body", pipes[0]}}},
+          ServedJson{{"do", "prove"}, {"args", {"--pattern", pipes[3]}}}}) {
+        const auto why = served.refused(asked);
+        EXPECT_EQ(why["code"], "file-unreadable") << asked.dump();
+        EXPECT_NE(why["subject"].get<std::string>().find("pipe."), std::string::npos);
+    }
+}
+
+TEST(ServeRequests, WhatIsWorthAnotherTrySaysSo) {
+    Served served;
+    EXPECT_EQ(served.refused(loadOf({"nowhere.obj"}))["again"], true);
+    EXPECT_EQ(served.refused(loadOf({"a.obj", "--no-such-option"}))["again"], false);
+    EXPECT_EQ(served.refused({{"do", "flatten"}})["again"], false);
+}
+
+TEST(ServeRequests, EachTakesTheOptionsThatItAsksFor) {
+    Served served;
+    const test::TemporaryFolder folder;
+    const std::string panel = folder.write("flap.obj", test::kPanel).string();
+    served.done(loadOf({panel, "--unit", "mm"}));
+    const std::string svg = (folder / "a.svg").string();
+    for (const auto& [what, words, option] :
+         std::vector<std::tuple<std::string, std::vector<std::string>, std::string>>{
+             {"load", {panel, "--paper", "a4"}, "--paper"},
+             {"load", {panel, "--threads", "2"}, "--threads"},
+             {"load", {panel, "--help"}, "--help"},
+             {"edit", {"--report", "a.json"}, "--report"},
+             {"edit", {"--ledger"}, "--ledger"},
+             {"export", {"-o", svg, "--weld"}, "--weld"},
+             {"export", {"-o", svg, "--pattern"}, "--pattern"},
+             {"export", {"-o", svg, panel}, panel},
+             {"prove", {"--fair", "1"}, "--fair"},
+             {"prove", {"-o", "a.png"}, "--output"},
+             {"prove", {"--view", "both"}, "--view"},
+             {"prove", {"--prove-improve"}, "--prove-improve"}}) {
+        const auto why = served.refused({{"do", what}, {"args", words}});
+        EXPECT_EQ(why["code"], "wrong-usage") << what;
+        const auto message = why["message"].get<std::string>();
+        EXPECT_NE(message.find(option), std::string::npos) << message;
+        EXPECT_NE(message.find("leave it out"), std::string::npos) << message;
+        EXPECT_EQ(message.find("--help;"), std::string::npos) << message;
+    }
+    served.done({{"do", "export"}, {"args", {"-o", svg, "--paper", "a4"}}});
+}
+
 TEST(ServeRequests, WhatFailsLeavesTheGarmentAsFlatAsItWas) {
     Served served;
     const test::TemporaryFolder folder;
@@ -275,53 +292,25 @@ TEST(ServeRequests, WhatIsNoRequestIsAFaultAndNoEnd) {
           R"({"id":1,"do":"load","args":[1]})", R"({"id":1,"do":"load","args":["a\u0000b"]})",
           R"({"id":1,"do":"query"})", R"({"id":1,"do":"cancel"})", "\xff\xfe", "{\"id\":1e999}"}) {
         const auto request = app::readServeRequest(line);
-        ASSERT_TRUE(request.fault) << line;
-        EXPECT_EQ(request.fault->code, "wrong-request") << line;
-        EXPECT_NE(request.fault->message, "") << line;
+        ASSERT_TRUE(request.refusal) << line;
+        EXPECT_EQ(request.refusal->code, "wrong-request") << line;
+        EXPECT_NE(request.refusal->message, "") << line;
     }
-    EXPECT_TRUE(app::readServeRequest(std::string(1000000, '[')).fault);
+    EXPECT_TRUE(app::readServeRequest(std::string(1000000, '[')).refusal);
     EXPECT_TRUE(
-        app::readServeRequest(R"({"id":")" + std::string(101, 'x') + R"(","do":"close"})").fault);
+        app::readServeRequest(R"({"id":")" + std::string(101, 'x') + R"(","do":"close"})").refusal);
     EXPECT_EQ(app::readServeRequest(R"({"id":5,"do":"dance"})").id, "5");
 }
 
 TEST(ServeFuzzSeeds, BreakNoPromise) {
     int seeds = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(kSources + "/tests/fuzz/seeds/serve")) {
+         std::filesystem::directory_iterator(kServeSources + "/tests/fuzz/seeds/serve")) {
         const auto bytes = readFile(entry.path());
         EXPECT_EQ(fuzz::whatBreaksInServe(bytes ? *bytes : ""), "") << entry.path().filename();
         ++seeds;
     }
     EXPECT_GE(seeds, 10);
-}
-
-TEST(ServeLines, EachGetsOneAnswerInOrder) {
-    std::string asked;
-    for (int i = 0; i < 200; ++i) {
-        asked += ServedJson{{"id", i}, {"do", i % 2 ? "close" : "flatten"}}.dump() + "\n";
-    }
-    asked += "no JSON\n" + std::string(app::kMostServeLine + 1, 'x') + "\n\n";
-    asked += R"({"id":"last","do":"close"})";  // without an end
-    std::istringstream in(asked);
-    std::ostringstream out;
-    EXPECT_EQ(app::runServe(in, out), 0);
-    const auto answers = answersOf(out.str());
-    ASSERT_EQ(answers.size(), 204U);
-    for (int i = 0; i < 200; ++i) {
-        EXPECT_EQ(answers[static_cast<std::size_t>(i)]["id"], i);
-    }
-    EXPECT_TRUE(answers[201]["id"].is_null());
-    EXPECT_NE(answers[201]["error"]["message"].get<std::string>().find("16 MiB"),
-              std::string::npos);
-    EXPECT_EQ(answers[203]["id"], "last");
-}
-
-TEST(ServeLines, NothingIsReadAfterQuit) {
-    std::istringstream in("{\"id\":1,\"do\":\"quit\"}\n{\"id\":2,\"do\":\"close\"}\n");
-    std::ostringstream out;
-    app::runServe(in, out);
-    EXPECT_EQ(answersOf(out.str()).size(), 1U);
 }
 
 TEST(ServeRequests, WhatIsCancelledSaysSoAndLeavesTheGarment) {
@@ -343,162 +332,6 @@ TEST(ServeRequests, WhatIsCancelledSaysSoAndLeavesTheGarment) {
         EXPECT_EQ(answer["error"]["code"], "cancelled") << asked.dump();
     }
     EXPECT_EQ(served.done(tell), before);
-}
-
-/// Lines of which the last come only when something has been said.
-class PromptedLines : public std::streambuf {
-public:
-    PromptedLines(std::string first, std::string last)
-        : first_(std::move(first)), last_(std::move(last)) {
-        setg(first_.data(), first_.data(), first_.data() + first_.size());
-    }
-    void prompt() { isPrompted_.set_value(); }
-
-protected:
-    int_type underflow() override {
-        if (eback() == last_.data()) {
-            return traits_type::eof();
-        }
-        isPrompted_.get_future().wait();
-        setg(last_.data(), last_.data(), last_.data() + last_.size());
-        return traits_type::to_int_type(*gptr());
-    }
-
-private:
-    std::string first_, last_;
-    std::promise<void> isPrompted_;
-};
-
-/// Keeps what is said, and prompts at the first of it.
-class PromptingText : public std::stringbuf {
-public:
-    explicit PromptingText(PromptedLines& lines) : lines_(lines) {}
-
-protected:
-    int sync() override {
-        if (!hasPrompted_) {
-            hasPrompted_ = true;
-            lines_.prompt();
-        }
-        return std::stringbuf::sync();
-    }
-
-private:
-    PromptedLines& lines_;
-    bool hasPrompted_ = false;
-};
-
-TEST(ServeLines, WhatRunsIsCancelled) {
-    // A proof of so fine a mesh takes long; it is stopped when the garment has been read.
-    const test::TemporaryFolder folder;
-    const std::string panel = folder.write("panel.obj", test::kPanel).string();
-    const std::string load =
-        ServedJson({{"id", 1}, {"do", "load"}, {"args", {panel, "--unit", "cm"}}}).dump();
-    PromptedLines lines(
-        load + "\n{\"id\":2,\"do\":\"prove\",\"args\":[\"--edge\",\"20\"]}\n",
-        "{\"id\":3,\"do\":\"cancel\",\"of\":2}\n{\"id\":4,\"do\":\"cancel\",\"of\":99}\n"
-        "{\"id\":5,\"do\":\"query\",\"what\":[\"pieces\"]}\n");
-    PromptingText said(lines);
-    std::istream in(&lines);
-    std::ostream out(&said);
-    app::runServe(in, out);
-    std::map<std::string, ServedJson> answers;
-    for (const ServedJson& answer : answersOf(said.str())) {
-        answers[answer["id"].dump()] = answer;
-    }
-    ASSERT_EQ(answers.size(), 5U);
-    EXPECT_TRUE(answers["1"].contains("result"));
-    EXPECT_EQ(answers["2"]["error"]["code"], "cancelled");
-    EXPECT_EQ(answers["3"]["result"]["cancelled"], true);
-    EXPECT_EQ(answers["4"]["result"]["cancelled"], false);
-    EXPECT_TRUE(answers["5"].contains("result"));
-}
-
-TEST(ServeLines, CancelIsHeardHoweverMuchWaits) {
-    const test::TemporaryFolder folder;
-    const std::string panel = folder.write("panel.obj", test::kPanel).string();
-    const std::string load =
-        ServedJson({{"id", "load"}, {"do", "load"}, {"args", {panel, "--unit", "cm"}}}).dump();
-    std::string flood;
-    constexpr int kFlood = 2000;
-    for (int i = 0; i < kFlood; ++i) {
-        flood += ServedJson{{"id", i}, {"do", "close"}}.dump() + "\n";
-    }
-    PromptedLines lines(
-        load + "\n{\"id\":\"long\",\"do\":\"prove\",\"args\":[\"--edge\",\"20\"]}\n",
-        flood + "{\"id\":\"stop\",\"do\":\"cancel\",\"of\":\"long\"}\n");
-    PromptingText said(lines);
-    std::istream in(&lines);
-    std::ostream out(&said);
-    app::runServe(in, out);
-    std::map<std::string, ServedJson> answers;
-    int refused = 0;
-    for (const ServedJson& answer : answersOf(said.str())) {
-        EXPECT_TRUE(answers.emplace(answer["id"].dump(), answer).second);
-        refused += answer.contains("error") && answer["error"]["code"] == "too-many-requests";
-    }
-    EXPECT_EQ(answers.size(), 3U + kFlood);
-    EXPECT_EQ(answers["\"long\""]["error"]["code"], "cancelled");
-    EXPECT_EQ(answers["\"stop\""]["result"]["cancelled"], true);
-    EXPECT_GT(refused, 0);
-    EXPECT_TRUE(answers["0"].contains("result"));
-    EXPECT_EQ(answers["1999"]["error"]["code"], "too-many-requests");
-}
-
-TEST(ServeProgram, TheSessionOfTheDocsRunsAsWritten) {
-    const test::TemporaryFolder folder;
-    std::ifstream page(kSources + "/docs/serve.md");
-    std::string asked;
-    std::vector<ServedJson> expected;
-    bool isSession = false;
-    for (std::string line; std::getline(page, line);) {
-        isSession = isSession ? !line.starts_with("## ") : line == "<!-- session -->";
-        if (isSession && line.starts_with("> ")) {
-            asked += line.substr(2) + "\n";
-        } else if (isSession && line.starts_with("< ")) {
-            expected.push_back(ServedJson::parse(line.substr(2)));
-        }
-    }
-    ASSERT_GE(expected.size(), 5U);
-    const auto input = folder.write("asked", asked);
-    const auto run = test::run("/bin/sh", {"-c", "cd \"$1\" && exec \"$2\" serve <\"$3\"", "sh",
-                                           kSources, TOILE_PROGRAM, input.string()});
-    EXPECT_EQ(run.status, 0);
-    EXPECT_EQ(run.err, "");
-    const auto answers = answersOf(run.out);
-    ASSERT_EQ(answers.size(), expected.size());
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        EXPECT_EQ(differenceOf(expected[i], answers[i]), "") << expected[i].dump();
-    }
-}
-
-TEST(ServeProgram, ProgressOfAnIdGrowsAndEndsBeforeItsAnswer) {
-    const test::TemporaryFolder folder;
-    const ServedJson load{{"id", 1}, {"do", "load"}, {"args", {kServedShirt, "--unit", "mm"}}};
-    const auto input = folder.write(
-        "asked",
-        load.dump() +
-            "\n{\"id\":2,\"do\":\"flatten\"}\n"
-            "{\"id\":3,\"do\":\"edit\",\"args\":[\"--unit\",\"mm\",\"--method\",\"lscm\"]}\n"
-            "{\"id\":4,\"do\":\"flatten\"}\n");
-    const auto run = test::run(
-        "/bin/sh", {"-c", "exec \"$1\" serve <\"$2\"", "sh", TOILE_PROGRAM, input.string()});
-    EXPECT_EQ(run.status, 0);
-    std::map<int, double> before;
-    std::set<int> answered;
-    for (const ServedJson& line : linesOf(run.out)) {
-        const int id = line["id"];
-        EXPECT_FALSE(answered.contains(id));
-        if (line.contains("progress")) {
-            EXPECT_GT(line["progress"].get<double>(), before[id]);
-            EXPECT_LE(line["progress"].get<double>(), 1);
-            before[id] = line["progress"];
-        } else {
-            EXPECT_TRUE(line.contains("result")) << line.dump();
-            answered.insert(id);
-        }
-    }
-    EXPECT_EQ(answered, (std::set<int>{1, 2, 3, 4}));
 }
 
 }  // namespace

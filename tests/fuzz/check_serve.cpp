@@ -37,7 +37,7 @@ bool isHarmless(const std::vector<std::string>& words) {
 
 /// Whether the request is done, and not only read: a load reads the small garment.
 bool isDone(app::ServeRequest& request, const std::string& file) {
-    if (request.fault) {
+    if (request.refusal) {
         return true;
     }
     if (!isHarmless(request.args) || (request.what == "prove" && request.hasArgs)) {

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "app/cli/command_line.h"
+#include "app/cli/input.h"
+#include "app/cli/proof_order.h"
+#include "app/cli/serve_state.h"
+#include "app/cli/typed_words.h"
+#include "app/cli/write_patterns.h"
+#include "core/base/file.h"
+#include "core/export/json.h"
+#include "core/export/report_tables.h"
+#include "core/export/writers.h"
+#include "core/project/piece_names.h"
+
+namespace toile::app {
+
+Arguments ServeSession::State::typedOfGarment(const char* command, const ServeRequest& request,
+                                              unsigned taken) const {
+    std::vector<std::string> files;
+    for (const auto& file : asked->typed.inputs) {
+        files.push_back(file.string());
+    }
+    return typedWords(command, files, request.args, taken);
+}
+
+std::variant<ServeSession::State::Pattern, Refusal> ServeSession::State::flat(bool settle,
+                                                                              Progress& progress) {
+    const Arguments& said = asked->arguments;
+    progress.start(1);
+    PieceResults found =
+        flattener.flatten(made, said.options, progress, 0, pattern.results, said.lines);
+    if (settle) {
+        found = flattener.settle(made, std::move(found), progress, 0, said.lines);
+    }
+    if (progress.isCancelled()) {
+        return Refusal(Error{ErrorCode::Cancelled});
+    }
+    Pattern next;
+    next.results = withoutLeftOut(said, garment, resultsFor(garment, std::move(found)));
+    next.laid = laidOut(said, garment, next.results);
+    return next;
+}
+
+ServeOutcome ServeSession::State::flatten(bool settle, Progress& progress) {
+    auto flattened = flat(settle, progress);
+    if (auto* refusal = std::get_if<Refusal>(&flattened)) {
+        return std::move(*refusal);
+    }
+    pattern = std::get<Pattern>(std::move(flattened));
+    const PieceResults& results = pattern.results;
+    Json pieces = Json::array();
+    for (std::size_t p = 0; p < results.size(); ++p) {
+        const PieceResult& result = *results[p];
+        pieces.push_back({{"name", garment.pieces[p]->name},
+                          {"status", text(statusOf(result))},
+                          {"error", result.error ? refusalJson(*result.error) : Json(nullptr)},
+                          {"settled", !isWarm(result)}});
+    }
+    const auto seams = seamsByError(garment, results);
+    const Json worst = seams.empty() ? Json(nullptr) : number(std::abs(seams[0].measure.errorMm));
+    return Json{{"pieces", std::move(pieces)}, {"largest_seam_error_mm", worst}};
+}
+
+ExportSource ServeSession::State::source(const Pattern& of, const ExportOptions& options,
+                                         const std::optional<Fabric>& fabric) const {
+    return {garment,
+            of.results,
+            *of.laid,
+            options,
+            {},
+            asked->arguments.lines,
+            fabric.value_or(asked->arguments.fabric.value_or(fabricPresets().front()))};
+}
+
+ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& progress) {
+    std::ostringstream ignored;
+    // With a project's meshes, which are not to be overwritten either.
+    const Arguments typed =
+        withProject(typedOfGarment("flatten", request, kOutputFiles | kExporting), ignored);
+    if (typed.isMessage()) {
+        return Refusal(typed);
+    }
+    if (typed.outputs.empty()) {
+        return Refusal(kWrongUsage, "an export needs -o FILE");
+    }
+    if (const auto pipe = refusalOfFiles(typed)) {
+        return Refusal(*pipe);
+    }
+    auto flattened = flat(true, progress);
+    if (auto* refusal = std::get_if<Refusal>(&flattened)) {
+        return std::move(*refusal);
+    }
+    if (auto refusal = refusalOfNoPattern(std::get<Pattern>(flattened).results, typed.outputs)) {
+        return *std::move(refusal);
+    }
+    auto& settled = std::get<Pattern>(flattened);
+    const ExportSource exported = source(settled, typed.exporting, {});
+    Json files = Json::array();
+    for (const auto& output : typed.outputs) {
+        const auto written = exportFile(output, exported, progress);
+        if (!written) {
+            return Refusal(written.error());
+        }
+        for (const auto& file : written->files) {
+            files.push_back({{"path", pathText(file)},
+                             {"read_back", written->readBack && file == written->files.front()
+                                               ? Json(readBackSentence(*written->readBack))
+                                               : Json(nullptr)}});
+        }
+    }
+    pattern = std::move(settled);
+    return Json{{"files", std::move(files)}};
+}
+
+ServeOutcome ServeSession::State::prove(const ServeRequest& request, Progress& progress) {
+    const Arguments typed = typedOfGarment("prove", request, kSewing);
+    if (typed.isMessage()) {
+        return Refusal(typed);
+    }
+    if (const auto pipe = refusalOfFiles(typed)) {
+        return Refusal(*pipe);
+    }
+    auto flattened = flat(true, progress);
+    if (auto* refusal = std::get_if<Refusal>(&flattened)) {
+        return std::move(*refusal);
+    }
+    const auto order = proofOrder(typed, garment, progress);
+    if (const auto* refusal = std::get_if<Refusal>(&order)) {
+        return *refusal;
+    }
+    auto& settled = std::get<Pattern>(flattened);
+    const auto proof =
+        proofOf(source(settled, {}, typed.fabric), std::get<ProofOrder>(order), progress);
+    if (!proof) {
+        return refusalOfProof(proof.error(), settled.results);
+    }
+    pattern = std::move(settled);
+    return Json::parse(writeProof(garment, **proof));
+}
+
+}  // namespace toile::app

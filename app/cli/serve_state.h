@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "app/cli/arguments.h"
+#include "app/cli/serve_query.h"
+#include "app/cli/serve_session.h"
+#include "core/export/export_file.h"
+#include "core/pipeline/garment_flattener.h"
+
+namespace toile::app {
+
+/// What a session keeps, and one function for each thing it can be asked. Refused, they leave it as
+/// it was.
+struct ServeSession::State {
+    /// What was said of a garment: by it everything follows.
+    struct Asked {
+        Arguments typed{};  ///< as the words say
+        std::optional<std::string> seams{};
+        Arguments arguments{};  ///< with what a project says
+        std::string notes{};    ///< sentences
+    };
+
+    /// How its pieces lie. Kept aside until what asked for them is done.
+    struct Pattern {
+        PieceResults results;
+        std::optional<LaidOutPattern> laid;
+    };
+
+    std::optional<Asked> asked;
+    GarmentInputs inputs;
+    Garment made;     ///< as the inputs say
+    Garment garment;  ///< with the names that a project gives
+    Pattern pattern;
+    GarmentFlattener flattener;
+
+    ServeOutcome answer(const ServeRequest& request, Progress& progress);
+
+    // serve_load.cpp
+    ServeOutcome load(const ServeRequest& request, Progress& progress);
+    ServeOutcome edit(const ServeRequest& request, Progress& progress);
+    ServeOutcome make(Asked next, ReadFiles files, Progress& progress);
+
+    // serve_pattern.cpp. Precondition: there is a garment.
+    ServeOutcome flatten(bool settle, Progress& progress);
+    ServeOutcome write(const ServeRequest& request, Progress& progress);
+    ServeOutcome prove(const ServeRequest& request, Progress& progress);
+    std::variant<Pattern, Refusal> flat(bool settle, Progress& progress);
+    /// Words that are said of the garment there is; a Message where they are refused.
+    Arguments typedOfGarment(const char* command, const ServeRequest& request,
+                             unsigned taken) const;
+    ExportSource source(const Pattern& of, const ExportOptions& options,
+                        const std::optional<Fabric>& fabric) const;
+};
+
+}  // namespace toile::app
