@@ -18,10 +18,11 @@ shard, out = pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[4])
 records = []
 for name in shard.read_text().split():
     slow = name == "slow.obj" and not pathlib.Path("calm").exists()
-    error = {"code": "timed-out", "subject": None, "message": "took long"} if slow else None
+    error = {"code": "timed-out", "subject": None, "message": "took long", "again": True}
     none = ["pieces", "triangles", "worst_seam_mm", "strain_mean", "strain_max"]
     records.append(dict.fromkeys(none) | {
-        "name": name, "toile": "0", "status": "failed" if slow else "done", "error": error,
+        "name": name, "toile": "0", "status": "failed" if slow else "done",
+        "error": error if slow else None,
         "doubts": [], "cost": {"wall_s": 0.1, "processor_s": 0.1, "peak_mib": 1},
     })
 (out / f"{shard.stem}.jsonl").write_text("".join(json.dumps(each) + "\\n" for each in records))
@@ -51,7 +52,7 @@ class WorkflowTest(Scripts):
         super().setUp()
         shutil.copytree(BATCH, self.folder / "batch")
         self.script("program", PROGRAM)
-        (self.folder / "list.txt").write_text("a.obj\nslow.obj\nb.obj\nc.obj\n# none\n")
+        (self.folder / "list.txt").write_text("a.obj\nslow.obj\nb.obj\nc.obj\n# none\n  # none\n")
 
     def run_it(self, *config: str) -> subprocess.CompletedProcess[str]:
         command = ["snakemake", "-s", "batch/Snakefile", "-j2", "--nolock", "--config"]
@@ -81,6 +82,20 @@ class WorkflowTest(Scripts):
         self.assertNotIn("timed-out", (self.folder / "out" / "summary.csv").read_text())
         self.assertIn("Nothing to be done", self.run_it().stderr)
         self.assertFalse((self.folder / "batch" / "__pycache__").exists())
+
+    def test_shards_of_a_run_before_are_no_part_of_the_summary(self) -> None:
+        (self.folder / "calm").touch()
+        self.assertEqual(self.run_it("shards=3").returncode, 0)
+        (self.folder / "out" / "own.jsonl").touch()  # of a list that was not dealt here
+        (self.folder / "other.txt").write_text("d.obj\n")
+        done = self.run_it("shards=1", "list=other.txt")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        table = (self.folder / "out" / "summary.csv").read_bytes()
+        self.assertEqual(table.count(b"\n"), 2)
+        whole = [sys.executable, BATCH / "summary.py", "out", "--csv", "whole.csv"]
+        subprocess.run(whole, cwd=self.folder, check=True)
+        self.assertEqual((self.folder / "whole.csv").read_bytes(), table)
+        self.assertTrue((self.folder / "out" / "own.jsonl").exists())
 
     def test_wrong_words_get_a_sentence(self) -> None:
         says = {"list=none.txt": "There is no list", "shards=few": "no whole number"}

@@ -18,7 +18,7 @@ def record(name: str, status: str = "done", **other) -> dict:
     error = None
     if status != "done":
         code = other.pop("code", "crashed")
-        error = {"code": code, "subject": None, "message": "broke <here> & so"}
+        error = {"code": code, "subject": None, "message": "broke <here> & so", "again": True}
     is_there = status != "failed"
     return {
         "name": name, "input": f"/in/{name}.obj", "hash": "xxh64:00", "options": ["--unit", "mm"],
