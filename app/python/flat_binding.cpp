@@ -9,6 +9,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
 #include "app/python/array_views.h"
+#include "app/python/checked_call.h"
 #include "app/python/interruptible_call.h"
 #include "app/python/option_words.h"
 #include "app/python/raised.h"
@@ -28,21 +29,24 @@ struct PyFlatSeam {
     const Seam& seam() const { return held->garment().seams.seams[index]; }
 };
 
+Identity identityOf(const PyFlatSeam& seam) {
+    return {seam.held.get(), seam.index};
+}
+
 PyFlat flatten(const PyGarment& garment, int threads, const py::object& onProgress,
                const py::kwargs& options) {
-    const app::Arguments typed = flatteningArguments(options);
+    const app::Arguments typed = flatteningArguments(threads, options);
     auto held = std::make_shared<HeldFlat>();
     held->of = garment.held;
     app::Arguments& arguments = held->arguments;
     arguments = garment.held->arguments;
     arguments.stated = typed.stated;
+    arguments.threads = typed.threads;
     const auto& project = arguments.project;
     arguments.options = project ? typed.stated.over(project->options) : typed.options;
     arguments.lines = project ? typed.stated.over(project->lines) : typed.lines;
     held->results = interruptible(onProgress, [&](Progress& progress) {
-        return app::withoutLeftOut(arguments, garment.held->garment,
-                                   flattenGarment(garment.held->garment, arguments.options,
-                                                  progress, threads, arguments.lines));
+        return app::flattened(arguments, garment.held->garment, progress);
     });
     return {std::move(held)};
 }
@@ -82,9 +86,10 @@ py::object qualityOf(const PieceResult& result) {
 }
 
 void bindFlatPiece(py::module_& module) {
-    py::class_<PyFlatPiece>(module, "FlatPiece",
-                            "A piece after flattening: flat, or the reason why not.")
-        .def_property_readonly(
+    py::class_<PyFlatPiece> type(module, "FlatPiece",
+                                 "A piece after flattening: flat, or the reason why not.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "name", [](const PyFlatPiece& self) { return self.result->piece->name; },
             "As the piece of the garment.")
         .def_property_readonly(
@@ -140,13 +145,17 @@ py::object flatSide(const PyFlatSeam& self) {
                         : py::object(py::none());
 }
 
-std::optional<double> errorOf(const PyFlatSeam& self) {
-    return self.measure ? std::optional(self.measure->errorMm) : std::nullopt;
+/// Of two sides: a free edge has one.
+template <double SeamMeasure::*figure>
+std::optional<double> figureOfBoth(const PyFlatSeam& self) {
+    const bool isSewn = self.measure && self.seam().right.piece >= 0;
+    return isSewn ? std::optional((*self.measure).*figure) : std::nullopt;
 }
 
 void bindFlatSeam(py::module_& module) {
-    py::class_<PyFlatSeam>(module, "FlatSeam", "A seam, or a free edge, of a flat garment.")
-        .def_property_readonly(
+    py::class_<PyFlatSeam> type(module, "FlatSeam", "A seam, or a free edge, of a flat garment.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "seam",
             [](const PyFlatSeam& self) {
                 return PySeam{self.held->of, self.index};
@@ -165,18 +174,15 @@ void bindFlatSeam(py::module_& module) {
             },
             "Of the left side in the pattern, mm; None where it is not flat.")
         .def_property_readonly(
-            "right_length",
-            [](const PyFlatSeam& self) {
-                return self.measure ? std::optional(self.measure->length2dRight) : std::nullopt;
-            },
-            "Of the right side in the pattern, mm; None where it is not flat.")
+            "right_length", &figureOfBoth<&SeamMeasure::length2dRight>,
+            "Of the right side in the pattern, mm; None where it is not flat, and of a free edge.")
         .def_property_readonly(
-            "ease", [](const PyFlatSeam& self) { return easeOf(self.seam()); },
+            "ease", [](const PyFlatSeam& self) { return easeToldOf(self.seam()); },
             "How much longer the left side is meant to be, as a part of the right.")
         .def_property_readonly(
-            "error", &errorOf,
+            "error", &figureOfBoth<&SeamMeasure::errorMm>,
             "left_length - (1 + ease) right_length, mm: what nobody wants; None where a side is "
-            "not flat.")
+            "not flat, and of a free edge.")
         .def_property_readonly("left_line", &flatSide<&Seam::left>,
                                "float64 (n, 2), mm: the left side in its piece's coordinates; or "
                                "None.")
@@ -217,6 +223,14 @@ Problems flatProblemsOf(const PyFlat& flat) {
     return problems;
 }
 
+std::string nameOfResult(const std::shared_ptr<const PieceResult>& result) {
+    return result->piece->name;
+}
+
+PyFlatPiece wrappedResult(const std::shared_ptr<const PieceResult>& result) {
+    return {result};
+}
+
 }  // namespace
 
 const LaidOutPattern& HeldFlat::laid() const {
@@ -227,10 +241,15 @@ const LaidOutPattern& HeldFlat::laid() const {
 void bindFlat(py::module_& module, py::class_<PyGarment>& garment, py::class_<PyFlat>& flat) {
     bindFlatPiece(module);
     bindFlatSeam(module);
-    garment.def("flatten", &flatten, py::arg("threads") = 0, py::arg("progress") = py::none(),
+    bindIdentity(flat);
+    const auto flattenChecked = [](const PyGarment& of, const py::object& threads,
+                                   const py::object& onProgress, const py::kwargs& options) {
+        return flatten(of, threadsOf(threads), onProgress, options);
+    };
+    garment.def("flatten", flattenChecked, py::arg("threads") = 0, py::arg("progress") = py::none(),
                 R"(Flattens and measures every piece. -> FlatGarment
 
-threads: how many pieces at once; 0: as many as the machine has cores. The result is the same.
+threads: how many pieces at once, at most 64; 0: as many as the machine has cores. The result is the same.
 progress: called every 50 ms with the fraction done; an exception of it cancels, as Ctrl-C does.
 Others: the options of `toile flatten` about methods, lines and patterns: method="lscm",
 quality="fine", fair=0.5, true=True, mirror="auto", pattern=True, allowance=10, half=True.
@@ -261,10 +280,15 @@ FlatPiece.error. Raises UsageError.)");
         .def(
             "__getitem__",
             [](const PyFlat& self, const py::object& key) {
-                return PyFlatPiece{itemOf(self.held->results, key,
-                                          [](const auto& result) { return result->piece->name; })};
+                return itemsOf(self.held->results, key, &nameOfResult, &wrappedResult);
             },
-            "The flat piece of an index or a name.")
+            "The flat piece of an index or a name; a list of those of a slice.")
+        .def(
+            "__contains__",
+            [](const PyFlat& self, const py::object& key) {
+                return hasItem(self.held->results, key, &nameOfResult, &wrappedResult);
+            },
+            "Whether it has a piece of this name, or this flat piece.")
         .def("__repr__", [](const PyFlat& self) {
             return "<toile.FlatGarment: " + std::to_string(self.held->results.size()) +
                    " pieces by " + std::string(name(self.held->arguments.options.method)) + ">";

@@ -37,6 +37,13 @@ struct PyFlatPiece {
     std::shared_ptr<const PieceResult> result;
 };
 
+inline Identity identityOf(const PyFlat& flat) {
+    return {flat.held.get(), 0};
+}
+inline Identity identityOf(const PyFlatPiece& piece) {
+    return {piece.result.get(), 0};
+}
+
 /// `FlatPiece`, `FlatSeam`, what a flat garment has, and `Garment.flatten`.
 void bindFlat(py::module_& module, py::class_<PyGarment>& garment, py::class_<PyFlat>& flat);
 /// `Written` and `FlatGarment.write`.

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/garment_binding.h"
 
+#include <cmath>
+
 #include <pybind11/stl.h>
 
 #include "app/python/array_views.h"
+#include "app/python/option_words.h"
 #include "core/mesh/surface_area.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::python {
 namespace {
+
+/// A ten-thousandth of a millimetre in a metre: more than rounding, less than anybody means.
+constexpr double kNoEase = 1e-7;
 
 const Piece& pieceOf(const py::object& self) {
     return *self.cast<const PyPiece&>().piece;
@@ -31,10 +37,12 @@ std::vector<PySeam> seamsOf(const PyGarment& garment) {
 }
 
 void bindPiece(py::module_& module) {
-    py::class_<PyPiece>(module, "Piece",
-                        "A part of the garment that is cut from one piece of cloth, as it is worn. "
-                        "Arrays are read-only views.")
-        .def_property_readonly(
+    py::class_<PyPiece> type(
+        module, "Piece",
+        "A part of the garment that is cut from one piece of cloth, as it is worn. Arrays are "
+        "read-only views.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "name", [](const PyPiece& self) { return self.piece->name; },
             "Unique within the garment.")
         .def_property_readonly(
@@ -121,6 +129,7 @@ void bindSeam(py::module_& module) {
     py::class_<PySeam> seam(module, "Seam",
                             "Which edge is sewn to which; or a free edge, whose right side is "
                             "none.");
+    bindIdentity(seam);
     seam.def_property_readonly(
             "name", [](const PySeam& self) { return self.seam().name; },
             "\"front / sleeve_left\", \"back, dart 2\".")
@@ -131,7 +140,7 @@ void bindSeam(py::module_& module) {
             "gap", [](const PySeam& self) { return self.seam().gap; },
             "Mean distance of the two sides on the garment, mm.")
         .def_property_readonly(
-            "ease", [](const PySeam& self) { return easeOf(self.seam()); },
+            "ease", [](const PySeam& self) { return easeToldOf(self.seam()); },
             "How much longer the left side is meant to be, as a part of the right (0.1 = 10 %).")
         .def_property_readonly(
             "matches",
@@ -153,7 +162,31 @@ void bindSeam(py::module_& module) {
                            "float64 (n, 3), mm: the other side, from the same start.");
 }
 
+std::string nameOfPiece(const std::shared_ptr<const Piece>& piece) {
+    return piece->name;
+}
+
+PyPiece wrappedPiece(const std::shared_ptr<const Piece>& piece) {
+    return {piece};
+}
+
 }  // namespace
+
+std::optional<std::string> nameGiven(const py::object& key) {
+    try {
+        return pathOf(key);
+    } catch (const py::error_already_set& error) {
+        if (!error.matches(PyExc_UnicodeError)) {
+            throw;
+        }
+        return std::nullopt;
+    }
+}
+
+double easeToldOf(const Seam& seam) {
+    const double ease = easeOf(seam);
+    return std::abs(ease) < kNoEase ? 0 : ease;
+}
 
 Problems problemsOf(const HeldGarment& held) {
     Problems problems = held.notes;
@@ -175,6 +208,7 @@ Problems problemsOf(const HeldGarment& held) {
 void bindGarment(py::module_& module, py::class_<PyGarment>& garment) {
     bindPiece(module);
     bindSeam(module);
+    bindIdentity(garment);
     garment
         .def_property_readonly("pieces", &piecesOf,
                                "List of Piece, in the order of their first faces.")
@@ -190,17 +224,22 @@ void bindGarment(py::module_& module, py::class_<PyGarment>& garment) {
                            ? 1.0
                            : millimetresPer(self.held->garment.files.front()->unit);
             },
-            "Millimetres in a unit of the first file's coordinates.")
+            "Millimetres in a unit of the first file's coordinates; `unit=` takes it again.")
         .def(
             "__len__", [](const PyGarment& self) { return self.held->garment.pieces.size(); },
             "Number of pieces.")
         .def(
             "__getitem__",
             [](const PyGarment& self, const py::object& key) {
-                return PyPiece{itemOf(self.held->garment.pieces, key,
-                                      [](const auto& piece) { return piece->name; })};
+                return itemsOf(self.held->garment.pieces, key, &nameOfPiece, &wrappedPiece);
             },
-            "The piece of an index or a name.")
+            "The piece of an index or a name; a list of those of a slice.")
+        .def(
+            "__contains__",
+            [](const PyGarment& self, const py::object& key) {
+                return hasItem(self.held->garment.pieces, key, &nameOfPiece, &wrappedPiece);
+            },
+            "Whether it has a piece of this name, or this piece.")
         .def("__repr__", [](const PyGarment& self) {
             const Garment& held = self.held->garment;
             return "<toile.Garment: " + std::to_string(held.pieces.size()) + " pieces, " +

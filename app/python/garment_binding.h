@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <pybind11/pybind11.h>
 
 #include "app/cli/arguments.h"
+#include "app/python/identity.h"
 #include "core/garment/garment.h"
 
 namespace toile::python {
@@ -32,6 +35,13 @@ struct PyPiece {
     std::shared_ptr<const Piece> piece;
 };
 
+inline Identity identityOf(const PyGarment& garment) {
+    return {garment.held.get(), 0};
+}
+inline Identity identityOf(const PyPiece& piece) {
+    return {piece.piece.get(), 0};
+}
+
 /// Of a garment.
 struct PySeam {
     std::shared_ptr<const HeldGarment> held;
@@ -40,24 +50,35 @@ struct PySeam {
     const Seam& seam() const { return held->garment.seams.seams[index]; }
 };
 
+inline Identity identityOf(const PySeam& seam) {
+    return {seam.held.get(), seam.index};
+}
+
+/// Its `easeOf`, without what rounding leaves of none.
+double easeToldOf(const Seam& seam);
+
 /// `Garment`, `Piece`, `Seam`, `load` and `garment_of_arrays`.
 void bindGarment(py::module_& module, py::class_<PyGarment>& garment);
 
 /// What was to be said while it was read, in the order in which the command line says it.
 Problems problemsOf(const HeldGarment& held);
 
+/// The bytes of a name; none where it cannot be that of anything.
+std::optional<std::string> nameGiven(const py::object& key);
+
 /// By index, from the end where that is negative, or by name. Throws IndexError, KeyError,
 /// TypeError.
 template <class Item, class NameOf>
 const Item& itemOf(const std::vector<Item>& items, const py::object& key, NameOf nameOf) {
     if (py::isinstance<py::str>(key)) {
-        const auto name = key.cast<std::string>();
+        const auto name = nameGiven(key);
         for (const Item& item : items) {
             if (nameOf(item) == name) {
                 return item;
             }
         }
-        throw py::key_error(name);
+        PyErr_SetObject(PyExc_KeyError, key.ptr());
+        throw py::error_already_set();
     }
     if (PyIndex_Check(key.ptr()) == 0) {
         throw py::type_error("neither an index nor a name");
@@ -71,6 +92,39 @@ const Item& itemOf(const std::vector<Item>& items, const py::object& key, NameOf
         throw py::index_error("there are " + std::to_string(count));
     }
     return items[static_cast<std::size_t>(index < 0 ? index + count : index)];
+}
+
+/// The same as Python has them; of a slice the list. @param wrapped  makes what Python holds
+template <class Item, class NameOf, class Wrapped>
+py::object itemsOf(const std::vector<Item>& items, const py::object& key, NameOf nameOf,
+                   Wrapped wrapped) {
+    if (!py::isinstance<py::slice>(key)) {
+        return py::cast(wrapped(itemOf(items, key, nameOf)));
+    }
+    py::ssize_t from = 0, to = 0, step = 0, count = 0;
+    if (!key.cast<py::slice>().compute(static_cast<py::ssize_t>(items.size()), &from, &to, &step,
+                                       &count)) {
+        throw py::error_already_set();
+    }
+    py::list part;
+    for (; count > 0; --count, from += step) {
+        part.append(wrapped(items[static_cast<std::size_t>(from)]));
+    }
+    return part;
+}
+
+/// Whether one of them has this name, or is this.
+template <class Item, class NameOf, class Wrapped>
+bool hasItem(const std::vector<Item>& items, const py::object& key, NameOf nameOf,
+             Wrapped wrapped) {
+    using Wrapper = decltype(wrapped(items.front()));
+    if (py::isinstance<py::str>(key)) {
+        const auto name = nameGiven(key);
+        return std::ranges::any_of(items, [&](const Item& item) { return nameOf(item) == name; });
+    }
+    return py::isinstance<Wrapper>(key) && std::ranges::any_of(items, [&](const Item& item) {
+               return identityOf(wrapped(item)) == identityOf(key.cast<const Wrapper&>());
+           });
 }
 
 }  // namespace toile::python

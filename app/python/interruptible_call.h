@@ -7,6 +7,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include "app/python/checked_call.h"
 #include "app/python/running_calls.h"
 #include "core/base/progress.h"
 
@@ -16,10 +17,11 @@ inline constexpr std::chrono::milliseconds kBetweenLooks{50};
 
 /// Does work on a thread of its own, without Python's lock. The caller waits, looks for signals
 /// (Ctrl-C) and says how far it is; an exception of either cancels the work and goes on.
-/// @param onProgress  called with the fraction done, in [0, 1]; or None
+/// @param onProgress  called with the fraction done, in [0, 1], at last with 1; or None
 /// @param work  given a Progress&; touches no Python object
 template <class Work>
 auto interruptible(const pybind11::object& onProgress, Work work) {
+    checkProgress(onProgress);
     Progress progress;
     const RunningCall running(progress);
     auto result = std::async(std::launch::async, [&progress, &work] { return work(progress); });
@@ -42,7 +44,11 @@ auto interruptible(const pybind11::object& onProgress, Work work) {
         result.wait();
         throw;
     }
-    return result.get();
+    auto done = result.get();
+    if (!onProgress.is_none() && !progress.isCancelled()) {
+        onProgress(1.0);
+    }
+    return done;
 }
 
 }  // namespace toile::python

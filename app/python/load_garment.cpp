@@ -11,14 +11,12 @@
 #include <pybind11/stl.h>
 
 #include "app/cli/command_line.h"
-#include "app/cli/typed_words.h"
 #include "app/python/garment_binding.h"
 #include "app/python/interruptible_call.h"
 #include "app/python/option_words.h"
 #include "app/python/raised.h"
 #include "core/io/soup_of_arrays.h"
 #include "core/project/piece_names.h"
-#include "core/project/project_file.h"
 
 namespace toile::python {
 namespace {
@@ -41,21 +39,6 @@ SeamsText takeSeams(py::kwargs& options) {
         py::module_::import("json").attr("dumps")(options["seams"], py::arg("default") = plain);
     options["seams"] = "the seams given";
     return text.cast<std::string>();
-}
-
-/// A project that cannot be taken.
-Raised refusal(const app::Arguments& typed, const app::Arguments& message) {
-    if (message.status == app::kExitUnreadable) {
-        if (const auto read = readProject(typed.inputs.front()); !read) {
-            return Raised(read.error());
-        }
-    }
-    Raised raised(app::withoutSpeaker(message.message));
-    if (message.status == app::kExitUnreadable) {  // a mesh of it is not there
-        raised.kind = Raised::Kind::File;
-        raised.code = name(ErrorCode::FileUnreadable);
-    }
-    return raised;
 }
 
 void readSeams(HeldGarment& held, const SeamsText& text) {
@@ -84,8 +67,8 @@ PyGarment load(const std::vector<std::string>& paths, const py::object& onProgre
     return interruptible(onProgress, [&](Progress& progress) {
         std::ostringstream said;
         HeldGarment held{.arguments = app::withProject(typed, said), .garment = {}};
-        if (held.arguments.command == app::Arguments::Command::Message) {
-            throw refusal(typed, held.arguments);
+        if (held.arguments.isMessage()) {
+            throw Raised(app::Refusal(held.arguments));
         }
         std::istringstream lines(said.str());
         for (std::string line; std::getline(lines, line);) {
@@ -118,6 +101,10 @@ PyGarment garmentOfArrays(const Doubles& positions, const Ints& faceStart, const
                           const std::string& name, int decimals, const py::object& onProgress,
                           py::kwargs options) {
     const SeamsText seams = takeSeams(options);
+    if (name.find('\0') != std::string::npos) {  // what is behind it would be left out
+        throw Raised(
+            app::Refusal(app::kWrongUsage, "name has a zero byte, which no file's name can have"));
+    }
     HeldGarment held{.arguments = readingArguments({"garment"}, options), .garment = {}};
     held.arguments.inputs = {name};
     const MeshInArrays mesh{.positions = spanOf(positions),

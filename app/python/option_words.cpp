@@ -2,14 +2,11 @@
 #include "app/python/option_words.h"
 
 #include <algorithm>
-#include <initializer_list>
-#include <string_view>
 
 #include "app/cli/typed_words.h"
 #include "app/python/raised.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
-#include "core/export/format_options.h"
 
 namespace toile::python {
 namespace {
@@ -25,7 +22,8 @@ std::string optionOf(const py::handle& keyword) {
     const bool isWord = keyword.attr("isidentifier")().cast<bool>();
     std::string key = pathOf(keyword);
     if (!isWord || key.starts_with('_')) {
-        throw Raised("\"" + shownText(key, kMaxOfPlace) + "\" is no option");
+        throw Raised(
+            app::Refusal(app::kWrongUsage, "\"" + shownText(key, kMaxOfPlace) + "\" is no option"));
     }
     if (key.ends_with('_')) {  // of what Python keeps for itself: as_
         key.pop_back();
@@ -57,6 +55,12 @@ std::string valueOf(const py::handle& given) {
     return pathOf(py::str(value));
 }
 
+/// A unit that is a number, as `Garment.unit` is.
+bool isMillimetres(const std::string& option, const py::handle& value) {
+    return (option == "--unit" || option == "--body-unit") &&
+           (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value));
+}
+
 Words wordsOf(const py::kwargs& options) {
     Words words;
     for (const auto& [key, given] : options) {
@@ -65,46 +69,20 @@ Words wordsOf(const py::kwargs& options) {
         if (value.is_none() || value.ptr() == Py_False) {
             continue;
         }
-        words.push_back(value.ptr() == Py_True ? option : option + "=" + valueOf(value));
+        words.push_back(value.ptr() == Py_True ? option
+                                               : option + "=" + valueOf(value) +
+                                                     (isMillimetres(option, value) ? "mm" : ""));
     }
     return words;
 }
 
-/// Options of the command that this call has not.
-void refuse(const py::kwargs& options, std::initializer_list<std::string_view> refused,
-            const std::string& instead) {
-    for (const auto& [key, value] : options) {
-        const std::string word = optionOf(key).substr(2);
-        if (std::ranges::find(refused, word) != refused.end()) {
-            throw Raised(pathOf(key) + ": " + instead);
-        }
-    }
-}
-
-void refuseExporting(const py::kwargs& options) {
-    for (const FormatOption& row : formatOptions()) {
-        refuse(options, {row.name}, "give it to write()");
-    }
-}
-
-app::Arguments parsed(const char* command, const Words& inputs, const Words& words) {
-    app::Arguments arguments = app::typedWords(command, inputs, words);
-    if (arguments.command == app::Arguments::Command::Message) {
-        throw Raised(app::withoutSpeaker(arguments.message));
+app::Arguments parsed(const char* command, const Words& inputs, const Words& words,
+                      unsigned taken) {
+    app::Arguments arguments = app::typedWords(command, inputs, words, taken);
+    if (arguments.isMessage()) {
+        throw Raised(app::Refusal(arguments));
     }
     return arguments;
-}
-
-void refuseReading(const app::Arguments& arguments) {
-    if (!(arguments.load == app::Arguments{}.load) || !arguments.seams.empty()) {
-        throw Raised("how files are read and cut is said to load() or garment()");
-    }
-}
-
-void refuseFlattening(const app::Arguments& arguments) {
-    if (!(arguments.stated == app::StatedOptions{})) {
-        throw Raised("how pieces are flattened and drawn is said to flatten()");
-    }
 }
 
 }  // namespace
@@ -114,44 +92,28 @@ std::string pathOf(const py::handle& path) {
 }
 
 app::Arguments readingArguments(const Words& inputs, const py::kwargs& options) {
-    refuse(options, {"help", "json", "advice"}, "is of the command line alone");
-    return parsed("info", inputs, wordsOf(options));
+    return parsed("info", inputs, wordsOf(options), app::kReading);
 }
 
-app::Arguments flatteningArguments(const py::kwargs& options) {
-    refuse(options, {"help", "ledger", "fail-on"}, "is of the command line alone");
-    refuse(options, {"output", "report"}, "files are written by write()");
-    refuseExporting(options);
-    app::Arguments arguments = parsed("flatten", {kNoFile}, wordsOf(options));
-    refuseReading(arguments);
-    return arguments;
+app::Arguments flatteningArguments(int threads, const py::kwargs& options) {
+    Words words = wordsOf(options);
+    words.push_back("--threads=" + std::to_string(threads));
+    return parsed("flatten", {kNoFile}, words, app::kFlattening | app::kThreads);
 }
 
 app::Arguments writingArguments(const Words& inputs, const Words& outputs,
                                 const py::kwargs& options) {
-    refuse(options, {"help", "ledger", "fail-on"}, "is of the command line alone");
-    refuse(options, {"output", "report"}, "give the paths themselves");
-    Words words;
+    Words words = wordsOf(options);
+    parsed("flatten", {kNoFile}, words, app::kExporting);  // no files among them
     for (const std::string& output : outputs) {
         words.push_back("--output=" + output);
     }
-    const Words more = wordsOf(options);
-    words.insert(words.end(), more.begin(), more.end());
-    app::Arguments arguments = parsed("flatten", inputs.empty() ? Words{kNoFile} : inputs, words);
-    refuseReading(arguments);
-    refuseFlattening(arguments);
-    return arguments;
+    return parsed("flatten", inputs.empty() ? Words{kNoFile} : inputs, words,
+                  app::kOutputFiles | app::kExporting);
 }
 
 app::Arguments provingArguments(const py::kwargs& options) {
-    refuse(options,
-           {"help", "output", "report", "json", "view", "overlay", "size", "look", "dark", "sewn",
-            "prove-improve", "rounds"},
-           "is of the command line alone");
-    app::Arguments arguments = parsed("prove", {kNoFile}, wordsOf(options));
-    refuseReading(arguments);
-    refuseFlattening(arguments);
-    return arguments;
+    return parsed("prove", {kNoFile}, wordsOf(options), app::kSewing);
 }
 
 }  // namespace toile::python

@@ -16,12 +16,12 @@ namespace toile::python {
 /// `--as scan`. None and False: not given. One parser reads both, and says the same of what is
 /// wrong.
 
-/// What reading is told. @param inputs  paths, or the name of a mesh that is in memory
+/// What reading is told. @param inputs  paths, or one word for a mesh that is in memory
 /// Throws Raised.
 app::Arguments readingArguments(const std::vector<std::string>& inputs,
                                 const pybind11::kwargs& options);
-/// What flattening is told.
-app::Arguments flatteningArguments(const pybind11::kwargs& options);
+/// What flattening is told. @param threads  the option of this name
+app::Arguments flatteningArguments(int threads, const pybind11::kwargs& options);
 /// What writing is told. @param inputs  that must not be overwritten
 app::Arguments writingArguments(const std::vector<std::string>& inputs,
                                 const std::vector<std::string>& outputs,

@@ -28,6 +28,13 @@ struct PyPatternPiece {
     const PatternPiece& piece() const { return held->laid().pattern.pieces[index]; }
 };
 
+Identity identityOf(const PyPattern& pattern) {
+    return {pattern.held.get(), 0};
+}
+Identity identityOf(const PyPatternPiece& piece) {
+    return {piece.held.get(), piece.index};
+}
+
 const PatternPiece& patternPiece(const py::object& self) {
     return self.cast<const PyPatternPiece&>().piece();
 }
@@ -108,11 +115,12 @@ std::vector<py::array> linesOf(const std::vector<Points2>& lines, const py::obje
 }
 
 void bindPatternPiece(py::module_& module) {
-    py::class_<PyPatternPiece>(module, "PatternPiece",
-                               "A piece as it is cut, in its own coordinates: mm, y up, the "
-                               "fabric's right side facing the reader. Arrays are read-only "
-                               "views.")
-        .def_property_readonly(
+    py::class_<PyPatternPiece> type(
+        module, "PatternPiece",
+        "A piece as it is cut, in its own coordinates: mm, y up, the fabric's right side facing "
+        "the reader. Arrays are read-only views.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "name", [](const PyPatternPiece& self) { return self.piece().name; },
             "As it is called.")
         .def_property_readonly(
@@ -172,8 +180,9 @@ void bindPatternPiece(py::module_& module) {
 
 void bindPattern(py::module_& module, py::class_<PyFlat>& flat) {
     bindPatternPiece(module);
-    py::class_<PyPattern>(module, "Pattern", "What is cut: outlines, cutting lines, notches.")
-        .def_property_readonly(
+    py::class_<PyPattern> type(module, "Pattern", "What is cut: outlines, cutting lines, notches.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "name", [](const PyPattern& self) { return self.held->laid().pattern.name; },
             "Of the garment.")
         .def_property_readonly(

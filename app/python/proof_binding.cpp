@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include "app/cli/proof_order.h"
+#include "app/cli/write_patterns.h"
 #include "app/python/array_views.h"
 #include "app/python/flat_binding.h"
 #include "app/python/interruptible_call.h"
@@ -30,16 +31,18 @@ struct PyProvenPiece {
     const ProvenPiece& piece() const { return of.proof->pieces[index]; }
 };
 
+Identity identityOf(const PyProof& proof) {
+    return {proof.proof.get(), 0};
+}
+Identity identityOf(const PyProvenPiece& piece) {
+    return {piece.of.proof.get(), piece.index};
+}
+
 /// Throws Raised.
 ProofOrder orderOf(const app::Arguments& typed, const Garment& garment, Progress& progress) {
     auto ordered = app::proofOrder(typed, garment, progress);
-    if (const auto* error = std::get_if<Error>(&ordered)) {
-        throw Raised(*error);
-    }
-    if (const auto* unfit = std::get_if<app::UnfitProof>(&ordered)) {
-        Raised raised(unfit->sentence);
-        raised.subject = unfit->subject;
-        throw raised;
+    if (const auto* refusal = std::get_if<app::Refusal>(&ordered)) {
+        throw Raised(*refusal);
     }
     return std::get<ProofOrder>(std::move(ordered));
 }
@@ -53,7 +56,11 @@ PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs
             typed.fabric.value_or(held.arguments.fabric.value_or(fabricPresets().front()));
         const ExportSource source(held.garment(), held.results, held.laid(), {}, {},
                                   held.arguments.lines, fabric);
-        return PyProof{flat.held, orRaise(proofOf(source, order, progress))};
+        auto proof = proofOf(source, order, progress);
+        if (!proof) {
+            throw Raised(app::refusalOfProof(proof.error(), held.results));
+        }
+        return PyProof{flat.held, *std::move(proof)};
     });
 }
 
@@ -69,10 +76,11 @@ void bindProvenPiece(py::module_& module) {
     const auto provenPiece = [](const py::object& self) -> const ProvenPiece& {
         return self.cast<const PyProvenPiece&>().piece();
     };
-    py::class_<PyProvenPiece>(module, "ProvenPiece",
-                              "A piece of the garment, sewn. Its arrays are empty where it has no "
-                              "cloth.")
-        .def_property_readonly(
+    py::class_<PyProvenPiece> type(
+        module, "ProvenPiece",
+        "A piece of the garment, sewn. Its arrays are empty where it has no cloth.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "name",
             [](const PyProvenPiece& self) {
                 return self.of.held->garment().pieces[self.index]->name;
@@ -134,10 +142,11 @@ std::vector<py::dict> faultsOf(const PyProof& self) {
 
 void bindProof(py::module_& module, py::class_<PyFlat>& flat) {
     bindProvenPiece(module);
-    py::class_<PyProof>(module, "Proof",
-                        "A pattern sewn back together over its design, and measured. str() is a "
-                        "sentence.")
-        .def_property_readonly(
+    py::class_<PyProof> type(module, "Proof",
+                             "A pattern sewn back together over its design, and measured. str() "
+                             "is a sentence.");
+    bindIdentity(type);
+    type.def_property_readonly(
             "gap", [](const PyProof& self) { return spread(self.proof->gap); },
             "Dictionary mean, p95, max: how far the cloth rests from the design, mm.")
         .def_property_readonly(

@@ -1,53 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/raised.h"
 
+#include <string_view>
 #include <utility>
-
-#include "app/cli/typed_words.h"
 
 namespace toile::python {
 namespace {
 
 namespace py = pybind11;
 
-Raised::Kind kindOf(ErrorCode code) {
-    switch (code) {
-        case ErrorCode::FileUnreadable:
-        case ErrorCode::FileUnwritable:
-        case ErrorCode::UnknownFormat:
-        case ErrorCode::FormatNotBuilt:
-        case ErrorCode::NotReadBack:
-        case ErrorCode::MalformedFile:
-        case ErrorCode::MalformedProject:
-        case ErrorCode::NewerProject:
-            return Raised::Kind::File;
-        default:
-            return Raised::Kind::Error;
+/// Of `toile.errors`.
+const char* className(std::string_view code) {
+    if (code == app::kWrongUsage || code == app::kNotProved) {
+        return "UsageError";
     }
+    for (const ErrorCode ofFile :
+         {ErrorCode::FileUnreadable, ErrorCode::FileUnwritable, ErrorCode::UnknownFormat,
+          ErrorCode::FormatNotBuilt, ErrorCode::NotReadBack, ErrorCode::MalformedFile,
+          ErrorCode::MalformedProject, ErrorCode::NewerProject}) {
+        if (code == name(ofFile)) {
+            return "FileError";
+        }
+    }
+    return "Error";
 }
 
-const char* className(Raised::Kind kind) {
-    return kind == Raised::Kind::File    ? "FileError"
-           : kind == Raised::Kind::Usage ? "UsageError"
-                                         : "Error";
-}
-
-void raise(const Raised& raised) {
-    const py::object type = py::module_::import("toile.errors").attr(className(raised.kind));
-    const py::object made = type(textOf(raised.text), raised.code, textOf(raised.subject));
+void raise(const app::Refusal& why) {
+    const py::object type = py::module_::import("toile.errors").attr(className(why.code));
+    const py::object made = type(textOf(why.message), why.code, textOf(why.subject));
     PyErr_SetObject(type.ptr(), made.ptr());
 }
 
 }  // namespace
-
-Raised::Raised(const Error& error)
-    : kind(kindOf(error.code)),
-      code(name(error.code)),
-      subject(error.subject.name),
-      text(sentence(error)) {}
-
-Raised::Raised(std::string said)
-    : kind(Kind::Usage), code(app::kWrongUsage), text(std::move(said)) {}
 
 py::str textOf(const std::string& text) {
     PyObject* const made =
@@ -65,7 +49,7 @@ void bindProblems(py::module_& module) {
                 std::rethrow_exception(std::move(thrown));
             }
         } catch (const Raised& raised) {
-            raise(raised);
+            raise(raised.why);
         }
     });
     py::class_<Error>(module, "Problem",

@@ -3,26 +3,23 @@
 
 #include <exception>
 #include <string>
+#include <utility>
 
 #include <pybind11/pybind11.h>
 
-#include "core/base/error.h"
+#include "app/cli/refusal.h"
 #include "core/base/result.h"
 
 namespace toile::python {
 
-/// An error on its way to Python: the one thing here that is thrown.
+/// A refusal on its way to Python: the one thing here that is thrown. Its class follows from its
+/// code.
 struct Raised : std::exception {
-    enum class Kind { Error, File, Usage };
+    explicit Raised(app::Refusal refused) : why(std::move(refused)) {}
 
-    explicit Raised(const Error& error);
-    /// Of a call that nobody can make sense of.
-    explicit Raised(std::string said);
+    const char* what() const noexcept override { return why.message.c_str(); }
 
-    const char* what() const noexcept override { return text.c_str(); }
-
-    Kind kind;
-    std::string code, subject, text;
+    app::Refusal why;
 };
 
 /// Text for Python: bytes of file names that are not UTF-8 as `os.fsdecode` has them.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/python/running_calls.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
@@ -30,11 +32,16 @@ constexpr std::chrono::seconds kLongestEnd{30};  // for a callback that waits fo
 
 // Python's lock guards them.
 std::vector<Progress*> runningNow;
-std::thread::id endedBy;  ///< none: the interpreter lives
+std::thread::id endedBy;          ///< none: the interpreter lives
+std::uint64_t lastBeforeEnd = 0;  ///< Python's number of the youngest thread that lived then
 int blasThreadsBefore = 0;
 
 void endCalls() {
     endedBy = std::this_thread::get_id();
+    for (PyThreadState* each = PyInterpreterState_ThreadHead(PyInterpreterState_Get());
+         each != nullptr; each = PyThreadState_Next(each)) {
+        lastBeforeEnd = std::max(lastBeforeEnd, PyThreadState_GetID(each));
+    }
     const auto latest = std::chrono::steady_clock::now() + kLongestEnd;
     while (!runningNow.empty() && std::chrono::steady_clock::now() < latest) {
         for (Progress* const progress : runningNow) {
@@ -45,12 +52,30 @@ void endCalls() {
     }
 }
 
+/// Of a thread that somebody has started since the end, who may wait for it.
+bool isStartedSinceEnd() {
+    return endedBy != std::thread::id() && PyThreadState_GetID(PyThreadState_Get()) > lastBeforeEnd;
+}
+
+/// Of a daemon thread after the end: it waits for the process to end. Asking for Python's lock
+/// would end it instead, in the midst of C++, which ends the process by std::terminate.
+void stayWhereEnded() {
+    if (endedBy == std::thread::id() || endedBy == std::this_thread::get_id()) {
+        return;
+    }
+    const py::gil_scoped_release released;
+    while (true) {
+        std::this_thread::sleep_for(kLongestEnd);
+    }
+}
+
 }  // namespace
 
 RunningCall::RunningCall(Progress& progress) : progress_(&progress) {
-    if (endedBy != std::thread::id() && endedBy != std::this_thread::get_id()) {
-        throw Raised({ErrorCode::Cancelled});
+    if (isStartedSinceEnd()) {
+        throw Raised(Error{ErrorCode::Cancelled});
     }
+    stayWhereEnded();
     if (runningNow.empty() && openblas_get_num_threads != nullptr) {
         blasThreadsBefore = openblas_get_num_threads();
     }
@@ -62,6 +87,7 @@ RunningCall::~RunningCall() {
     if (runningNow.empty() && blasThreadsBefore > 0 && openblas_set_num_threads != nullptr) {
         openblas_set_num_threads(blasThreadsBefore);
     }
+    stayWhereEnded();
 }
 
 void endCallsWithInterpreter() {

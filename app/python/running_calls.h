@@ -12,8 +12,9 @@ namespace toile::python {
 /// after the last it has as many as before the first.
 class RunningCall {
 public:
-    /// @param progress  of the call; outlives this. Throws Raised once the interpreter ends: no
-    /// thread but the one that ends it would come back
+    /// @param progress  of the call; outlives this. Once the interpreter ends no thread but the one
+    /// that ends it comes back, from here or from the end; but one that is started after that gets
+    /// Raised from here, Cancelled
     explicit RunningCall(Progress& progress);
     ~RunningCall();
     RunningCall(const RunningCall&) = delete;

@@ -6,6 +6,7 @@
 
 #include <pybind11/stl.h>
 
+#include "app/cli/write_patterns.h"
 #include "app/python/flat_binding.h"
 #include "app/python/interruptible_call.h"
 #include "app/python/option_words.h"
@@ -35,6 +36,9 @@ std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py:
     }
     const app::Arguments typed = writingArguments(flat.held->of->inputs, outputs, options);
     return interruptible(onProgress, [&](Progress& progress) {
+        if (const auto refusal = app::refusalOfNoPattern(flat.held->results, typed.outputs)) {
+            throw Raised(*refusal);
+        }
         const ExportSource source = sourceOf(*flat.held, typed.exporting);
         std::vector<Exported> written;
         for (const auto& output : typed.outputs) {
@@ -93,6 +97,7 @@ void bindWriting(py::module_& module, py::class_<PyFlat>& flat) {
              R"(Writes files, each by its ending, as `toile flatten -o` does. -> list of Written
 
 Every file is read back and compared with the pattern before it takes the place of an old one.
+Where no piece lies flat, only reports are written: .json, .html, .csv.
 Others: the options of formats: dxf_preset="clo", paper="a4", svg_text="paths", mesh_uv="exact".
 Runs without the interpreter's lock. Raises FileError, UsageError.)")
         .def(

@@ -32,12 +32,14 @@ def figures_of(path: Path, name: str, folder: Path) -> dict[str, object]:
     row: dict[str, object] = {"garment": name}
     try:
         flat = toile.load(path, auto_cut=True).flatten(pattern=True)
+        failed = next((piece.error.code for piece in flat.pieces if piece.error), "")
+        if all(piece.error for piece in flat.pieces):  # there is no pattern
+            return row | {"pieces": len(flat), "flat": 0, "error": failed}
         flat.write(folder / f"{name}.svg", folder / f"{name}.dxf")
     except toile.Error as error:
         return row | {"error": error.code}
-    failed = next((piece.error.code for piece in flat.pieces if piece.error), "")
     strains = [np.abs(piece.strain).max(axis=1) for piece in flat.pieces if not piece.error]
-    strain = float(np.percentile(np.concatenate(strains), 95)) if strains else np.nan
+    strain = float(np.percentile(np.concatenate(strains), 95))
     errors = [abs(seam.error) for seam in flat.seams if seam.error is not None]
     return row | {
         "pieces": len(flat),

@@ -81,6 +81,16 @@ class Meshio(unittest.TestCase):
         worn = toile.bridge.to_meshio(flat, worn=True)
         np.testing.assert_array_equal(worn.points, flat[0].piece.vertices)
 
+    def test_no_group_is_no_name(self) -> None:
+        points, faces = grid()
+        for key, tags in (("obj:group_ids", [-1, 0]), ("gmsh:physical", [0, 1])):
+            mesh = self.meshio.Mesh(
+                points, [("triangle", faces)], cell_data={key: [np.repeat(tags, len(faces) // 2)]}
+            )
+            made = toile.bridge.from_meshio(mesh, unit="mm", split="groups")
+            named = {piece.name.split()[0] for piece in made.pieces}
+            self.assertEqual(named, {"piece", str(tags[1])})
+
     def test_strain_is_the_one_of_larger_size(self) -> None:
         points, faces = grid(8)
         points[:, 2] = (points[:, 0] - 40) * (points[:, 1] - 40) / 40  # a saddle

@@ -55,18 +55,42 @@ class Errors(unittest.TestCase):
             lambda: made.flatten(output="a.svg"),
             lambda: made.flatten(paper="a4"),
             lambda: made.flatten(allowance=-1),
+            lambda: made.flatten(pattern="yes"),
+            lambda: made.flatten(half=1),
+            lambda: made.flatten(threads="2"),
+            lambda: made.flatten(threads=1.0),
+            lambda: made.flatten(threads=None),
+            lambda: made.flatten(threads=-2),
+            lambda: made.flatten(threads=10**30),
+            lambda: made.flatten(progress=5),
+            lambda: toile.load(sample("cap.obj"), progress="bar"),
             lambda: flat.write("pattern.xyz"),
             lambda: flat.write("pattern.svg", paper="a17"),
             lambda: flat.write("pattern.svg", method="lscm"),
             lambda: flat.prove(scale=9),
             lambda: flat.prove(rounds=3),
-            lambda: flat.prove(reference="uv"),
+            lambda: flat.prove(unit="cm"),
+            lambda: made.flatten(threads=65),
+            lambda: made.flatten(threads=-1),
+            lambda: made.flatten(ledger=True),
+            lambda: made.flatten(help=True),
+            lambda: flat.write("pattern.svg", report="report.json"),
         ):
             with self.assertRaises(toile.UsageError) as caught:
                 call()
             self.assertEqual(caught.exception.code, "wrong-usage")
             self.assertIsInstance(caught.exception, ValueError)
-            self.assertNotIn("--help", str(caught.exception))
+            self.assertNotIn("toile --help", str(caught.exception))
+
+    def test_a_refused_proof_has_the_code_that_other_programs_are_told(self) -> None:
+        with self.assertRaises(toile.UsageError) as caught:
+            toile.garment(*grid(), unit="mm").flatten().prove(reference="uv")
+        self.assertEqual(caught.exception.code, "not-proved")
+
+    def test_any_name_is_one(self) -> None:
+        for name in ("", "flatten", "--unit", "-", "a b.toile"):
+            made = toile.garment(*grid(), unit="mm", name=name)
+            self.assertEqual(len(made.flatten(threads=64)), 1)
 
     def test_a_keyword_is_one_option(self) -> None:
         made = toile.garment(*grid(), unit="mm")
@@ -94,10 +118,29 @@ class Errors(unittest.TestCase):
                 lambda: toile.load(f"{sample('cap.obj')}\0.obj", unit="mm"),
                 lambda: made.flatten(method="lscm\0"),
                 lambda: made.flatten().write(f"{folder}/a.svg\0.dxf"),
+                lambda: toile.garment(*grid(), unit="mm", name="tee\0.obj"),
             ):
                 with self.assertRaises(toile.UsageError):
                     call()
             self.assertEqual(os.listdir(folder), [])
+
+    def test_a_name_of_a_mesh_may_be_any(self) -> None:
+        for name in ("[a,b]", "-o", "--unit=in", "a,b", ""):
+            self.assertEqual(len(toile.garment(*grid(), unit="mm", name=name).pieces), 1)
+
+    def test_where_nothing_lies_flat_a_report_says_why(self) -> None:
+        # A closed ball has no outline.
+        points = np.array([[0, 0, 0], [9, 0, 0], [0, 9, 0], [0, 0, 9]])
+        faces = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
+        flat = toile.garment(points, faces, unit="mm").flatten()
+        with tempfile.TemporaryDirectory() as folder:
+            files = [f"{folder}/ball.{ending}" for ending in ("csv", "html", "json")]
+            with self.assertRaises(toile.Error) as caught:
+                flat.write(files[0], f"{folder}/ball.svg")
+            self.assertEqual(caught.exception.code, "not-flat")
+            self.assertEqual(os.listdir(folder), [])
+            flat.write(*files)
+            self.assertIn(flat.pieces[0].error.code, Path(files[2]).read_text())
 
     def test_names_of_files_need_not_be_text(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
@@ -162,9 +205,10 @@ class Errors(unittest.TestCase):
             for huge in (2**80, -(2**80)):
                 with self.assertRaises(IndexError):
                     of[huge]
-            for key in (1.0, None, slice(0, 2), b"garment"):
+            for key in (1.0, None, b"garment"):
                 with self.assertRaises(TypeError):
                     of[key]
+                self.assertNotIn(key, of)
         self.assertEqual(len(list(made.flatten())), 1)
 
     def test_seams_may_be_a_dictionary(self) -> None:
@@ -183,6 +227,24 @@ class Errors(unittest.TestCase):
         with self.assertRaises(toile.FileError) as caught:
             toile.garment(points, faces, seams={"cuts": 7})
         self.assertEqual(caught.exception.code, "malformed-file")
+
+
+class Progress(unittest.TestCase):
+    def test_it_rises_to_the_end(self) -> None:
+        told: list[float] = []
+        made = toile.load(sample("tshirt.obj"), unit="mm", progress=told.append)
+        for call in (
+            lambda: made,
+            lambda: toile.garment(*grid(), unit="mm", progress=told.append),
+            lambda: made.flatten(threads=np.int64(1), progress=told.append),
+        ):
+            call()
+            self.assertEqual(told[-1], 1)
+            self.assertEqual(told, sorted(told))
+            told.clear()
+        with self.assertRaises(toile.FileError):
+            toile.load("nowhere.obj", progress=told.append)
+        self.assertNotIn(1, told)
 
 
 class Cancelling(unittest.TestCase):

@@ -50,7 +50,8 @@ class Examples(unittest.TestCase):
         cap, other = sample("cap.obj"), self.folder / "other" / "cap.obj"
         other.parent.mkdir()
         # A triangle, and a band with half a turn, which has no right side.
-        lines = ["v 0 0 9", "v 9 0 9", "v 0 9 9", "o flat", "f 1 2 3"]
+        triangle = ["o flat", "f 1 2 3"]
+        lines = ["v 0 0 9", "v 9 0 9", "v 0 9 9", *triangle]
         fields = 12
         for turn in (2 * math.pi * k / fields for k in range(fields)):
             for half in (-5, 5):
@@ -62,13 +63,16 @@ class Examples(unittest.TestCase):
         for (a, b), (c, d) in zip(rungs, [*rungs[1:], rungs[0][::-1]]):
             lines += [f"f {a} {b} {c}", f"f {b} {d} {c}"]
         other.write_text("\n".join(lines) + "\n")
+        band = self.folder / "band.obj"
+        band.write_text("\n".join(line for line in lines if line not in triangle) + "\n")
         table = self.folder / "out" / "summary.csv"
-        self.run_example("batch.py", cap, other, "-o", table.parent)
+        self.run_example("batch.py", cap, other, band, "-o", table.parent)
         with table.open(newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual([row["garment"] for row in rows], ["cap", "cap 2"])
+        self.assertEqual([row["garment"] for row in rows], ["cap", "cap 2", "band"])
         self.assertEqual((rows[1]["pieces"], rows[1]["flat"]), ("2", "1"))
-        self.assertEqual([row["error"] for row in rows], ["", "not-orientable"])
+        self.assertEqual((rows[2]["pieces"], rows[2]["flat"]), ("1", "0"))
+        self.assertEqual([row["error"] for row in rows], ["", "not-orientable", "not-orientable"])
         self.assertTrue((table.parent / "cap 2.svg").exists())
 
     def test_meshio(self) -> None:

@@ -46,6 +46,7 @@ class Proofs(unittest.TestCase):
             with self.assertRaises(toile.UsageError) as caught:
                 self.flat.prove(body=body, body_unit="mm")
             self.assertEqual(caught.exception.subject, str(body))
+            self.assertEqual(caught.exception.code, "not-proved")
             with self.assertRaises(toile.FileError) as caught:
                 self.flat.prove(body=Path(folder) / "none.obj")
             self.assertEqual(caught.exception.code, "file-unreadable")

@@ -34,6 +34,23 @@ for _ in range(3):
 runs.wait()
 print("ends")
 """
+AT_THE_END = """
+import atexit
+import threading
+def load():
+    try:
+        toile.garment(*grid(), unit="mm")
+    except toile.Error as error:
+        print(error.code)
+def late():
+    thread = threading.Thread(target=load)
+    thread.start()
+    thread.join()
+atexit.register(late)
+import toile
+from support import grid
+print("ends")
+"""
 ALLOWED = 8 << 20  # bytes: what the allocator keeps for its threads
 
 
@@ -69,15 +86,23 @@ class Threads(unittest.TestCase):
                 self.assertEqual(result, self.expected[number % len(self.sheets)])
         gc.collect()
 
-    def test_the_end_ends_calls_of_daemons(self) -> None:
+    def check_end(self, program: str, said: str) -> None:
         done = subprocess.run(
-            [sys.executable, "-c", DAEMON],
+            [sys.executable, "-c", program],
             cwd=Path(__file__).parent,
             capture_output=True,
             text=True,
             check=False,
+            timeout=300,
         )
-        self.assertEqual((done.returncode, done.stdout), (0, "ends\n"), done.stderr)
+        self.assertEqual((done.returncode, done.stdout), (0, said), done.stderr)
+
+    def test_the_end_ends_calls_of_daemons(self) -> None:
+        self.check_end(DAEMON, "ends\n")
+
+    @unittest.skipIf(sys.version_info >= (3, 12), "which starts no thread at its end")
+    def test_a_thread_started_at_the_end_comes_back(self) -> None:
+        self.check_end(AT_THE_END, "ends\ncancelled\n")
 
     def test_numpy_keeps_its_threads(self) -> None:
         libraries = {

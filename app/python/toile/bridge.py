@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -27,12 +28,21 @@ def from_meshio(mesh: Any, **options: Any) -> Garment:
     faces = [face[: _CORNERS[kinds[k][1]]] for k in kept for face in mesh.cells[k].data]
     for key in ("obj:group_ids", "gmsh:physical", "groups"):
         if key in mesh.cell_data and "groups" not in options:
-            options["groups"] = [one for k in kept for one in np.ravel(mesh.cell_data[key][k])]
+            options["groups"] = [
+                None if _is_no_group(one, key) else one
+                for k in kept
+                for one in np.ravel(mesh.cell_data[key][k])
+            ]
     uv = mesh.point_data.get("obj:vt")
     if uv is not None and "vt" not in options and len(uv) == len(mesh.points):
         options["vt"] = np.asarray(uv)[:, :2]
     points = np.asarray(mesh.points, np.float64)
     return garment(points, faces, **options)
+
+
+def _is_no_group(tag: Any, key: str) -> bool:
+    """meshio numbers groups of an OBJ from 0, faces before the first -1; Gmsh from 1."""
+    return isinstance(tag, Real) and tag < (1 if key.startswith("gmsh:") else 0)
 
 
 def from_trimesh(mesh: Any, **options: Any) -> Garment:

@@ -5,7 +5,8 @@
 class Error(Exception):
     """Something that cannot be done. str() is a sentence that says what may help.
 
-    code: the name that reports have, "no-geometry"; "wrong-usage" of a UsageError.
+    code: the name that reports have, "no-geometry"; "wrong-usage" or
+        "not-proved" of a UsageError.
     subject: the name of the file, piece, seam or cut that it is about; empty: everything.
     """
 
