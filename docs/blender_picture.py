@@ -90,8 +90,8 @@ def prepare() -> float:
     window = the_window()
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
-    addon_utils.enable("toile", default_set=True)
-    bpy.context.preferences.addons["toile"].preferences.program = PROGRAM
+    addon_utils.enable("toile_blender", default_set=True)
+    bpy.context.preferences.addons["toile_blender"].preferences.program = PROGRAM
     obj = t_shirt()
     obj.select_set(True)
     bpy.context.view_layer.objects.active = obj

@@ -6,7 +6,7 @@ import pathlib
 import sys
 import zipfile
 
-FOLDER = pathlib.Path(__file__).resolve().parent / "toile"
+FOLDER = pathlib.Path(__file__).resolve().parent / "toile_blender"
 EPOCH = (1980, 1, 1, 0, 0, 0)  # of every entry
 
 

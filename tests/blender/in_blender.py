@@ -15,6 +15,7 @@ import subprocess
 import sys
 import tempfile
 import traceback
+import types
 import unittest
 
 import addon_utils
@@ -27,17 +28,18 @@ sys.path[:0] = [str(HERE), str(SOURCES / "resources" / "blender")]
 
 import shapes  # noqa: E402
 from make_zip import make_zip  # noqa: E402
-from toile.garment_mesh import written  # noqa: E402
-from toile.scene_garment import source_of  # noqa: E402
+from toile_blender.garment_mesh import READING, written  # noqa: E402
+from toile_blender.scene_garment import fits, source_of  # noqa: E402
 
 PROGRAM = os.environ["TOILE_PROGRAM"]
+sys.modules["toile"] = types.ModuleType("toile")  # as where Toile's Python module is installed
 SINGLE = 2.0**-24  # relative rounding of single precision
 
 
 def emptied() -> None:
     bpy.ops.wm.read_factory_settings(use_empty=True)
-    addon_utils.enable("toile", default_set=True)
-    bpy.context.preferences.addons["toile"].preferences.program = PROGRAM
+    addon_utils.enable("toile_blender", default_set=True)
+    bpy.context.preferences.addons["toile_blender"].preferences.program = PROGRAM
 
 
 def add(name: str, places, faces, seams=()) -> bpy.types.Object:
@@ -103,10 +105,8 @@ class AddOn(unittest.TestCase):
             source, target = pathlib.Path(folder, "a.obj"), pathlib.Path(folder, "b.obj")
             garment = written([source_of(obj, 1000)])  # vertices in this order: the same bytes
             source.write_text(garment.text)
-            typed = "--unit mm --up z --as sheet --split components -o".split()
-            subprocess.run(
-                [PROGRAM, "flatten", source, *typed, target], check=True, capture_output=True
-            )
+            typed = [PROGRAM, "flatten", source, *READING, "-o", target]
+            subprocess.run(typed, check=True, capture_output=True)
             _, uvs, found = read_obj(target)
         by_face = {frozenset(c[0] for c in face): dict(face) for face in found}
         uv = uv_of(obj.data)
@@ -228,6 +228,90 @@ class AddOn(unittest.TestCase):
         self.assertAlmostEqual(flat / worn, 1, delta=0.05)
         self.assertTrue(all(abs(value) < 4 for vertex in cut.vertices for value in vertex.co))
 
+    def test_a_cut_garment_takes_the_place_of_the_one_before_and_the_looks_of_its_mesh(self):
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=3, radius=0.1, location=(1, 2, 3))
+        sphere = bpy.context.object
+        for name in ("red", "blue"):
+            sphere.data.materials.append(bpy.data.materials.new(name))
+        for polygon in sphere.data.polygons:
+            polygon.material_index = int(polygon.center.z > 0)
+            polygon.use_smooth = True
+        folder = bpy.data.collections.new("wardrobe")
+        bpy.context.scene.collection.children.link(folder)
+        bpy.context.scene.collection.objects.unlink(sphere)
+        folder.objects.link(sphere)
+        settings = bpy.context.scene.toile
+        settings.auto_cut, settings.options = True, "--cut-style tailor"
+        bpy.ops.object.mode_set(mode="EDIT")
+        flatten()
+        cut = bpy.context.object
+        self.assertEqual((cut.name, cut.mode), ("Icosphere cut", "OBJECT"))
+        self.assertEqual(bpy.context.selected_objects, [cut])
+        self.assertEqual([each.name for each in cut.users_collection], ["wardrobe"])
+        self.assertEqual([each.name for each in cut.data.materials], ["red", "blue"])
+        self.assertTrue(all(polygon.use_smooth for polygon in cut.data.polygons))
+        for polygon in cut.data.polygons:
+            if abs(polygon.center.z - 3) > 0.02:
+                self.assertEqual(polygon.material_index, int(polygon.center.z > 3))
+        cut.location.x = 7
+        cut.select_set(False)
+        sphere.select_set(True)
+        bpy.context.view_layer.objects.active = sphere
+        flatten()
+        self.assertEqual(sorted(each.name for each in bpy.data.objects), ["Icosphere", cut.name])
+        self.assertEqual(sorted(each.name for each in bpy.data.meshes), ["Icosphere", cut.name])
+        self.assertEqual((bpy.context.object, cut.location.x), (cut, 0))
+        self.assert_is_the_pattern_of(cut.data)
+
+    def test_a_linked_mesh_is_refused(self):
+        skirt(0)
+        with tempfile.TemporaryDirectory() as folder:
+            bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/lib.blend")
+            emptied()
+            with bpy.data.libraries.load(f"{folder}/lib.blend", link=True) as (_, wanted):
+                wanted.objects = ["skirt"]
+            linked = bpy.data.objects["skirt"]
+            bpy.context.scene.collection.objects.link(linked)
+            linked.select_set(True)
+            bpy.context.view_layer.objects.active = linked
+            self.assertEqual(bpy.ops.toile.flatten(), {"CANCELLED"})
+            self.assertIn("skirt is linked from lib.blend", bpy.context.scene.toile.said)
+            bpy.ops.object.make_local(type="SELECT_OBDATA")
+            flatten()
+
+    def test_whatever_is_changed_meanwhile_is_noticed(self):
+        obj = skirt(0)
+        was = source_of(obj, 1000)
+        self.assertTrue(fits(obj, was, 1000))
+        self.assertFalse(fits(obj, was, 500))
+        for change in (
+            lambda: setattr(obj.data.vertices[5].co, "x", 1),
+            lambda: setattr(obj.data.edges[5], "use_seam", not obj.data.edges[5].use_seam),
+            lambda: setattr(obj.scale, "x", 2),
+            obj.data.flip_normals,
+        ):
+            before = source_of(obj, 1000)
+            change()
+            bpy.context.view_layer.update()
+            self.assertFalse(fits(obj, before, 1000))
+
+    def test_a_failure_leaves_no_ledger_of_what_was_before(self):
+        skirt(0)
+        flatten()
+        settings = bpy.context.scene.toile
+        self.assertEqual(len(settings.seams), 1)
+        settings.options = "--method lcsm"
+        self.assertEqual(bpy.ops.toile.flatten(), {"CANCELLED"})
+        self.assertEqual(len(settings.seams), 0)
+
+    def test_the_program_may_be_named_from_the_file(self):
+        skirt(0)
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "toile").symlink_to(PROGRAM)
+            bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/a.blend")
+            bpy.context.preferences.addons["toile_blender"].preferences.program = " //toile "
+            flatten()
+
     def test_files_lie_beside_the_blend_and_modifiers_are_told_of(self):
         obj = skirt(0)
         obj.modifiers.new("thick", "SOLIDIFY")
@@ -247,7 +331,7 @@ class AddOn(unittest.TestCase):
         bpy.context.scene.toile.options = "--method lcsm"
         self.assertEqual(bpy.ops.toile.flatten(), {"CANCELLED"})
         self.assertIn("lcsm not in", bpy.context.scene.toile.said)
-        bpy.context.preferences.addons["toile"].preferences.program = "/nowhere/toile"
+        bpy.context.preferences.addons["toile_blender"].preferences.program = "/nowhere/toile"
         self.assertEqual(bpy.ops.toile.flatten(), {"CANCELLED"})
         self.assertIn("/nowhere/toile", bpy.context.scene.toile.said)
 
@@ -289,7 +373,8 @@ class Installing(unittest.TestCase):
             make_zip(f"{folder}/toile.zip")
             pathlib.Path(folder, "addons").mkdir()
             bpy.ops.preferences.addon_install(filepath=f"{folder}/toile.zip", overwrite=True)
-            self.assertTrue(pathlib.Path(folder, "addons", "toile", "__init__.py").is_file())
+            installed = pathlib.Path(folder, "addons", "toile_blender")
+            self.assertTrue((installed / "__init__.py").is_file())
 
 
 if __name__ == "__main__":

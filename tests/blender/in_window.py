@@ -10,6 +10,7 @@ from __future__ import annotations
 import os
 import pathlib
 import sys
+import tempfile
 import time
 import traceback
 
@@ -27,8 +28,9 @@ MOST_SECONDS = 60
 
 def steps():
     """Yields while Blender is to go on."""
-    addon_utils.enable("toile", default_set=True)
-    bpy.context.preferences.addons["toile"].preferences.program = os.environ["TOILE_PROGRAM"]
+    addon_utils.enable("toile_blender", default_set=True)
+    preferences = bpy.context.preferences.addons["toile_blender"].preferences
+    preferences.program = os.environ["TOILE_PROGRAM"]
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
     places, faces = shapes.tube()
@@ -41,13 +43,13 @@ def steps():
     bpy.context.scene.collection.objects.link(obj)
     obj.select_set(True)
     bpy.context.view_layer.objects.active = obj
-    window = bpy.context.window_manager.windows[0]
-    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
-    area.spaces.active.show_region_ui = True
     settings = bpy.context.scene.toile
     yield
 
     def invoke() -> set[str]:
+        window = bpy.context.window_manager.windows[0]
+        area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+        area.spaces.active.show_region_ui = True
         with bpy.context.temp_override(window=window, area=area):
             return bpy.ops.toile.flatten("INVOKE_DEFAULT")
 
@@ -67,6 +69,32 @@ def steps():
     assert settings.progress == 1
     bpy.ops.ed.undo()
     yield
+    bpy.ops.ed.redo()
+    yield
+
+    # What is changed while it runs is noticed: here no face, but where they lie.
+    obj = bpy.data.objects["skirt"]
+    assert invoke() == {"RUNNING_MODAL"}
+    obj.scale.x = 2
+    settings = bpy.context.scene.toile
+    while settings.runs:
+        yield
+    assert settings.failed and "changed meanwhile" in settings.said, settings.said
+    obj.scale.x = 1
+    yield
+
+    # A file saved while it runs does not say so, and opening one ends what runs.
+    with tempfile.TemporaryDirectory() as folder:
+        assert invoke() == {"RUNNING_MODAL"}
+        bpy.ops.wm.save_as_mainfile(filepath=f"{folder}/runs.blend")
+        bpy.ops.wm.open_mainfile(filepath=f"{folder}/runs.blend")
+        yield
+        settings = bpy.context.scene.toile
+        assert not settings.runs
+        assert invoke() == {"RUNNING_MODAL"}
+        while settings.runs:
+            yield
+        assert not settings.failed, settings.said
 
 
 def end(status: int) -> None:
@@ -90,4 +118,4 @@ def next_step() -> float:
     return 0.1
 
 
-bpy.app.timers.register(next_step, first_interval=1.0)
+bpy.app.timers.register(next_step, first_interval=1.0, persistent=True)

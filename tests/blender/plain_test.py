@@ -9,6 +9,7 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import unittest.mock
 import zipfile
 from contextlib import closing
 
@@ -19,18 +20,20 @@ sys.path[:0] = [str(HERE), str(BLENDER)]
 
 import shapes  # noqa: E402
 from make_zip import make_zip  # noqa: E402
-from toile import bl_info  # noqa: E402
-from toile.flattening import Flattening, Wishes  # noqa: E402
-from toile.garment_mesh import (  # noqa: E402
+from toile_blender import bl_info  # noqa: E402
+from toile_blender.flattening import Flattening, Wishes  # noqa: E402
+from toile_blender.garment_mesh import (  # noqa: E402
     SourceMesh,
     in_file,
+    in_scene,
+    left_out,
     metres_per_unit,
     parted,
     short_name,
     strain_colour,
     written,
 )
-from toile.program import Requests, ToileError  # noqa: E402
+from toile_blender.program import Requests, ToileError, program_path  # noqa: E402
 
 PROGRAM = os.environ["TOILE_PROGRAM"]
 
@@ -71,6 +74,12 @@ class Parting(unittest.TestCase):
         text = written([SourceMesh("two  words", [(1 / 3, 0, 0)] * 3, [(0, 1, 2)])]).text
         self.assertIn("o two words\nv 0.3333333333333333 0", text)
 
+    def test_seams_part_the_map_and_no_places(self):
+        garment = written([skirt(0)])
+        self.assertEqual(garment.faces, written([skirt()]).faces)
+        self.assertEqual(garment.text.count("\nv "), len(skirt().places))
+        self.assertEqual(garment.text.count("\nvt "), len(parted(skirt(0))[0]))
+
 
 class Figures(unittest.TestCase):
     def test_colours_are_white_at_rest_and_full_from_the_limit_on(self):
@@ -90,11 +99,25 @@ class Figures(unittest.TestCase):
         self.assertEqual(metres_per_unit([(3000, 20)], False), 1)
         self.assertEqual(metres_per_unit([(3000, 20)], True), 3)
 
+    def test_places_in_sentences_are_those_of_the_scene(self):
+        for said, shown in (
+            ("at 323.7, 800.0, -58.5 mm, 2 mm", "at (0.3237, 0.0585, 0.8000), 2 mm"),
+            (
+                "cut from (0.0, -1.0, 0.0) to (1e+06, 2.0, 3.0), 30 mm",
+                "cut from (0.0000, 0.0000, -0.0010) to (1000.0000, -0.0030, 0.0020), 30 mm",
+            ),
+            ("at (1.0, 2.0) mm of the pattern", "at (1.0, 2.0) mm of the pattern"),
+            ("edges of 1.0, 2.0, 3.0 mm", "edges of 1.0, 2.0, 3.0 mm"),
+        ):
+            self.assertEqual(in_scene(said, 1000), shown)
+        self.assertEqual(in_scene("at 50.8, 0.0, 0.0 mm", 25.4), "at (2.000, 0.000, 0.000)")
+        self.assertEqual(in_scene("at 50.8, 0.0, 0.0 mm", 0.1), "at (508, 0, 0)")
+
 
 class WithTheProgram(unittest.TestCase):
     def test_a_seam_opens_a_skirt_and_is_sewn_again(self):
         outcome = run(skirt(0))
-        self.assertFalse(outcome.pattern.is_cut)
+        self.assertFalse(outcome.is_cut)
         self.assertTrue(all(outcome.pattern.places))
         self.assertEqual(len(outcome.arrays), 1)
         self.assertEqual(len(outcome.seams), 1)
@@ -131,11 +154,75 @@ class WithTheProgram(unittest.TestCase):
             outcome = run(skirt(0), files=[path], options="--method lscm --allowance 10")
             self.assertEqual(outcome.files, [path])
             self.assertTrue(pathlib.Path(path).read_text().startswith("<?xml"))
-        for options, words in (("--method lcsm", "lcsm not in"), ("'", "cannot be read")):
+        for options, words in (
+            ("--method lcsm", "lcsm not in"),
+            ("'", "cannot be read"),
+            ("--split objects", "says --split itself"),
+            ("--up=y", "says --up=y itself"),
+        ):
             with self.assertRaises(ToileError) as refused:
                 run(skirt(0), options=options)
             self.assertEqual(refused.exception.code, "wrong-usage")
             self.assertIn(words, str(refused.exception))
+
+    def test_pieces_are_what_seams_part_where_every_edge_is_one(self):
+        """A closed cube too, whose faces would be taken for loose ones and joined."""
+        places = [(100 * (k & 1), 50 * (k & 2), 25 * (k & 4)) for k in range(8)]
+        faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        seams = {tuple(sorted(e)) for f in faces for e in zip(f, f[1:] + f[:1])}
+        outcome = run(SourceMesh("box", places, faces, seams))
+        self.assertEqual((len(outcome.arrays), len(outcome.seams)), (6, 12))
+        self.assertTrue(all(outcome.pattern.places))
+        self.assertEqual(outcome.sentences, [])
+        self.assertEqual(min(outcome.arrays), "box")
+        # Faces that share nothing, as in a file of loose triangles, are not joined either.
+        loose = SourceMesh("box", [places[v] for f in faces for v in f], [])
+        loose.faces = [tuple(range(4 * k, 4 * k + 4)) for k in range(6)]
+        outcome = run(loose)
+        self.assertEqual((len(outcome.arrays), len(outcome.seams)), (6, 12))
+        self.assertTrue(all(outcome.pattern.places))
+        self.assertEqual(outcome.sentences, [])
+
+    def test_a_face_that_repair_takes_out_leaves_the_rest_on_the_mesh(self):
+        places = [(0, 0, 0), (100, 0, 0), (100, 100, 0), (0, 100, 0), (200, 0, 0)]
+        for auto_cut in (False, True):
+            faces = [(0, 1, 2, 3), (1, 4, 2), (1, 4, 2)]
+            outcome = run(SourceMesh("twice", places, faces), auto_cut=auto_cut)
+            self.assertFalse(outcome.is_cut)
+            self.assertEqual([bool(at) for at in outcome.pattern.places], [True, True, False])
+            self.assertEqual(outcome.pattern.lost, 1)
+            self.assertIn("lie twice on the same vertices", "".join(outcome.sentences))
+            self.assertIn("(0.1000, 0.0000, 0.0000)", "".join(outcome.sentences))
+        self.assertIn("1 face is left out", left_out(1))
+        self.assertIn("2 faces are left out", left_out(2))
+
+    def test_a_place_that_is_no_number_is_said_by_its_vertex(self):
+        mesh = skirt(0)
+        mesh.places[7] = (0, math.nan, 0)
+        with self.assertRaises(ToileError) as refused:
+            run(mesh)
+        self.assertIn("Vertex 7 of skirt lies nowhere", str(refused.exception))
+
+    def test_nobody_hears_of_the_file_in_between(self):
+        mesh = SourceMesh("a pair", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2), (0, 1, 1)])
+        self.assertIn("a pair: ", "".join(run(mesh).sentences))
+        with self.assertRaises(ToileError) as refused:
+            run(mesh, options="--strict")
+        self.assertTrue(str(refused.exception).startswith("a pair: "), refused.exception)
+
+    def test_a_program_may_be_named_from_the_home_folder(self):
+        with tempfile.TemporaryDirectory() as home:
+            program = pathlib.Path(home, "toile")
+            program.symlink_to(PROGRAM)
+            with unittest.mock.patch.dict(os.environ, HOME=home):
+                self.assertEqual(program_path(" ~/toile "), str(program))
+
+    def test_what_is_closed_runs_no_longer(self):
+        with closing(Flattening([skirt(0)], Wishes(PROGRAM))) as work:
+            self.assertFalse(work.requests.is_done)
+        with self.assertRaises(ToileError) as refused:
+            work.requests.wait()
+        self.assertEqual(refused.exception.code, "cancelled")
 
     def test_a_cancel_ends_it(self):
         with closing(Flattening([skirt(0)], Wishes(PROGRAM))) as work:
@@ -165,11 +252,11 @@ class Package(unittest.TestCase):
             first = pathlib.Path(folder, "a.zip").read_bytes()
             self.assertEqual(first, pathlib.Path(folder, "b.zip").read_bytes())
             names = zipfile.ZipFile(f"{folder}/a.zip").namelist()
-        self.assertIn("toile/__init__.py", names)
+        self.assertIn("toile_blender/__init__.py", names)
 
     def test_nothing_is_called_that_later_blenders_have_not(self):
         gone = ("vertex_colors", "calc_normals", "use_auto_smooth", "import bgl", "is_property_set(")
-        for path in (BLENDER / "toile").glob("*.py"):
+        for path in (BLENDER / "toile_blender").glob("*.py"):
             text = path.read_text(encoding="utf-8")
             self.assertEqual([word for word in gone if word in text], [], path.name)
         self.assertEqual(bl_info["blender"], (3, 4, 0))

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field
 from typing import Iterable, Sequence
 
 Point = Sequence[float]
 MILLIMETRES = 1000.0
+FINE = 0.1  # mm: to what places in sentences are told
 
 
 @dataclass
@@ -66,6 +68,10 @@ def parted(mesh: SourceMesh) -> tuple[list[int], list[tuple[int, ...]]]:
     return was, faces
 
 
+# How the file of `written` is read: the islands of its map are the pieces.
+READING = ["--unit", "mm", "--up", "z", "--as", "sheet", "--split", "uv"]
+
+
 @dataclass
 class WrittenGarment:
     """What was written of several meshes: faces in their order, by vertices of the file from 0."""
@@ -73,24 +79,48 @@ class WrittenGarment:
     text: str
     faces: list[tuple[int, ...]]
     first_face: list[int]  # of each mesh, and one more
+    same: list[int]  # of each vertex: the first at its place, which stands for it when welded
 
 
-def written(meshes: Iterable[SourceMesh]) -> WrittenGarment:
-    """The meshes as OBJ, each an object, open along their seams, with all digits."""
+def written(meshes: Sequence[SourceMesh]) -> WrittenGarment:
+    """The meshes as OBJ, each an object, with all digits; `READING` is how to read it.
+
+    Parted along their seams they are a map: what a map parts stays apart, while meshes whose every
+    face is on its own would be taken for a file of loose triangles and joined."""
     lines: list[str] = []
+    if meshes:  # Islands of a lone object are called "panel", so it has a companion without faces.
+        lines.append(f"o {one_line(meshes[0].name)} (none)")
     all_faces: list[tuple[int, ...]] = []
-    first_face = [0]
-    vertices = 0
+    first_face, same = [0], []
+    first_at: dict[tuple[float, ...], int] = {}
+    corners = 0  # of the map
     for mesh in meshes:
         was, faces = parted(mesh)
-        lines.append("o " + " ".join(mesh.name.split()))
-        lines += ["v {!r} {!r} {!r}".format(*mesh.places[vertex]) for vertex in was]
+        lines.append("o " + one_line(mesh.name))
+        number: dict[int, int] = {}
+        for vertex in was:
+            if vertex not in number:
+                number[vertex] = len(same)
+                same.append(first_at.setdefault(tuple(mesh.places[vertex]), len(same)))
+                lines.append("v {!r} {!r} {!r}".format(*mesh.places[vertex]))
+        lines += ["vt 0 0"] * len(was)
         for face in faces:
-            all_faces.append(tuple(vertices + corner for corner in face))
-            lines.append("f " + " ".join(str(corner + 1) for corner in all_faces[-1]))
-        vertices += len(was)
+            all_faces.append(tuple(number[was[corner]] for corner in face))
+            both = zip(all_faces[-1], face)
+            lines.append("f " + " ".join(f"{v + 1}/{corners + corner + 1}" for v, corner in both))
+        corners += len(was)
         first_face.append(len(all_faces))
-    return WrittenGarment("\n".join(lines) + "\n", all_faces, first_face)
+    return WrittenGarment("\n".join(lines) + "\n", all_faces, first_face, same)
+
+
+def one_line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def nowhere(mesh: SourceMesh) -> int | None:
+    """A vertex whose place is no number."""
+    lost = (v for v, at in enumerate(mesh.places) if not all(map(math.isfinite, at)))
+    return next(lost, None)
 
 
 @dataclass
@@ -99,33 +129,45 @@ class FoundPattern:
 
     places: list[list[Point] | None]  # per face: its corners on the sheet, mm; None: not flat
     strains: list[float]  # per face: the principal strain of larger size; 0 where not flat
-    is_cut: bool  # cuts run through faces: corners alone cannot tell where they lie
+    is_split: bool  # a face lies in parts: its corners alone cannot tell where
+    lost: int  # faces that are left out, though no piece has failed that they belong to
 
 
 def found(garment: WrittenGarment, arrays: dict[str, dict]) -> FoundPattern:
     """@param arrays  of the pieces by name, as `query` gives them"""
     corners: list[dict[int, Point]] = [{} for _ in garment.faces]
-    triangles = [0] * len(garment.faces)
+    split: set[int] = set()
+    failed: set[int] = set()
     strains = [0.0] * len(garment.faces)
     for piece in arrays.values():
-        if piece.get("sheet") is None:
+        sheet = piece.get("sheet")
+        if sheet is None:
+            failed.update(piece["source_faces"])
             continue
-        source_vertices, sheet = piece["source_vertices"], piece["sheet"]
+        source = [garment.same[v] if v >= 0 else v for v in piece["source_vertices"]]
         for triangle, face, strain in zip(
             piece["triangles"], piece["source_faces"], piece["strain"]
         ):
-            triangles[face] += 1
+            if face < 0:
+                continue
             if strain is not None and abs(strain) > abs(strains[face]):
                 strains[face] = strain
             for vertex in triangle:
-                corners[face][source_vertices[vertex]] = sheet[vertex]
-    is_cut = False
+                at = corners[face].setdefault(source[vertex], sheet[vertex])
+                if source[vertex] < 0 or at != sheet[vertex]:
+                    split.add(face)
     places: list[list[Point] | None] = []
-    for face, known, count in zip(garment.faces, corners, triangles):
-        is_whole = count == len(face) - 2 and all(corner in known for corner in face)
-        is_cut = is_cut or (count > 0 and not is_whole)
-        places.append([known[corner] for corner in face] if is_whole else None)
-    return FoundPattern(places, strains, is_cut)
+    lost = 0
+    for f, (face, known) in enumerate(zip(garment.faces, corners)):
+        is_whole = f not in split and all(garment.same[corner] in known for corner in face)
+        places.append([known[garment.same[corner]] for corner in face] if is_whole else None)
+        lost += not is_whole and f not in failed
+    return FoundPattern(places, strains, bool(split), lost)
+
+
+def left_out(faces: int) -> str:
+    what = "1 face is" if faces == 1 else f"{faces} faces are"
+    return f"{what} left out of the pattern, grey, and at (0, 0) of the UV map."
 
 
 def metres_per_unit(points: Iterable[Point], is_fitted: bool) -> float:
@@ -152,6 +194,24 @@ def short_name(seam: str, pieces: Sequence[str]) -> str:
     if len(pieces) < 2 or not all(part.fullmatch(piece) for piece in pieces):
         return seam
     return part.sub(lambda found: found[1] or "1", seam)
+
+
+NUMBER = r"(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?)"
+THREE = ", ".join([NUMBER] * 3)
+PLACE = re.compile(rf"\({THREE}\)(?: mm)?|(?<=\bat ){THREE} mm")
+
+
+def in_scene(sentence: str, unit: float) -> str:
+    """Places that a sentence of Toile's names, mm with y up, as Blender shows them.
+    @param unit  millimetres to a unit of the scene"""
+    decimals = max(0, math.ceil(math.log10(unit / FINE)))
+
+    def there(match: re.Match[str]) -> str:
+        place = in_file([float(text) for text in match.groups() if text])
+        values = (f"{value / unit:.{decimals}f}" for value in place)
+        return "({}, {}, {})".format(*(re.sub(r"^-(?=[0.]+$)", "", value) for value in values))
+
+    return PLACE.sub(there, sentence)
 
 
 def in_file(place: Point) -> tuple[float, float, float]:

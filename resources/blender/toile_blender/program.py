@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import json
+import os
 import queue
 import shutil
 import subprocess
 import threading
-from typing import Any, Iterator
+from typing import Any, Callable, Iterator
 
 
 class ToileError(Exception):
@@ -22,6 +23,7 @@ class ToileError(Exception):
 
 def program_path(preferred: str) -> str:
     """The program that a person has named, else the one in PATH."""
+    preferred = os.path.expanduser(preferred.strip())
     found = shutil.which(preferred or "toile")
     if not found:
         raise ToileError(
@@ -35,9 +37,15 @@ def program_path(preferred: str) -> str:
 
 class Requests:
     """Some requests, answered one after the other by a process of its own. Ask `poll` from time to
-    time until `is_done`; nothing here waits but `wait`."""
+    time until `is_done`; nothing here waits but `wait`.
+    @param reworded  what becomes of the program's sentences for who has asked"""
 
-    def __init__(self, program: str, requests: list[dict[str, Any]]):
+    def __init__(
+        self,
+        program: str,
+        requests: list[dict[str, Any]],
+        reworded: Callable[[str], str] = str,
+    ):
         try:
             self._process = subprocess.Popen(
                 [program, "serve"],
@@ -48,6 +56,7 @@ class Requests:
             )
         except OSError as error:
             raise ToileError(f"{program} cannot be started: {error}.", "no-program") from error
+        self._reworded = reworded
         self.results: list[dict[str, Any]] = []
         self.error: ToileError | None = None
         self.is_done = False
@@ -81,6 +90,11 @@ class Requests:
         pending = range(len(self.results), self._count)
         self._say(*(json.dumps({"id": f"stop {i}", "do": "cancel", "of": i}) for i in pending))
 
+    def close(self) -> None:
+        """Whatever is not answered yet never will be."""
+        if not self.is_done:
+            self._end(ToileError("Cancelled.", "cancelled"))
+
     def _messages(self, seconds: float) -> Iterator[dict[str, Any] | None]:
         try:
             line = self._lines.get(timeout=seconds) if seconds else self._lines.get_nowait()
@@ -100,7 +114,8 @@ class Requests:
                 self._end(ToileError("Toile has ended before it was done.", "ended"))
             elif "error" in message:
                 said = message["error"]
-                self._end(ToileError(said["message"], said["code"], said["subject"]))
+                sentence = self._reworded(said["message"])
+                self._end(ToileError(sentence, said["code"], said["subject"]))
             elif "progress" in message:
                 self.progress = (message["id"] + message["progress"]) / self._count
             elif isinstance(message["id"], int):

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import pathlib
+from collections.abc import Callable
 
 import bpy
 from bpy.props import (
@@ -17,15 +18,15 @@ from bpy.props import (
 )
 
 from .flattening import Flattening, Wishes
-from .garment_mesh import short_name
+from .garment_mesh import left_out, short_name
 from .program import ToileError
 from .scene_garment import (
-    add_cut_garment,
     check_writable,
     fits,
     millimetres,
     object_mode,
     selected_meshes,
+    show_cut_garment,
     source_of,
     write_onto,
 )
@@ -51,6 +52,17 @@ class ToileSeam(bpy.types.PropertyGroup):
     left: FloatProperty()
     right: FloatProperty()
     error: FloatProperty()
+
+
+class Running:
+    """What works in the background: of this Blender, never of the file, so that it is neither
+    saved nor undone."""
+
+    work: Flattening | None = None
+
+
+def is_running(settings: bpy.types.PropertyGroup) -> bool:
+    return Running.work is not None
 
 
 class ToileSettings(bpy.types.PropertyGroup):
@@ -83,7 +95,7 @@ class ToileSettings(bpy.types.PropertyGroup):
     said: StringProperty()  # sentences, a line each
     failed: BoolProperty()
     progress: FloatProperty(min=0, max=1)
-    runs: BoolProperty()
+    runs: BoolProperty(get=is_running)
 
 
 class TOILE_OT_flatten(bpy.types.Operator):
@@ -99,15 +111,7 @@ class TOILE_OT_flatten(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> set[str]:
         """To the end; for scripts."""
-        try:
-            self._begin(context)
-            self._work.requests.wait()
-            self._take(context)
-        except ToileError as error:
-            return self._refuse(context, error)
-        finally:
-            self._end(context)
-        return {"FINISHED"}
+        return self._finish(context, self._begin, self._take)
 
     def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         if bpy.app.background:
@@ -115,16 +119,15 @@ class TOILE_OT_flatten(bpy.types.Operator):
         try:
             self._begin(context)
         except ToileError as error:
-            self._end(context)
             return self._refuse(context, error)
         self._timer = context.window_manager.event_timer_add(SECONDS_BETWEEN, window=context.window)
         context.window_manager.modal_handler_add(self)
-        context.scene.toile.runs = True
+        Running.work = self._work
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
         settings = context.scene.toile
-        if event.type == "ESC" or not settings.runs:
+        if event.type == "ESC":
             self._work.requests.cancel()
         if event.type != "TIMER":
             return {"RUNNING_MODAL"} if event.type == "ESC" else {"PASS_THROUGH"}
@@ -134,20 +137,14 @@ class TOILE_OT_flatten(bpy.types.Operator):
             settings.progress = requests.progress
             for area in context.screen.areas:
                 area.tag_redraw()
-        if not is_done:
-            return {"PASS_THROUGH"}
-        try:
-            self._take(context)
-        except ToileError as error:
-            return self._refuse(context, error)
-        finally:
-            self._end(context)
-        return {"FINISHED"}
+        return self._finish(context, self._take) if is_done else {"PASS_THROUGH"}
 
     def _begin(self, context: bpy.types.Context) -> None:
         settings = context.scene.toile
         self._timer = self._work = None
         settings.said, settings.failed, settings.progress = "", False, 0
+        settings.seams.clear()
+        settings.seam = 0
         blend = bpy.data.filepath
         if settings.formats and not blend:
             raise ToileError("Save the .blend first: pattern files are written beside it.")
@@ -161,25 +158,47 @@ class TOILE_OT_flatten(bpy.types.Operator):
             for obj in objects
             if obj.modifiers
         ]
+        unit = millimetres(context.scene)
         with object_mode(context):
-            self._sources = [source_of(obj, millimetres(context.scene)) for obj in objects]
-        self._names = [obj.name for obj in objects]
-        wishes = Wishes(preferences.program, settings.auto_cut, settings.options, files)
+            self._sources = [source_of(obj, unit) for obj in objects]
+        program = bpy.path.abspath(preferences.program.strip())
+        wishes = Wishes(program, settings.auto_cut, settings.options, files, unit)
         self._work = Flattening(self._sources, wishes)
+
+    def _finish(self, context: bpy.types.Context, *steps: Callable[..., None]) -> set[str]:
+        """Does what is left to do; whatever comes of it, nothing runs afterwards."""
+        try:
+            for step in steps:
+                step(context)
+        except ToileError as error:
+            return self._refuse(context, error)
+        finally:
+            self.cancel(context)
+        return {"FINISHED"}
+
+    def cancel(self, context: bpy.types.Context) -> None:
+        """Ends what runs; Blender calls it too, where another file is opened meanwhile."""
+        if self._timer:
+            context.window_manager.event_timer_remove(self._timer)
+        if self._work:
+            self._work.close()
+        self._timer = self._work = Running.work = None
 
     def _take(self, context: bpy.types.Context) -> None:
         outcome = self._work.outcome()
         settings = context.scene.toile
-        objects = [bpy.data.objects.get(name) for name in self._names]
+        objects = [context.scene.objects.get(was.name) for was in self._sources]
+        unit = millimetres(context.scene)
         with object_mode(context):
-            if not all(obj and fits(obj, was) for obj, was in zip(objects, self._sources)):
+            if not all(obj and fits(obj, was, unit) for obj, was in zip(objects, self._sources)):
                 raise ToileError("The meshes were changed meanwhile; flatten them again.")
-            if outcome.pattern.is_cut:
-                cut = add_cut_garment(context, self._names[0], outcome, settings.is_fitted)
+            if outcome.is_cut:
+                cut = show_cut_garment(context, objects, outcome, settings.is_fitted)
                 self._notes.append(f"Cuts run through faces: the pattern is on {cut.name}.")
             else:
                 write_onto(objects, outcome, settings.is_fitted)
-        settings.seams.clear()
+                if outcome.pattern.lost:
+                    self._notes.append(left_out(outcome.pattern.lost))
         for seam in outcome.seams:
             row = settings.seams.add()
             row.name = seam["name"]
@@ -195,14 +214,6 @@ class TOILE_OT_flatten(bpy.types.Operator):
         self.report({"WARNING"}, str(error))
         return {"CANCELLED"}
 
-    def _end(self, context: bpy.types.Context) -> None:
-        context.scene.toile.runs = False
-        if self._timer:
-            context.window_manager.event_timer_remove(self._timer)
-            self._timer = None
-        if self._work:
-            self._work.close()
-
 
 class TOILE_OT_cancel(bpy.types.Operator):
     """Stop flattening"""
@@ -211,7 +222,8 @@ class TOILE_OT_cancel(bpy.types.Operator):
     bl_label = "Cancel"
 
     def execute(self, context: bpy.types.Context) -> set[str]:
-        context.scene.toile.runs = False
+        if Running.work:
+            Running.work.requests.cancel()
         return {"FINISHED"}
 
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Toile in Blender: marked seams become cuts, the UV map becomes the sewing pattern."""
+"""Toile in Blender: marked seams become cuts, the UV map becomes the sewing pattern.
+
+The module is not called toile: that is Toile's Python module, which Blender may find first."""
 
 bl_info = {
     "name": "Toile",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import pathlib
 from array import array
 from contextlib import contextmanager
 from typing import Iterator
@@ -27,19 +28,21 @@ STRAIN = "toile_strain"
 STRAIN_COLOUR = "Toile strain"
 UV_METRES = "toile_uv_metres"  # property of a mesh: metres of cloth to a unit of its UV map
 FULL_STRAIN = 0.05  # of the colours
+CUT_OF = "toile_cut_of"  # property of an object: the one that it is the cut garment of
 MOST_UV_MAPS = 8  # that Blender takes
 
 
 @contextmanager
 def object_mode(context: bpy.types.Context) -> Iterator[None]:
     """Meshes cannot be read or written in edit mode."""
-    mode = context.object.mode if context.object else "OBJECT"
+    edited = context.object
+    mode = edited.mode if edited else "OBJECT"
     if mode != "OBJECT":
         bpy.ops.object.mode_set(mode="OBJECT")
     try:
         yield
     finally:
-        if mode != "OBJECT":
+        if mode != "OBJECT" and context.object == edited:
             bpy.ops.object.mode_set(mode=mode)
 
 
@@ -76,6 +79,14 @@ def check_writable(objects: list[bpy.types.Object]) -> None:
     owners: dict[bpy.types.Mesh, str] = {}
     for obj in objects:
         mesh: bpy.types.Mesh = obj.data
+        override = mesh.override_library
+        library = mesh.library or override and override.reference.library
+        if library:
+            raise ToileError(
+                f"{obj.name} is linked from {pathlib.PurePath(library.filepath).name}, where "
+                "nothing can be written; make it local: Object > Relations > Make Local > "
+                "Selected Objects and Data."
+            )
         if mesh in owners:
             raise ToileError(
                 f"{owners[mesh]} and {obj.name} share one mesh, which has room for the pattern of one; "
@@ -88,12 +99,9 @@ def check_writable(objects: list[bpy.types.Object]) -> None:
             )
 
 
-def fits(obj: bpy.types.Object, source: SourceMesh) -> bool:
-    """Whether the mesh still has the faces that were read."""
-    mesh = obj.data
-    return len(mesh.polygons) == len(source.faces) and all(
-        set(polygon.vertices) == set(face) for polygon, face in zip(mesh.polygons, source.faces)
-    )
+def fits(obj: bpy.types.Object, source: SourceMesh, unit: float) -> bool:
+    """Whether the mesh is still what was read: places, faces and seams."""
+    return source_of(obj, unit) == source
 
 
 def _write(
@@ -144,27 +152,78 @@ def write_onto(
         _write(obj.data, corners, pattern.strains[starts[k] : starts[k + 1]], metres)
 
 
-def add_cut_garment(
-    context: bpy.types.Context, name: str, outcome: Outcome, is_fitted: bool
+def show_cut_garment(
+    context: bpy.types.Context, objects: list[bpy.types.Object], outcome: Outcome, is_fitted: bool
 ) -> bpy.types.Object:
-    """The garment as Toile has cut it, as a mesh of its own, where cuts run through faces."""
-    unit = millimetres(context.scene)
+    """The garment as Toile has cut it, as an object of its own beside the first, where cuts run
+    through faces; in the place of what an earlier flattening has made there. Object mode only."""
+    first = objects[0]
+    mesh = _cut_mesh(f"{first.name} cut", objects, outcome, millimetres(context.scene), is_fitted)
+    earlier = (each for each in context.view_layer.objects if each.get(CUT_OF) == first)
+    made = next((each for each in earlier if each.type == "MESH" and each not in objects), None)
+    if made:
+        old = made.data
+        name, made.data = old.name, mesh
+        if not old.users:
+            bpy.data.meshes.remove(old)
+            mesh.name = name
+        made.matrix_world.identity()  # places are the world's
+    else:
+        made = bpy.data.objects.new(mesh.name, mesh)
+        made[CUT_OF] = first
+        for collection in first.users_collection:
+            collection.objects.link(made)
+    for each in context.selected_objects:
+        each.select_set(False)
+    made.hide_set(False)
+    made.select_set(True)
+    context.view_layer.objects.active = made
+    return made
+
+
+def _cut_mesh(
+    name: str,
+    objects: list[bpy.types.Object],
+    outcome: Outcome,
+    unit: float,
+    is_fitted: bool,
+) -> bpy.types.Mesh:
     places: list[tuple[float, ...]] = []
     faces: list[tuple[int, ...]] = []
     corners: list[list[Point] | None] = []
     strains: list[float] = []
+    sources: list[int] = []
     for piece in outcome.arrays.values():
         first = len(places)
         places += [tuple(value / unit for value in in_file(at)) for at in piece["vertices"]]
         sheet = piece["sheet"]
+        sources += piece["source_faces"]
         for i, triangle in enumerate(piece["triangles"]):
             faces.append(tuple(first + vertex for vertex in triangle))
             corners.append([sheet[vertex] for vertex in triangle] if sheet else None)
             strains.append((piece["strain"][i] or 0.0) if sheet else 0.0)
-    mesh = bpy.data.meshes.new(f"{name} cut")
+    mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(places, [], faces)
+    _take_materials(mesh, objects, sources)
     metres = metres_per_unit((at for three in corners if three for at in three), is_fitted)
     _write(mesh, corners, strains, metres)
-    obj = bpy.data.objects.new(mesh.name, mesh)
-    context.scene.collection.objects.link(obj)
-    return obj
+    return mesh
+
+
+def _take_materials(
+    mesh: bpy.types.Mesh, objects: list[bpy.types.Object], sources: list[int]
+) -> None:
+    """Materials and shading of the faces that those of the mesh come from; all objects' in turn."""
+    slots: list[bpy.types.Material | None] = []
+    looks: list[tuple[int, bool]] = []  # of each face of the objects
+    for obj in objects:
+        first = len(slots)
+        slots += [slot.material for slot in obj.material_slots] or [None]
+        for polygon in obj.data.polygons:
+            index = min(first + polygon.material_index, len(slots) - 1)
+            looks.append((index, polygon.use_smooth))
+    for material in slots if any(slots) else ():
+        mesh.materials.append(material)
+    for polygon, source in zip(mesh.polygons, sources):
+        if source >= 0:
+            polygon.material_index, polygon.use_smooth = looks[source]
