@@ -3,8 +3,8 @@
 
 #include <QCoreApplication>
 #include <QLibrary>
-#include <QLibraryInfo>
 #include <QPluginLoader>
+#include <algorithm>
 #include <iostream>
 
 // The macro declares a function and has to stand outside of any namespace.
@@ -44,8 +44,10 @@ Function* ofXcb(const char* name) {
 }
 
 bool canLoadPlatform(const QString& name) {
-    QPluginLoader plugin(QLibraryInfo::path(QLibraryInfo::PluginsPath) + "/platforms/libq" + name);
-    return plugin.load();
+    const QStringList folders = QCoreApplication::libraryPaths();  // QT_PLUGIN_PATH among them
+    return std::ranges::any_of(folders, [&](const QString& folder) {
+        return QPluginLoader(folder + "/platforms/libq" + name).load();
+    });
 }
 
 }  // namespace

@@ -8,45 +8,34 @@
 
 namespace toile::app {
 
+namespace {
+
+/// Where an installation has them; a build tree has links there.
+QDir shared(const char* path) {
+    return QDir(QCoreApplication::applicationDirPath() + "/../share/" + path);
+}
+
+}  // namespace
+
 QStringList samplePaths() {
-    QStringList folders = {
-        QDir(QCoreApplication::applicationDirPath()).filePath("../share/toile/samples"),
-        QDir(QCoreApplication::applicationDirPath()).filePath("samples")};
-#ifdef TOILE_SAMPLES_DIR
-    folders << TOILE_SAMPLES_DIR;
-#endif
-    for (const QString& folder : folders) {
-        QStringList paths;
-        const QFileInfoList files = QDir(folder).entryInfoList({"*.obj"}, QDir::Files, QDir::Name);
-        for (const QFileInfo& file : files) {
-            paths << file.absoluteFilePath();
-        }
-        if (!paths.isEmpty()) {
-            return paths;
-        }
+    QStringList paths;
+    for (const QFileInfo& file :
+         shared("toile/samples").entryInfoList({"*.obj"}, QDir::Files, QDir::Name)) {
+        paths << file.canonicalFilePath();
     }
-    return {};
+    return paths;
 }
 
 QString documentationPage(const QString& name) {
-    QStringList folders = {
-        QDir(QCoreApplication::applicationDirPath()).filePath("../share/doc/toile")};
-#ifdef TOILE_DOCS_DIR
-    folders << TOILE_DOCS_DIR;
-#endif
-    for (const QString& folder : folders) {
-        if (const QFileInfo page(QDir(folder), name); page.isFile()) {
-            return page.absoluteFilePath();
-        }
-    }
-    return {};
+    const QFileInfo page(shared("doc/toile"), name);
+    return page.isFile() ? page.canonicalFilePath() : QString();
 }
 
 QString writingFolder(const QString& garment, const QString& project) {
     const QString beside = QFileInfo(project.isEmpty() ? garment : project).absolutePath();
     const QStringList samples = samplePaths();
-    const bool isOurs =
-        !samples.isEmpty() && QFileInfo(samples.front()).absoluteDir() == QDir(beside);
+    const bool isOurs = !samples.isEmpty() && QFileInfo(samples.front()).absolutePath() ==
+                                                  QFileInfo(beside).canonicalFilePath();
     if (!isOurs && QFileInfo(beside).isWritable()) {
         return beside;
     }

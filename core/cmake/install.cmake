@@ -11,6 +11,11 @@ set_target_properties(toile_core PROPERTIES EXPORT_NAME core)
 
 # Libraries that are found as files go out by their names: they lie elsewhere on another machine.
 get_target_property(needed toile_core INTERFACE_LINK_LIBRARIES)
+set(as_file "^.*/lib([^/>]+)\\.(so|a)>*$")
+set(named ${needed})
+list(FILTER named INCLUDE REGEX "${as_file}")
+list(TRANSFORM named REPLACE "${as_file}" "\\1") # for ToileConfig, which looks whether they are there
+list(REMOVE_ITEM named pthread) # part of the C library, or found as Threads
 list(TRANSFORM needed REPLACE "^/.*/lib([^/]+)\\.(so|a)$" "$<BUILD_INTERFACE:\\0>;$<INSTALL_INTERFACE:\\1>")
 set_target_properties(toile_core PROPERTIES INTERFACE_LINK_LIBRARIES "${needed}")
 

@@ -11,6 +11,7 @@ file(MAKE_DIRECTORY "${made_folder}")
 # The window opens its own projects and every garment that the readers know.
 string(CONCAT types "application/vnd.toile+json;model/obj;model/stl;model/gltf-binary;"
     "model/gltf+json;model/3mf;model/x-off;model/x-ply;model/x-fbx;model/vnd.collada+xml;model/vnd.usda;")
+string(REGEX REPLACE "([^;]+);" "    <mediatype>\\1</mediatype>\n" mediatypes "${types}")
 foreach(file toile.desktop toile.thumbnailer toile.metainfo.xml)
     configure_file("${package_folder}/${file}" "${made_folder}/${file}" @ONLY)
 endforeach()
@@ -71,7 +72,7 @@ mark_as_advanced(GZIP)
 if(Python3_FOUND AND GZIP)
     add_custom_command(OUTPUT "${made_folder}/toile.1.gz"
         COMMAND "${Python3_EXECUTABLE}" "${package_folder}/manual_page.py" "$<TARGET_FILE:toile>"
-            "${made_folder}/toile.1"
+            "${made_folder}/toile.1" "${CMAKE_INSTALL_FULL_DATADIR}/doc/toile"
         COMMAND "${GZIP}" -9nkf "${made_folder}/toile.1"
         DEPENDS toile "${package_folder}/manual_page.py"
         COMMENT "Writing the manual page" VERBATIM)

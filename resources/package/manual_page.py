@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes toile(1) from what the program says of itself: manual_page.py PROGRAM PAGE"""
+"""Writes toile(1) from what the program says of itself: manual_page.py PROGRAM PAGE FOLDER
+
+FOLDER is where the documentation is installed.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +14,7 @@ import sys
 import textwrap
 from pathlib import Path
 
-DOCUMENTATION = "/usr/share/doc/toile"
+documentation = ""  # where it is installed
 ABOUT = """\
 .B toile
 opens a garment mesh of several pieces, lays every piece flat at true scale,
@@ -40,7 +43,7 @@ def said(program: str, *words: str) -> str:
     text = subprocess.run(
         [program, *words], check=True, capture_output=True, text=True, env=environment
     ).stdout
-    return re.sub(r"\bdocs/(?=[-\w]+\.md\b)", f"{DOCUMENTATION}/", text)
+    return re.sub(r"\bdocs/(?=[-\w]+\.md\b)", f"{documentation}/", text)
 
 
 def plain(text: str) -> str:
@@ -98,20 +101,17 @@ def usage_of(parts: dict[str, list[str]]) -> str:
     return next(line for line in parts[""] if line.startswith("Usage: ")).removeprefix("Usage: ")
 
 
-def command_page(
-    program: str, command: str, shared: dict[str, str], said_below: list[str]
-) -> str:
+def command_page(program: str, command: str, shared: dict[str, str]) -> str:
     """One command. What was said before, in the same words, is named only.
 
     shared: what was said of each option so far; is added to.
-    said_below: what stands below the help of all commands.
     """
     parts = sections(said(program, command, "--help"))
     usage = usage_of(parts)
     first, *below = (line for line in parts[""] if line and not line.startswith("Usage: "))
     page = f".SS toile {command}\n{wrapped(first)}.\n"
     page += f".PP\n.B {plain(usage)}\n"
-    if below != said_below:
+    if below:
         page += f".PP\n{wrapped(' '.join(below))}\n"
     again: list[str] = []
     rows: list[tuple[str, str]] = []
@@ -150,29 +150,22 @@ def manual_page(program: str) -> str:
     page += ".SH OPTIONS\nOf the window; most of them the commands know too.\n" + listed(options)
     page += ".SH OPTIONS OF COMMANDS\n"
     shared = dict(options)
-    of_any = said(program, "info", "--help")
-    said_below = [line for line in parts[""] if line and line in of_any]
     for command, _ in commands:
-        page += command_page(program, command, shared, said_below)
+        page += command_page(program, command, shared)
     page += ".SH EXIT STATUS\n"
-    for status, meaning in {
-        0: "all pieces are done",
-        1: "some piece failed, and the rest is written; or faults were found",
-        2: "wrong usage",
-        3: "a file cannot be read or written",
-        "128 + N": "batch was ended by signal N: 130 after Ctrl-C, 143 after SIGTERM",
-    }.items():
-        page += f".TP\n.B {status}\n{meaning}\n"
+    for status, meaning in entries(parts["Exit status"]):
+        page += f".TP\n.B {status}\n{wrapped(meaning)}\n"
     page += ".SH EXAMPLES\n"
     for what, line in EXAMPLES.items():
         page += f".TP\n{what}:\n.B {plain(line)}\n"
     page += ".SH FILES\n.TP\n.I ~/.config/Toile\nwhat was chosen in the window\n"
     page += ".TP\n.I ~/.local/share/Toile\nrecovery files of projects that were not saved\n"
-    page += f".SH SEE ALSO\nThe documentation in {DOCUMENTATION}, beginning with\nfirst\\-steps.md.\n"
+    page += f".SH SEE ALSO\nThe documentation in {documentation}, beginning with\nfirst\\-steps.md.\n"
     return page
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3:
+    if len(sys.argv) != 4:
         sys.exit(__doc__)
+    documentation = sys.argv[3]
     Path(sys.argv[2]).write_text(manual_page(sys.argv[1]), encoding="utf-8")

@@ -134,12 +134,13 @@ class ManualPage(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
         cls.page = Path(cls.enterClassContext(tempfile.TemporaryDirectory())) / "toile.1"
-        run(sys.executable, PACKAGE / "manual_page.py", program, cls.page)
+        run(sys.executable, PACKAGE / "manual_page.py", program, cls.page, "/opt/doc/toile")
 
     def test_it_names_every_option_of_every_command(self) -> None:
         shown = self.page.read_text(encoding="utf-8").replace("\\-", "-")
         helped = run(program, "--help")
-        commands = re.findall(r"^  (\w+) ", helped.partition("Subcommands:")[2], re.MULTILINE)
+        listed = helped.partition("Subcommands:")[2].partition("Exit status:")[0]
+        commands = re.findall(r"^  (\w+) ", listed, re.MULTILINE)
         self.assertGreater(len(commands), 6)
         for command in commands:
             self.assertIn(f"toile {command}\n", shown)
@@ -148,6 +149,17 @@ class ManualPage(unittest.TestCase):
             for option in re.findall(r"^  \S*?(--[a-z][\w-]*)", helped, re.MULTILINE):
                 if option != "--help":
                     self.assertIn(option, part, command)
+
+    def test_it_tells_the_exit_statuses_of_the_help(self) -> None:
+        shown = self.page.read_text(encoding="utf-8").replace("\\-", "-")
+        told = shown.partition(".SH EXIT STATUS\n")[2].partition("\n.SH")[0]
+        told = [
+            [part.replace("\n", " ").strip() for part in entry.split("\n", 1)]
+            for entry in told.split(".TP\n.B ")[1:]
+        ]
+        rows = run(program, "--help").partition("Exit status:\n")[2].splitlines()
+        self.assertEqual(told, [[row[:30].strip(), row[30:]] for row in rows if row])
+        self.assertEqual([status for status, _ in told], ["0", "1", "2", "3", "128 + N"])
 
     def test_it_says_what_commands_take_and_names_documents_where_they_lie(self) -> None:
         shown = self.page.read_text(encoding="utf-8").replace("\\-", "-")
@@ -158,7 +170,7 @@ class ManualPage(unittest.TestCase):
         documents = re.findall(r"(\S*/)([-\w]+\.md)", shown)
         self.assertTrue(documents)
         for folder, name in documents:
-            self.assertEqual(folder.lstrip("("), "/usr/share/doc/toile/")
+            self.assertEqual(folder.lstrip("("), "/opt/doc/toile/")
             self.assertTrue((ROOT / "docs" / name).is_file(), name)
 
     @needs("groff")
