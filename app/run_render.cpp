@@ -16,6 +16,7 @@
 #include "app/jobs/lay_reference.h"
 #include "app/jobs/pattern_now.h"
 #include "app/jobs/proof_job.h"
+#include "app/jobs/settings_on_cloth.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
 #include "app/settings/language.h"
@@ -87,7 +88,7 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
         flatten(made, state, flattener, progress);
     }
     draw(derived, progress);
-    state.settings = settingsAfter(made, std::move(state.settings), {});
+    state.settings = settingsAfter(made, state, {});
     const bool failed = printFailures(derived.results, std::cerr);
     document.open(std::move(state), std::move(derived));
     if (const auto question = referenceQuestion(document)) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
+#include "core/quality/strain_bounds.h"
 
 namespace toile::app {
 
@@ -46,10 +47,7 @@ struct OverlayScale {
     /// How near a value is to the end on its side: 1 at the end, more beyond it.
     double severity(double value) const;
     /// True beyond an end by more than rounding.
-    bool isBeyond(double value) const { return severity(value) > kSlack; }
-
-    /// Rounding must not put cloth that is just at its limit beyond it; as in surface.glsl.
-    static constexpr double kSlack = 1.0005;
+    bool isBeyond(double value) const { return severity(value) > StrainBounds::kSlack; }
 
     bool operator==(const OverlayScale&) const = default;
 };

@@ -83,6 +83,12 @@ QString areaNumber(double squareMillimetres) {
 }
 
 QString areaWithUnit(double squareMillimetres) {
+    constexpr double kSquareMetre = 1e6, kSquareYard = 914.4 * 914.4;
+    const bool inches = LengthDisplay::instance().format().unit == LengthUnit::Inch;
+    if (const double large = inches ? kSquareYard : kSquareMetre; squareMillimetres >= large) {
+        return QString("%1 %2").arg(ungrouped().toString(squareMillimetres / large, 'f', 2),
+                                    inches ? QStringLiteral("yd²") : QStringLiteral("m²"));
+    }
     return QString("%1 %2").arg(areaNumber(squareMillimetres), areaUnit());
 }
 

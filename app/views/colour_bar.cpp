@@ -7,13 +7,14 @@
 
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
+#include "app/views/corner_legend.h"
 
 namespace toile::app {
 
 namespace {
 
 /// Logical pixels, also what the scale bar in the other corner takes.
-constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 150;
+constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 212;
 constexpr int kLeastGround = 238;  ///< of 255: what is drawn below must not be read
 
 }  // namespace
@@ -36,7 +37,7 @@ ColourBar* ColourBar::inCorner(QWidget& view) {
 void ColourBar::placeInCorner() {
     const QWidget& view = *parentWidget();
     const int width = std::min(kCornerWidth, view.width() - kBesideCorner);
-    const int height = sizeHint().height();
+    const int height = cornerLegendHeight(legend_, font(), width);
     setGeometry(view.width() - width - kCornerMargin, view.height() - height - kCornerMargin, width,
                 height);
 }

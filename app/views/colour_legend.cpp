@@ -9,12 +9,15 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
+#include <QStringList>
+#include <QTextLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "app/render/colour_map.h"
 #include "app/text/figures.h"
+#include "app/views/corner_legend.h"
 
 namespace toile::app {
 
@@ -29,8 +32,10 @@ constexpr int kBarMargin = 14;
 constexpr int kTop = 7;
 constexpr int kHistogramHeight = 22;
 constexpr int kBarHeight = 12;
+constexpr int kFoot = 9;  ///< with the marks between the colours and their numbers
 constexpr int kLongestBar = 460;
 constexpr int kCornerAir = 10, kCornerGap = 4;
+constexpr int kMostWordLines = 2;  ///< below the title
 constexpr float kFaint = 0.72F;
 /// Samples of the hatching beside the bar, and the gap between.
 constexpr double kCapWidth = 34, kCapGap = 3;
@@ -107,6 +112,24 @@ QString endLabel(const ColourLegend& legend, bool high) {
     return (high ? QString(QChar(0x2265)) : QString(QChar(0x2264))) + ' ' + text;
 }
 
+/// Words broken into lines of this width; of more than `kMostWordLines` the last ends in "…".
+QStringList wordLines(const QString& words, const QFont& font, int width) {
+    QStringList lines;
+    QTextLayout layout(words, font);
+    layout.beginLayout();
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        if (lines.size() + 1 == kMostWordLines) {
+            lines << QFontMetrics(font).elidedText(words.mid(line.textStart()), Qt::ElideRight,
+                                                   width);
+            break;
+        }
+        lines << words.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines;
+}
+
 /// Paints one legend.
 class LegendPainter {
 public:
@@ -122,12 +145,16 @@ public:
           ground_(palette.color(QPalette::Window)) {}
 
     void paint() { shape_ == LegendShape::Row ? paintRow() : paintCorner(); }
+    /// The words of a corner below its title, line by line; none where they fit beside it.
+    QStringList cornerLines() const;
 
 private:
     void paintRow();
     void paintCorner();
     QFont strongFont() const;
     QString title() const;
+    QString cornerWords() const;
+    bool saysWordsAlone() const { return legend_.overlay == Overlay::Normal || legend_.isMissing; }
     bool hasCaps() const { return legend_.scale.limited; }
     double xOf(const QRectF& bar, double value) const {
         return bar.left() + bar.width() * legend_.scale.position(value);
@@ -161,6 +188,24 @@ QString LegendPainter::title() const {
     return what.unit.isEmpty() ? what.title : LegendWords::tr("%1 (%2)").arg(what.title, what.unit);
 }
 
+QString LegendPainter::cornerWords() const {
+    const QString share = legend_.shortShare();
+    return share.isEmpty() ? legend_.meaning() : share;
+}
+
+QStringList LegendPainter::cornerLines() const {
+    if (saysWordsAlone()) {
+        return {};
+    }
+    const double beside =
+        size_.width() - 3.0 * kCornerAir - QFontMetricsF(strongFont()).horizontalAdvance(title());
+    const QString words = cornerWords();
+    if (metrics_.horizontalAdvance(words) <= beside) {
+        return {};
+    }
+    return wordLines(words, font_, std::max(1, size_.width() - 2 * kCornerAir));
+}
+
 void LegendPainter::paintCorner() {
     const double line = metrics_.height(), room = size_.width() - 2 * kCornerAir;
     double left = kCornerAir;
@@ -176,23 +221,26 @@ void LegendPainter::paintCorner() {
     painter_.setPen(ink_);
     painter_.drawText(QRectF(left, kTop, room, line), Qt::AlignVCenter, name);
     painter_.setFont(font_);
-    if (legend_.overlay == Overlay::Normal || legend_.isMissing) {
+    if (saysWordsAlone()) {
         painter_.setPen(withAlpha(ink_, kFaint));
         painter_.drawText(QRectF(left, kTop + line, size_.width() - left - kCornerAir,
                                  size_.height() - kTop - line - kCornerAir),
                           Qt::AlignTop | Qt::TextWordWrap, legend_.meaning());
         return;
     }
-    const double said = left + strong.horizontalAdvance(name) + kCornerAir;
-    const QString share = legend_.shortShare();
     painter_.setPen(withAlpha(ink_, kFaint));
-    painter_.drawText(
-        QRectF(said, kTop, size_.width() - said - kCornerAir, line),
-        Qt::AlignVCenter | Qt::AlignRight,
-        metrics_.elidedText(share.isEmpty() ? legend_.meaning() : share, Qt::ElideRight,
-                            static_cast<int>(size_.width() - said - kCornerAir)));
+    if (const QStringList lines = cornerLines(); !lines.isEmpty()) {
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            painter_.drawText(QRectF(left, kTop + static_cast<double>(i + 1) * line, room, line),
+                              Qt::AlignLeft | Qt::AlignVCenter, lines[i]);
+        }
+    } else {
+        const double said = left + strong.horizontalAdvance(name) + kCornerAir;
+        painter_.drawText(QRectF(said, kTop, size_.width() - said - kCornerAir, line),
+                          Qt::AlignVCenter | Qt::AlignRight, cornerWords());
+    }
     const double side = kCornerAir + kCapWidth + kCapGap;
-    const QRectF bar(side, kTop + line + kCornerGap + kHistogramHeight, size_.width() - 2 * side,
+    const QRectF bar(side, size_.height() - kBarHeight - line - kFoot, size_.width() - 2 * side,
                      kBarHeight);
     paintHistogram(bar);
     paintBar(bar);
@@ -494,8 +542,16 @@ ColourLegend legendOf(const OverlayFigures& figures) {
 
 int legendHeight(const QFont& font, LegendShape shape) {
     const int line = QFontMetrics(font).height();
-    const int row = kTop + kHistogramHeight + kBarHeight + line + 9;
+    const int row = kTop + kHistogramHeight + kBarHeight + line + kFoot;
     return shape == LegendShape::Row ? row : row + line + kCornerGap;
+}
+
+int cornerLegendHeight(const ColourLegend& legend, const QFont& font, int width) {
+    const int height = legendHeight(font, LegendShape::Corner);
+    QImage none(1, 1, QImage::Format_RGB32);
+    QPainter painter(&none);
+    const LegendPainter measured(painter, legend, {width, height}, font, {}, LegendShape::Corner);
+    return height + static_cast<int>(measured.cornerLines().size()) * QFontMetrics(font).height();
 }
 
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,

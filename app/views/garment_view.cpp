@@ -26,6 +26,16 @@ constexpr double kHiddenBehind = 3;
 /// How near the eye may come to the cloth that is zoomed at, as a part of the garment's extent.
 constexpr double kNearestCloth = 4e-3;
 
+/// What the slider from the design to sewn cloth takes above the other, logical pixels.
+constexpr double kSecondSlider = 38;
+
+/// What framing leaves free below for the sliders that there are, and above, so that what the
+/// garment is turned about is in the middle.
+double roomOfSliders(const Document& document) {
+    const auto cloth = sewnOf(document);
+    return Camera3D::kSliderRoom + (cloth && cloth->isMeasured ? kSecondSlider : 0);
+}
+
 /// Room left around a framed seam, as a part of its extent.
 constexpr double kAirAroundSeam = 0.15;
 
@@ -43,6 +53,7 @@ void GarmentView::setCameraViewport(double width, double height) {
 }
 
 void GarmentView::framePieces(const std::set<int>& pieces) {
+    camera_.setFreeEdges(roomOfSliders(document_));
     frameGarment(camera_, *scene(), places(), seenOf(pieces, places()), morph_);
 }
 
@@ -57,6 +68,7 @@ bool GarmentView::frameLines(const SeamScene& seam) {
         return false;  // its box is that of the garment
     }
     const Eigen::AlignedBox3d boxes[] = {{seam.box.min() - air, seam.box.max() + air}};
+    camera_.setFreeEdges(roomOfSliders(document_));
     camera_.frame(boxes);
     return true;
 }
@@ -82,6 +94,7 @@ void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
     const Eigen::Vector3d air = Eigen::Vector3d::Constant(radius);
     const Eigen::Vector3d place = spotPoint(spot, sewnWay());
     const Eigen::AlignedBox3d boxes[] = {{place - air, place + air}};
+    camera_.setFreeEdges(roomOfSliders(document_));
     camera_.frame(boxes);
     if (spot.normal.isZero() || (isFacing(spot) && !isHidden(spot))) {
         return;

@@ -5,6 +5,8 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include <Eigen/LU>
 
@@ -16,11 +18,14 @@
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/views/tool.h"
+#include "core/pattern/grain_line.h"
+#include "core/pattern/pattern.h"
 
 namespace toile::app {
 namespace {
 
-constexpr double kShortest = 28;           // pixels, however narrow the cloth
+constexpr double kWellSeen = 28;           // pixels
+constexpr double kShortest = 16;           // pixels, however narrow the cloth
 constexpr double kHead = 10;               // pixels
 constexpr double kHalo = 3.2;              // pixels, both sides together
 constexpr double kDash = 3.2, kGap = 2.4;  // widths of the line
@@ -50,23 +55,75 @@ void paintArrow(QPainter& painter, const QPointF& tail, const QPointF& tip, cons
     }
 }
 
+/// Where a grain line has most room on a piece if nothing else is drawn there, about the
+/// placement's offset.
+std::optional<Chord> clearGrain(const PatternPiece& piece, const Placement& placement,
+                                double direction) {
+    FreeCloth cloth{{turnedLine(piece.outline, placement)}};
+    for (const Points2& hole : piece.holes) {
+        cloth.loops.push_back(turnedLine(hole, placement));
+    }
+    return grainLine(cloth, direction);
+}
+
+/// Keeps what `clearGrain` has found for as long as pattern, turn and grain are the same: arrows
+/// are asked for with each move of the pointer.
+class ClearGrains {
+public:
+    std::optional<Chord> of(const Document& document, int piece, const Placement& placement,
+                            double direction) {
+        const std::shared_ptr<const Pattern>& pattern = document.derived().pattern;
+        if (pattern_.lock() != pattern) {
+            pattern_ = pattern;
+            found_.clear();
+        }
+        const Asked asked{placement.turn, direction, placement.mirrored};
+        const auto found = found_.find(piece);
+        if (found != found_.end() && found->second.first == asked) {
+            return found->second.second;
+        }
+        const auto line = clearGrain(*document.patternPiece(piece), placement, direction);
+        found_.insert_or_assign(piece, std::pair(asked, line));
+        return line;
+    }
+
+private:
+    struct Asked {
+        double turn, direction;
+        bool mirrored;
+
+        bool operator==(const Asked&) const = default;
+    };
+
+    std::weak_ptr<const Pattern> pattern_;
+    std::map<int, std::pair<Asked, std::optional<Chord>>> found_;  ///< by piece
+};
+
 }  // namespace
 
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
                                      double pixelsPerMillimetre) {
     const PieceResult* result = document.result(piece);
-    const auto at = static_cast<std::size_t>(piece);
-    if (!document.scene() || at >= document.scene()->pieces.size() || !result || !result->flat) {
+    const auto index = static_cast<std::size_t>(piece);
+    if (!document.scene() || index >= document.scene()->pieces.size() || !result || !result->flat) {
         return std::nullopt;
     }
     const Placement placement = placementOf(document, piece);
     const PieceMarks& marks = document.marks().of(document, piece, drawingWords());
-    const double grain = grainOf(document.settings()[at]);
+    const double grain = grainOf(document.settings()[index]);
     const Eigen::Vector2d direction =
         placement.linear() * Eigen::Vector2d(std::cos(grain), std::sin(grain));
-    const Chord line = marks.grain.value_or(Chord{marks.label.position, marks.label.position});
-    return GrainArrow{placement.offset + 0.5 * (line.from + line.to), direction,
-                      std::max((line.to - line.from).norm(), kShortest / pixelsPerMillimetre)};
+    std::optional<Chord> line = marks.grain;
+    const bool isWellSeen =
+        line && (line->to - line->from).norm() * pixelsPerMillimetre >= kWellSeen;
+    if (!isWellSeen && document.patternPiece(piece)) {
+        thread_local ClearGrains kept;  // of the pattern that was asked about last
+        const auto clear = kept.of(document, piece, placement, directionOnSheet(placement, grain));
+        line = clear ? clear : line;
+    }
+    const Chord at = line.value_or(Chord{marks.label.position, marks.label.position});
+    return GrainArrow{placement.offset + 0.5 * (at.from + at.to), direction,
+                      std::max((at.to - at.from).norm(), kShortest / pixelsPerMillimetre)};
 }
 
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
@@ -77,10 +134,10 @@ void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail
     painter.restore();
 }
 
-std::vector<QLineF> paintGrainArrows(QPainter& painter, const RenderStyle& style,
-                                     const SheetMap& onScreen, const Document& document,
-                                     bool strong) {
-    std::vector<QLineF> arrows;
+std::vector<DrawnArrow> paintGrainArrows(QPainter& painter, const RenderStyle& style,
+                                         const SheetMap& onScreen, const Document& document,
+                                         bool strong) {
+    std::vector<DrawnArrow> arrows;
     painter.save();
     for (int piece = 0; piece < document.pieceCount(); ++piece) {
         if (isHidden(document, piece)) {
@@ -99,7 +156,7 @@ std::vector<QLineF> paintGrainArrows(QPainter& painter, const RenderStyle& style
         const QLineF line(onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)));
         paintArrow(painter, line.p1(), line.p2(), style.text, style.labelFill, strong ? 2.2 : 1.8,
                    document.settings()[at].grain.has_value());
-        arrows.push_back(line);
+        arrows.push_back({piece, line});
     }
     painter.restore();
     return arrows;

@@ -27,8 +27,9 @@ struct GrainArrow {
     Eigen::Vector2d end(double share) const { return middle + share * length * direction; }
 };
 
-/// Where files have the piece's grain line (`MarkPlaces`), but long enough to be seen and grabbed
-/// however narrow the cloth is; nothing where the piece is not flat.
+/// Where files have the piece's grain line (`MarkPlaces`); where that is too short to be seen,
+/// where there is most room on the cloth, and long enough to be grabbed however narrow that is.
+/// Nothing where the piece is not flat.
 /// @param pixelsPerMillimetre  of the screen that it is for
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
                                      double pixelsPerMillimetre);
@@ -37,13 +38,19 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
                 const QPointF& tip, bool marked, bool stated);
 
+/// An arrow on the screen, logical pixels.
+struct DrawnArrow {
+    int piece;
+    QLineF line;
+};
+
 /// Paints the arrows of all flat pieces, dashed where the grain is unset.
 /// @param strong  while the grain is what is being worked on: also of pieces too small to be worth
 /// it
-/// @return where they lie, logical pixels
-std::vector<QLineF> paintGrainArrows(QPainter& painter, const RenderStyle& style,
-                                     const SheetMap& onScreen, const Document& document,
-                                     bool strong);
+/// @return where they lie
+std::vector<DrawnArrow> paintGrainArrows(QPainter& painter, const RenderStyle& style,
+                                         const SheetMap& onScreen, const Document& document,
+                                         bool strong);
 /// Paints one arrow as held or pointed at.
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
                       const GrainArrow& arrow);

@@ -21,7 +21,7 @@ namespace toile::app {
 namespace {
 
 /// Room for the caption above and the scale bar below; the rulers come on top of it.
-constexpr Camera2D::Margins kMargins{26, 50, 104};
+constexpr Camera2D::Margins kMargins{26, 50, 118};
 
 constexpr double kMajorPixels = 56;  // between labelled ticks, at least
 constexpr double kTickPixels = 5;    // between ticks, at least

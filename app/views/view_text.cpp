@@ -22,7 +22,11 @@ constexpr double kScaleBar = 150;   ///< about so many pixels long
 constexpr double kScaleTick = 5;
 
 QFont scaled(QFont font, double factor, bool bold) {
-    font.setPointSizeF(std::max(6.5, font.pointSizeF() * factor));
+    if (font.pixelSize() > 0) {
+        font.setPixelSize(std::max(9, qRound(font.pixelSize() * factor)));
+    } else {
+        font.setPointSizeF(std::max(6.5, font.pointSizeF() * factor));
+    }
     font.setWeight(bold ? QFont::DemiBold : QFont::Normal);
     return font;
 }
@@ -72,20 +76,21 @@ void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& co
     painter.restore();
 }
 
-QFont labelFont(const QFont& font, bool selected) {
-    return scaled(font, 0.9, selected);
+QFont labelFont(const QFont& font, bool selected, double size) {
+    return scaled(font, 0.9 * size, selected);
 }
 
-QSizeF labelSize(const QFont& font, const QString& text, bool selected) {
-    constexpr double kPadX = 7, kPadY = 2.5;
-    const QFontMetricsF metrics(labelFont(font, selected));
-    return {metrics.horizontalAdvance(text) + 2 * kPadX, metrics.height() + 2 * kPadY};
+QSizeF labelSize(const QFont& font, const QString& text, bool selected, double size) {
+    const bool isUsual = size >= 1;
+    const double padX = isUsual ? 7 : 4, padY = isUsual ? 2.5 : 0;
+    const QFontMetricsF metrics(labelFont(font, selected, size));
+    return {metrics.horizontalAdvance(text) + 2 * padX, metrics.height() + 2 * padY};
 }
 
 void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
-                bool selected) {
+                bool selected, double size) {
     painter.save();
-    painter.setFont(labelFont(painter.font(), selected));
+    painter.setFont(labelFont(painter.font(), selected, size));
     painter.setPen(selected ? QPen(style.selection, 1.5) : QPen(Qt::NoPen));
     painter.setBrush(style.labelFill);
     painter.drawRoundedRect(box, box.height() / 2, box.height() / 2);

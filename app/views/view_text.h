@@ -42,12 +42,13 @@ bool anyPointIn(const QRectF& part, const Holds& holds) {
 }
 
 /// A label: a name in a rounded box that keeps it legible on any cloth.
-/// @param box  as large as `labelSize` says
+/// @param box   as large as `labelSize` says
+/// @param size  of the usual letters; smaller ones have less room around them, too
 void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
-                bool selected);
-QSizeF labelSize(const QFont& font, const QString& text, bool selected);
+                bool selected, double size = 1);
+QSizeF labelSize(const QFont& font, const QString& text, bool selected, double size = 1);
 /// In which names are written, where other words of the view are in `font`.
-QFont labelFont(const QFont& font, bool selected);
+QFont labelFont(const QFont& font, bool selected, double size = 1);
 
 /// What the scale bar takes.
 QRectF scaleBarBox(const QFont& font, const QRect& view, double pixelsPerMillimetre,

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where names and callouts go: legible, told apart and not on each other.
+#include "app/views/name_labels.h"
+
+#include <QPolygonF>
 #include <QTest>
+#include <QTransform>
+#include <cmath>
 
 #include "app/views/callouts.h"
-#include "app/views/pattern_text.h"
+#include "app/views/name_cloth.h"
 #include "app/views/view_text.h"
 #include "tests/app/support/run_test.h"
 
@@ -12,20 +17,29 @@ using namespace toile::app;
 
 namespace {
 
-const QFont kFont("Sans Serif", 9);
+/// In pixels, as the boxes are.
+const QFont kFont = [] {
+    QFont font("Sans Serif");
+    font.setPixelSize(12);
+    return font;
+}();
 const QRectF kView(20, 20, 500, 400);
 const QChar kGap(0x2026);
 
-NamedPiece pieceAt(const QString& name, const QRectF& box) {
-    return {name, {}, box.center(), box};
+QPolygonF boxOutline(const QRectF& box) {
+    return {{box.topLeft(), box.topRight(), box.bottomRight(), box.bottomLeft()}};
 }
 
-/// Strips side by side, so near that no name may stand out.
-std::vector<NamedPiece> strips(const QStringList& names, double width) {
+NamedPiece pieceAt(const QString& name, const QRectF& box) {
+    return {name, {}, box.center(), boxOutline(box), box};
+}
+
+/// Strips side by side, so near that no name stands beside one.
+std::vector<NamedPiece> strips(const QStringList& names, const QSizeF& size) {
     std::vector<NamedPiece> pieces;
     for (const QString& name : names) {
-        const double left = 30 + static_cast<double>(pieces.size()) * (width + 2);
-        pieces.push_back(pieceAt(name, {left, 60, width, 300}));
+        const double left = 30 + static_cast<double>(pieces.size()) * (size.width() + 2);
+        pieces.push_back(pieceAt(name, {QPointF(left, 24), size}));
     }
     return pieces;
 }
@@ -44,9 +58,18 @@ bool anyMeet(const std::vector<QRectF>& boxes) {
 std::vector<QRectF> boxesOf(const std::vector<NameLabel>& names) {
     std::vector<QRectF> boxes;
     for (const NameLabel& name : names) {
-        boxes.push_back(name.box);
+        boxes.push_back(name.bounds());
     }
     return boxes;
+}
+
+/// On its cloth or else beside all of it, with a leader that ends on it.
+bool isWhereItBelongs(const NameLabel& name, const NamedPiece& piece) {
+    if (!name.leader) {
+        return piece.outline.boundingRect().contains(name.bounds());
+    }
+    return !name.bounds().intersects(piece.box) &&
+           piece.outline.containsPoint(name.leader->p2(), Qt::OddEvenFill);
 }
 
 }  // namespace
@@ -55,23 +78,75 @@ class NameLabelsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void aNameIsWrittenOutWhereThereIsRoom() {
-        // Narrower than its name, with nothing beside it.
-        const auto alone = nameLabels(kFont, {pieceAt("side_front_left", {200, 60, 12, 200})}, {});
-        QCOMPARE(alone.size(), std::size_t{1});
-        QCOMPARE(alone[0].text, QString("side_front_left"));
-        QVERIFY(alone[0].box.width() > 60);
-        QCOMPARE(alone[0].box.size(), labelSize(kFont, "side_front_left", false));
-        const auto mirrored =
-            nameLabels(kFont, {{"cuff", " · wrong side up", {250, 200}, {200, 100, 100, 200}}}, {});
-        QCOMPARE(mirrored.at(0).text, QString("cuff · wrong side up"));
+    void aNameIsWrittenWhereFilesHaveIt() {
+        const NamedPiece wide = pieceAt("side_front_left", {100, 60, 200, 200});
+        const auto names = nameLabels(kFont, {wide}, {kView});
+        QCOMPARE(names.size(), std::size_t{1});
+        QCOMPARE(names[0].text, QString("side_front_left"));
+        QCOMPARE(names[0].box.center(), wide.at);
+        QCOMPARE(names[0].angle, 0.0);
+        QCOMPARE(names[0].box.size(), labelSize(kFont, "side_front_left", false));
+        NamedPiece mirrored = pieceAt("cuff", {200, 100, 140, 200});
+        mirrored.note = " · wrong side up";
+        QCOMPARE(nameLabels(kFont, {mirrored}, {kView}).at(0).text,
+                 QString("cuff · wrong side up"));
+    }
+
+    void alongANarrowPieceItIsTurned() {
+        for (const double tilt : {0.0, 25.0, -40.0}) {
+            NamedPiece piece = pieceAt("side_front_left", {200, 60, 24, 200});
+            QTransform turn;
+            turn.translate(212, 160);
+            turn.rotate(tilt);
+            turn.translate(-212, -160);
+            piece.outline = turn.map(piece.outline);
+            piece.box = piece.outline.boundingRect();
+            const auto names = nameLabels(kFont, {piece}, {kView});
+            QCOMPARE(names.size(), std::size_t{1});
+            QCOMPARE(names[0].text, QString("side_front_left"));
+            QVERIFY(!names[0].leader);
+            QVERIFY2(std::abs(names[0].angle) > 0.8, qPrintable(QString::number(names[0].angle)));
+            QVERIFY(std::abs(names[0].angle) < 1.58);  // never upside down
+            // No corner of it beyond the cloth.
+            QTransform label;
+            label.translate(names[0].box.center().x(), names[0].box.center().y());
+            label.rotateRadians(-names[0].angle);
+            const QRectF box = names[0].box.translated(-names[0].box.center());
+            for (const QPointF& corner :
+                 {box.topLeft(), box.topRight(), box.bottomLeft(), box.bottomRight()}) {
+                QVERIFY(piece.outline.containsPoint(label.map(corner), Qt::OddEvenFill));
+            }
+        }
+    }
+
+    void besideWhatIsTooNarrowItHasALeader() {
+        const NamedPiece piece = pieceAt("side_front_left", {200, 60, 9, 200});
+        const auto names = nameLabels(kFont, {piece}, {kView});
+        QCOMPARE(names.size(), std::size_t{1});
+        QCOMPARE(names[0].text, QString("side_front_left"));
+        QVERIFY(names[0].leader);
+        QVERIFY(isWhereItBelongs(names[0], piece));
+        QVERIFY(names[0].leader->length() < 20);
+        // Not where another piece lies.
+        const NamedPiece above = pieceAt("yoke", {150, 22, 120, 36});
+        const auto both = nameLabels(kFont, {piece, above}, {kView});
+        QCOMPARE(both.size(), std::size_t{2});
+        for (const NameLabel& name : both) {
+            const NamedPiece& own = name.piece == 0 ? piece : above;
+            const NamedPiece& other = name.piece == 0 ? above : piece;
+            QVERIFY(isWhereItBelongs(name, own));
+            QVERIFY(!name.bounds().intersects(other.box));
+        }
     }
 
     void whatAllNamesBeginWithGoesFirst() {
-        const auto names =
-            nameLabels(kFont, strips({"panel 5", "panel 15", "panel 25", "panel 115"}, 22), {});
+        // As high as the view, and too narrow for the whole name either way.
+        const QSizeF size(labelSize(kFont, "115", false, kSmallName).width() + 6,
+                          labelSize(kFont, "panel 5", false, kSmallName).width() - 6);
+        auto pieces = strips({"panel 5", "panel 15", "panel 25", "panel 115"}, size);
+        const QRectF view(28, 22, 4 * (size.width() + 2) + 6, size.height() + 4);
         QStringList texts;
-        for (const NameLabel& name : names) {
+        for (const NameLabel& name : nameLabels(kFont, pieces, {view})) {
             texts << name.text;
         }
         texts.sort();
@@ -81,11 +156,12 @@ private slots:
     void aShortenedNameCanBeToldFromAllOthers() {
         const QStringList all{"side_front_left", "side_back_left", "collar_undercollar"};
         for (double width = 4; width < 90; width += 1.5) {
-            const auto pieces = strips(all, width);
-            const auto names = nameLabels(kFont, pieces, {});
+            const auto pieces = strips(all, {width, 60});
+            const auto names = nameLabels(kFont, pieces, {kView});
             QVERIFY(!anyMeet(boxesOf(names)));
             for (const NameLabel& name : names) {
-                QCOMPARE(name.box.size(), labelSize(kFont, name.text, false));
+                QVERIFY(isWhereItBelongs(name, pieces[static_cast<std::size_t>(name.piece)]));
+                QCOMPARE(name.box.size(), labelSize(kFont, name.text, false, name.size));
                 const qsizetype gap = name.text.indexOf(kGap);
                 if (gap < 0) {
                     QVERIFY(all.contains(name.text));
@@ -106,8 +182,8 @@ private slots:
         // Both names belong in one place, and something else is written there already.
         const QRectF piece(100, 60, 200, 300);
         const QRectF taken(150, 190, 100, 30);
-        const auto names =
-            nameLabels(kFont, {pieceAt("back_left", piece), pieceAt("back_right", piece)}, {taken});
+        const auto names = nameLabels(
+            kFont, {pieceAt("back_left", piece), pieceAt("back_right", piece)}, {kView, {taken}});
         QCOMPARE(names.size(), std::size_t{2});
         std::vector<QRectF> boxes = boxesOf(names);
         for (const QRectF& box : boxes) {
@@ -117,31 +193,59 @@ private slots:
         QVERIFY(!anyMeet(boxes));
     }
 
-    /// The grain line lies where names belong: beside it, above or below; over it only where there
-    /// is no other way.
+    /// The grain line lies where names belong: beside it, above or below, or along it.
     void namesKeepOffGrainArrows() {
-        const QRectF wide(100, 60, 200, 300), narrow(400, 60, 40, 300);
-        for (const QRectF& piece : {wide, narrow}) {
-            const QLineF arrow(piece.center() - QPointF(0, 15), piece.center() + QPointF(0, 15));
-            const auto names = nameLabels(kFont, {pieceAt("sleeve", piece)}, {}, {arrow});
-            QCOMPARE(names.size(), std::size_t{1});
-            QVERIFY(!names[0].box.intersects(QRectF(arrow.p1(), arrow.p2()).adjusted(-1, 0, 1, 0)));
-            const QLineF through(piece.center() - QPointF(0, 150),
-                                 piece.center() + QPointF(0, 150));
-            const auto over = nameLabels(kFont, {pieceAt("sleeve", piece)}, {}, {through});
-            QCOMPARE(over.size(), std::size_t{1});
-            QCOMPARE(over[0].box.center() == piece.center(), piece == narrow);
+        for (const QRectF& piece :
+             {QRectF(100, 60, 200, 300), QRectF(400, 60, 70, 300), QRectF(400, 60, 20, 300)}) {
+            for (const double half : {15.0, 150.0}) {
+                const QLineF arrow(piece.center() - QPointF(0, half),
+                                   piece.center() + QPointF(0, half));
+                NamedPiece named = pieceAt("sleeve", piece);
+                named.arrow = arrow;
+                const auto names = nameLabels(kFont, {named}, {kView, {}, {arrow}});
+                QCOMPARE(names.size(), std::size_t{1});
+                QVERIFY(isWhereItBelongs(names[0], named));
+                QVERIFY(!names[0].bounds().intersects(
+                    QRectF(arrow.p1(), arrow.p2()).adjusted(-1, 0, 1, 0)));
+            }
         }
     }
 
-    void theSelectedPieceChoosesFirst() {
-        auto pieces = strips({"one_name", "two_name"}, 30);
-        for (NamedPiece& piece : pieces) {
-            piece.at = {60, 200};
-            piece.box = QRectF(30, 190, 60, 20);  // room for one
+    void wordsRunAlongTheirOwnArrowOnly() {
+        const QPolygonF square = boxOutline({100, 100, 80, 80});
+        const QLineF own(110, 170, 170, 110), other(90, 90, 120, 150);
+        QVERIFY(NameCloth(square, {}, {other}, {}).ways().empty());
+        const NameCloth cloth(square, own, {own, other}, {});
+        QCOMPARE(cloth.ways().size(), std::size_t{1});
+        QVERIFY(std::abs(cloth.ways()[0] - 0.785) < 0.001);
+        // Along the grain of what is long is along the cloth.
+        const QLineF down(150, 300, 150, 110);
+        QCOMPARE(NameCloth(boxOutline({100, 100, 80, 300}), down, {down}, {}).ways().size(),
+                 std::size_t{1});
+    }
+
+    void keptNamesFollowWhatChanges() {
+        KeptNames kept;
+        std::vector<NamedPiece> pieces{pieceAt("sleeve", {100, 60, 200, 200})};
+        for (const QPointF& by : {QPointF(), QPointF(), QPointF(3, 4)}) {
+            pieces[0].at += by;
+            const auto anew = nameLabels(kFont, pieces, {kView});
+            const auto& names = kept.of(kFont, pieces, {kView});
+            QCOMPARE(names.size(), anew.size());
+            QCOMPARE(names[0].box, anew[0].box);
         }
+        QVERIFY(kept.of(kFont, {}, {kView}).empty());
+    }
+
+    void theSelectedPieceChoosesFirst() {
+        // Room for one, and none around.
+        auto pieces =
+            strips({"one_name", "two_name"}, labelSize(kFont, "two_name", true) + QSizeF(12, 2));
+        pieces[1].outline = pieces[0].outline;
+        pieces[1].box = pieces[0].box;
+        pieces[1].at = pieces[0].at;
         pieces[1].selected = true;
-        const auto names = nameLabels(kFont, pieces, {});
+        const auto names = nameLabels(kFont, pieces, {pieces[0].box.adjusted(-1, -1, 1, 1)});
         QCOMPARE(names.size(), std::size_t{1});
         QCOMPARE(names[0].piece, 1);
     }
