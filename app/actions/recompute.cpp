@@ -5,6 +5,7 @@
 
 #include "app/document/disposal.h"
 #include "app/document/document.h"
+#include "app/jobs/settings_on_cloth.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile::app {
@@ -133,7 +134,7 @@ void Recompute::take(Derivation made) {
     if (order_.extent.settle && isWarm(made.derived)) {
         notSettled_ = order_.revision;  // of older lines, say: asked again, it would be again
     }
-    SettingsById settings = settingsAfter(made, document_.state().settings, document_.settings());
+    SettingsById settings = settingsAfter(made, document_.state(), document_.settings());
     document_.show(std::move(made.derived), std::move(settings));
 }
 

@@ -63,6 +63,7 @@ private:
     void refresh();
     void follow();
     SheetMap map() const { return SheetMap(camera_); }
+    bool isOnHandle(const QPointF& at) const;
     Eigen::Vector2d onCloth(const QPointF& at) const;
     int copyAt(const QPointF& at) const;
     void select(int copy);

@@ -77,20 +77,22 @@ void AllowanceForm::makeRows(FieldGuard& guard) {
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(4);
     int row = 0;
-    const auto add = [&](const QString& text, QWidget* field) {
-        auto* label = new QLabel(text, this);
-        label->setBuddy(field);
-        label->setIndent(18);
+    const auto add = [&](QWidget* label, QWidget* field) {
         field->setMaximumWidth(kWidestAllowance);
         grid->addWidget(label, row, 0);
         grid->addWidget(field, row++, 1);
     };
-    grid->addWidget(allowance_, row++, 0, 1, 2);
-    add(tr("Seams"), seams_);
-    add(tr("Hems"), hems_);
-    grid->addWidget(notched_, row++, 0, 1, 2);
-    add(tr("Form"), form_);
-    add(tr("Depth"), depth_);
+    const auto addMore = [&](const QString& text, QWidget* field) {
+        auto* label = new QLabel(text, this);
+        label->setBuddy(field);
+        label->setIndent(18);
+        add(label, field);
+    };
+    // What is ticked stands beside its first value: the panel is low.
+    add(allowance_, seams_);
+    addMore(tr("Hems"), hems_);
+    add(notched_, form_);
+    addMore(tr("Depth"), depth_);
     grid->setColumnStretch(2, 1);
     grid->setRowStretch(row, 1);
     seams_->setAccessibleName(tr("Allowance of seams"));

@@ -57,22 +57,22 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
-    columns->addWidget(scrolledColumn(*makeSettings(), this), 2);
+    columns->addWidget(scrolledColumn(*makeSettings(), this), 1);
     auto* added = new QWidget(this);
     auto* rows = new QVBoxLayout(added);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
     rows->addWidget(allowance_);
     rows->addWidget(label_, 1);
-    columns->addWidget(scrolledColumn(*added, this), 2);
-    columns->addWidget(ends_, 2);
+    columns->addWidget(scrolledColumn(*added, this), 1);
+    columns->addWidget(ends_, 4);
     auto* selected = new QWidget(this);
     auto* forms = new QVBoxLayout(selected);
     forms->setContentsMargins(0, 0, 0, 0);
     forms->setSpacing(0);
     forms->addWidget(dart_);
     forms->addWidget(segment_, 1);
-    columns->addWidget(scrolledColumn(*selected, this), 4);
+    columns->addWidget(scrolledColumn(*selected, this), 3);
     connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
     connect(true_, &QCheckBox::clicked, this, &LinesPanel::setTrueing);
     connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {

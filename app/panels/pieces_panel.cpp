@@ -327,7 +327,10 @@ QString PiecesPanel::detailsOfMany() const {
         cut == counted ? QString() : row(tr("Pieces to cut"), QLocale().toString(cut));
     return QString("<p><b>%1</b></p><table>%2%3%4</table>%5")
         .arg(title.toHtmlEscaped(), row(tr("Pieces, flat"), tr("%1 of %2").arg(flat).arg(counted)),
-             toCut, row(tr("Cloth needed at least"), areaWithUnit(area)), hint);
+             toCut,
+             row(tr("Cloth needed at least"),
+                 flat > 0 ? areaWithUnit(area) : QString(QChar(0x2013))),
+             hint);
 }
 
 }  // namespace toile::app

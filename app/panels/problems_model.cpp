@@ -9,6 +9,7 @@
 
 #include "app/base/text.h"
 #include "app/panels/remedies.h"
+#include "app/panels/unprepared_scan.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
@@ -37,6 +38,9 @@ QStandardItem* makeHelp(const Finding& finding, const CutPlan& plan) {
 
 /// What to try, in words that know the button.
 QString adviceBeside(const Finding& finding, const CutPlan& plan) {
+    if (finding.kind == FindingKind::NotFlat && isOfUnpreparedScan(finding, *plan.garment)) {
+        return ProblemsModel::tr("Prepare the scan first: Garment > Read as > Scan");
+    }
     const auto remedies = remediesFor(finding, plan);
     const bool hasCut = std::ranges::find(remedies, Remedy::CutOpen) != remedies.end();
     return hasCut ? ProblemsModel::tr("Cut it open along a seam, or let Toile do it")
@@ -107,7 +111,8 @@ void ProblemsModel::addGroup(const Readiness& readiness, const CutPlan& plan,
 }
 
 ProblemsModel::Row ProblemsModel::rowOf(const Finding& finding, const CutPlan& plan, int index) {
-    Row row{makeItem(QString::fromStdString(finding.subject.name)), makeItem(problemText(finding)),
+    const QString name = QString::fromStdString(finding.subject.name);
+    Row row{makeItem(name.isEmpty() ? tr("Whole garment") : name), makeItem(problemText(finding)),
             makeHelp(finding, plan), makeItem(adviceBeside(finding, plan))};
     row[Where]->setIcon(severityMark(finding.severity));
     row[Where]->setData(QVariant::fromValue(QList<int>{index}), FindingsRole);

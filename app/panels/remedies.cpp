@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "app/panels/unprepared_scan.h"
 #include "core/garment/opening_cuts.h"
 
 namespace toile::app {
@@ -80,12 +81,23 @@ const Words& wordsOf(Remedy remedy) {
 
 }  // namespace
 
+bool isOfUnpreparedScan(const Finding& finding, const Garment& garment) {
+    return std::ranges::any_of(finding.pieces, [&garment](int index) -> bool {
+        const Piece& piece = *garment.pieces[static_cast<std::size_t>(index)];
+        const FileReading& reading = garment.files[static_cast<std::size_t>(piece.file)]->reading;
+        return reading.kind == FileKind::Scan && !reading.isStated;
+    });
+}
+
 std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
     switch (finding.kind) {
         case FindingKind::NotFlattened:
             return {Remedy::FlattenNow};
         case FindingKind::NotFlat: {
             std::vector<Remedy> remedies;
+            if (isOfUnpreparedScan(finding, *plan.garment)) {
+                return remedies;  // the question above the views has the button
+            }
             if (hasOtherIslands(finding, *plan.garment)) {
                 remedies.push_back(Remedy::DivideByUv);
             }

@@ -23,6 +23,7 @@ SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
     setAccessibleName(tr("Seam ends"));
     setRootIsDecorated(false);
     dressList(*this);
+    setTextElideMode(Qt::ElideMiddle);  // seams begin alike: "panel 1 / panel 12"
     setColumnCount(ColumnCount);
     setHeaderLabels({tr("Seam end"), tr("At"), tr("Kink"), tr("Drawn")});
     headerItem()->setToolTip(Name, tr("Ticked: the kink there is taken out"));
@@ -64,6 +65,7 @@ void SeamEndsList::show(const Document& document, const LineFacts& facts) {
         auto* row = topLevelItem(static_cast<int>(k));
         row = row ? row : new QTreeWidgetItem(this);
         row->setText(Name, seamName(document, end.seam));
+        row->setToolTip(Name, row->text(Name));
         row->setCheckState(Name, end.isTrued ? Qt::Checked : Qt::Unchecked);
         row->setData(Name, kSeamOfRow, end.seam);
         row->setText(End, end.atEnd ? tr("end") : tr("start"));

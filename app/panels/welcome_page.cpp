@@ -5,6 +5,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
@@ -167,8 +168,13 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
         lines->addWidget(samples, 0, Qt::AlignHCenter);
     }
     auto* layout = new QVBoxLayout(this);
+    // Between stretches rather than centred: else it would not be asked how high its texts are.
+    auto* middle = new QHBoxLayout;
+    middle->addStretch(1);
+    middle->addWidget(column);
+    middle->addStretch(1);
     layout->addStretch(2);
-    layout->addWidget(column, 0, Qt::AlignHCenter);
+    layout->addLayout(middle);
     layout->addStretch(3);
     tintFaintTexts();
 }

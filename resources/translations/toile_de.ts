@@ -1148,10 +1148,6 @@ veraltet</translation>
         <translation>der flache Umriss kreuzte sich selbst und wurde auseinandergeschoben, mit seinen Längen</translation>
     </message>
     <message>
-        <source>triangles are flipped in the pattern</source>
-        <translation>Dreiecke liegen im Schnittmuster umgeklappt</translation>
-    </message>
-    <message>
         <source>boundary edges are too short for their lengths to be exact</source>
         <translation>Randkanten sind zu kurz, als dass ihre Längen genau sein könnten</translation>
     </message>
@@ -1346,10 +1342,6 @@ veraltet</translation>
     <message>
         <source>Flipped cloth</source>
         <translation>Umgeklappter Stoff</translation>
-    </message>
-    <message>
-        <source>triangles are flipped in the pattern (%1 of %2)</source>
-        <translation>Dreiecke liegen im Schnittmuster umgeklappt (%1 von %2)</translation>
     </message>
     <message>
         <source>Choose another method, or cut the piece where it curves most</source>
@@ -2924,16 +2916,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 ist nicht ausgelegt: es ist %2 mm breit, der Stoff %3 mm; setzen Sie es bei %4 mm an</translation>
     </message>
     <message>
-        <source>%1 is not laid %2 times: there is no room left for it</source>
-        <translation>%1 ist %2-mal nicht ausgelegt: dafür ist kein Platz mehr</translation>
+        <source>%1 is not laid %2 times: there is no room left for it; take more cloth</source>
+        <translation>%1 ist %2-mal nicht ausgelegt: dafür ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
     </message>
     <message>
-        <source>%1 is not laid: it fits on no sheet or hide</source>
-        <translation>%1 ist nicht ausgelegt: es passt auf keinen Bogen und keine Haut</translation>
+        <source>%1 is not laid: it fits on no sheet or hide; divide it by a cut, or take larger ones</source>
+        <translation>%1 ist nicht ausgelegt: es passt auf keinen Bogen und keine Haut; teilen Sie es durch einen Einschnitt, oder nehmen Sie größere</translation>
     </message>
     <message>
-        <source>%1 is not laid: its outline crosses itself</source>
-        <translation>%1 ist nicht ausgelegt: sein Umriss kreuzt sich selbst</translation>
+        <source>%1 is not laid: its outline crosses itself; divide it by a cut</source>
+        <translation>%1 ist nicht ausgelegt: sein Umriss kreuzt sich selbst; teilen Sie es durch einen Einschnitt</translation>
     </message>
     <message>
         <source>no seam that is laid here is called %1</source>
@@ -2976,8 +2968,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Bögen</translation>
     </message>
     <message>
-        <source>%1 is not laid: there is no room left for it</source>
-        <translation>%1 ist nicht ausgelegt: dafür ist kein Platz mehr</translation>
+        <source>%1 is not laid: there is no room left for it; take more cloth</source>
+        <translation>%1 ist nicht ausgelegt: dafür ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
     </message>
     <message>
         <source>on the design, %1 Pa</source>
@@ -3076,8 +3068,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>er liegt nirgends in der Nähe des Kleidungsstücks: Einheit oder Achsen sind andere</translation>
     </message>
     <message>
-        <source>nothing of the pattern is a piece of the garment that is flat</source>
-        <translation>nichts von dem Schnitt ist ein flaches Schnittteil des Kleidungsstücks</translation>
+        <source>its pattern is so small that nothing of it is left in a file; state the unit of the garment</source>
+        <translation>sein Schnitt ist so klein, dass in einer Datei nichts von ihm bleibt; geben Sie die Einheit des Kleidungsstücks an</translation>
+    </message>
+    <message>
+        <source>nothing of the pattern is a piece of the garment that is flat; take the pattern that was made of it</source>
+        <translation>nichts von dem Schnitt ist ein flaches Schnittteil des Kleidungsstücks; nehmen Sie den Schnitt, der daraus gemacht ist</translation>
     </message>
     <message>
         <source>the designer&apos;s panels</source>
@@ -3130,6 +3126,114 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>edges of %1 mm make %2 triangles; from %3 mm on there are few enough of them to be sewn</source>
         <translation>Kanten von %1 mm ergeben %2 Dreiecke; ab %3 mm sind es wenig genug, um genäht zu werden</translation>
+    </message>
+    <message>
+        <source>triangles are flipped or without area in the pattern (%1 of %2)</source>
+        <translation>Dreiecke liegen im Schnittmuster umgeklappt oder ohne Fläche (%1 von %2)</translation>
+    </message>
+    <message>
+        <source>Wider than the cloth</source>
+        <translation>Breiter als der Stoff</translation>
+    </message>
+    <message>
+        <source>it measures %1 where its cloth has room for %2</source>
+        <translation>es misst %1, wo sein Stoff Platz für %2 hat</translation>
+    </message>
+    <message>
+        <source>Cut it apart, turn its grain, or take wider cloth</source>
+        <translation>Teilen Sie es, drehen Sie seinen Fadenlauf oder nehmen Sie breiteren Stoff</translation>
+    </message>
+    <message>
+        <source>the triangle at %1 mm, all its corners on the outline, would have no area left</source>
+        <translation>das Dreieck bei %1 mm, dessen Ecken alle am Umriss liegen, hätte keine Fläche mehr</translation>
+    </message>
+    <message>
+        <source>%1, no faces</source>
+        <translation>%1, keine Flächen</translation>
+    </message>
+    <message>
+        <source>triangles are flipped or without area in the pattern</source>
+        <translation>Dreiecke liegen im Schnittmuster umgeklappt oder ohne Fläche</translation>
+    </message>
+    <message>
+        <source>1 texture coordinate</source>
+        <translation>1 Texturkoordinate</translation>
+    </message>
+    <message>
+        <source>%1 texture coordinates</source>
+        <translation>%1 Texturkoordinaten</translation>
+    </message>
+    <message>
+        <source>the triangle at %1 mm would have no area left</source>
+        <translation>das Dreieck bei %1 mm hätte keine Fläche mehr</translation>
+    </message>
+    <message>
+        <source>not readable</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>a pattern is no garment: give it to toile compare --pattern, or open it as the reference pattern</source>
+        <translation>ein Schnitt ist kein Kleidungsstück: Öffnen Sie ihn als Referenzschnitt, oder geben Sie ihn toile compare --pattern</translation>
+    </message>
+    <message>
+        <source>with decimal commas; numbers need decimal points</source>
+        <translation>mit Dezimalkommas; Zahlen brauchen Dezimalpunkte</translation>
+    </message>
+    <message>
+        <source>left out: fewer than three corners</source>
+        <translation>ausgelassen: weniger als drei Ecken</translation>
+    </message>
+    <message>
+        <source>left out: not readable</source>
+        <translation>ausgelassen: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>left out: a corner&apos;s index is out of range</source>
+        <translation>ausgelassen: der Index einer Ecke liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>without texture coordinate: its index is out of range</source>
+        <translation>ohne Texturkoordinate: ihr Index liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>facet %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>record %1</source>
+        <translation>Datensatz %1</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>%1 %2, first at %3</source>
+        <translation>%1 %2, zuerst bei %3</translation>
+    </message>
+    <message>
+        <source>without finite numbers</source>
+        <translation>ohne endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>left out: a corner is repeated</source>
+        <translation>ausgelassen: eine Ecke kommt zweimal vor</translation>
+    </message>
+    <message>
+        <source>divided as a fan: more corners than can be divided with care</source>
+        <translation>als Fächer zerlegt: zu viele Ecken für eine sorgfältige Zerlegung</translation>
+    </message>
+    <message>
+        <source>divided as a fan: it crosses itself or has no area</source>
+        <translation>als Fächer zerlegt: sie kreuzt sich selbst oder hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>it has no closed line that could be a piece; export the outlines of its pieces as closed lines</source>
+        <translation>es enthält keine geschlossene Linie, die ein Schnittteil sein könnte; exportieren Sie die Umrisse seiner Teile als geschlossene Linien</translation>
     </message>
 </context>
 <context>
@@ -3241,10 +3345,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Every piece in its own colour</source>
         <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
-    </message>
-    <message>
-        <source>Plain</source>
-        <translation>Farbe</translation>
     </message>
     <message>
         <source>Check&amp;erboard</source>
@@ -5789,6 +5889,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>&amp;Go to proof</source>
         <translation>Zur &amp;Nähprobe</translation>
     </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -5849,16 +5953,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, wo es eine gibt</translation>
     </message>
     <message>
-        <source>Seams</source>
-        <translation>Nähte</translation>
-    </message>
-    <message>
         <source>Hems</source>
         <translation>Säume</translation>
-    </message>
-    <message>
-        <source>Form</source>
-        <translation>Form</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -6368,6 +6464,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>One leg is longer than the other: the intake must be above %1.</source>
         <translation>Ein Schenkel ist länger als der andere: Der Inhalt muss über %1 liegen.</translation>
+    </message>
+    <message>
+        <source>What opens by 60° or more is a corner and no dart: the intake must be below %1.</source>
+        <translation>Was sich um 60° oder mehr öffnet, ist eine Ecke und kein Abnäher: Der Inhalt muss unter %1 liegen.</translation>
     </message>
 </context>
 <context>
@@ -8477,6 +8577,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Cut it open along a seam, or let Toile do it</source>
         <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
+    </message>
+    <message>
+        <source>Prepare the scan first: Garment &gt; Read as &gt; Scan</source>
+        <translation>Bereiten Sie zuerst den Scan auf: Kleidungsstück &gt; Lesen als &gt; Scan</translation>
+    </message>
+    <message>
+        <source>Whole garment</source>
+        <translation>Ganzes Kleidungsstück</translation>
     </message>
 </context>
 <context>

@@ -80,7 +80,7 @@ private slots:
         QCOMPARE(steps(), 0);
     }
 
-    void aNarrowPieceHasAnArrowBesideItsNameToo() {
+    void aNarrowPieceHasAnArrowInItsMiddleToo() {
         test::writeObj(fixture_.path("band.obj").toStdString(),
                        {{"band", test::makeSheet(600, 12, 60, 2)},
                         {"sheet", test::makeSheet(600, 500, 6, 5, {0, 100, 0})}});
@@ -89,12 +89,10 @@ private slots:
         const double scale = view().camera().pixelsPerMillimetre();
         const auto arrow = grainArrow(document(), 0, scale);
         QVERIFY(arrow);
-        QVERIFY(arrow->length * scale >= 28 - 1e-9);
+        QVERIFY(arrow->length * scale >= 16 - 1e-9);
         QVERIFY2(arrow->length > 12, "longer than the band is wide");
-        const LabelPlace label = document().marks().of(document(), 0, {}).label;
-        const double words = textExtent({"seam line, no allowance"}, label.height).x();
-        const double beside = arrow->middle.x() - placement(0).offset.x() - label.position.x();
-        QVERIFY2(std::abs(beside) > 0.5 * words, qPrintable(QString::number(beside)));
+        // Where there is most room, as that of the files is too short to be seen; names keep off.
+        QVERIFY(std::abs(arrow->middle.y() - box(0).center().y()) < 1);
         QVERIFY(box(0).contains(arrow->middle));
         // It is there to be seen: dark strokes on a light halo.
         document().setOverlay(Overlay::None);

@@ -124,6 +124,21 @@ private slots:
         QVERIFY(placement(1) == was);
     }
 
+    void piecesLaidOutAgainKeepToTheCloth() {
+        double widest = 0, together = 0;
+        for (int i = 0; i < 3; ++i) {
+            widest = std::max(widest, box(i).sizes().x());
+            together += box(i).sizes().x();
+        }
+        document().setSelection({});
+        for (const double width : {widest + 1, together + 100}) {
+            type("fabricWidth", QString::number(std::ceil(width)));
+            action(ActionId::LayOutAgain).trigger();
+            QVERIFY(boxOnSheet(document(), {0, 1, 2}).sizes().x() <= document().fabric().width);
+            QCOMPARE(document().fabric().width, std::ceil(width));
+        }
+    }
+
     void theExportFollowsTheLayout() {
         document().setSelection({2});
         type("positionX", "500");

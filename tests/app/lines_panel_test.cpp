@@ -3,9 +3,12 @@
 // is then.
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
 #include <QToolButton>
 #include <QTreeView>
 #include <QTreeWidget>
+#include <algorithm>
 
 #include "app/document/line_facts.h"
 #include "app/document/project_state.h"
@@ -87,6 +90,16 @@ private slots:
     }
 
     void cleanup() { fixture_.close(); }
+
+    void theTextsOfLabelsAreInSight() {
+        // Rows are as high as letters are.
+        QMainWindow& window = fixture_.window();
+        window.resize(window.width(), std::max(900, 56 * window.fontMetrics().height()));
+        for (const char* name : {"labelSize", "labelDate"}) {
+            const auto& field = fixture_.find<QLineEdit>(name);
+            QTRY_COMPARE(field.visibleRegion().boundingRect(), field.rect());
+        }
+    }
 
     void fairLinesAreDrawnAndOneUndoTakesThemBack() {
         const PieceResults before = document().results();

@@ -12,6 +12,7 @@
 #include <QSignalSpy>
 #include <QToolButton>
 #include <QTreeView>
+#include <algorithm>
 
 #include "app/widgets/banner.h"
 #include "tests/app/support/pair_bench.h"
@@ -30,6 +31,17 @@ private slots:
         QVERIFY(!action(ActionId::ExportPattern).isEnabled());
         QVERIFY(!action(ActionId::PrintPattern).isEnabled());
         QVERIFY(!fixture_.find<QWidget>("pieceTable").isVisible());
+    }
+
+    void theInvitationStandsClearOfTheIcon() {
+        const auto labels = fixture_.find<QWidget>("welcome").findChildren<QLabel*>();
+        const auto heading = std::ranges::find_if(
+            labels, [](const QLabel* label) { return label->text().contains("3D"); });
+        QVERIFY(heading != labels.end());
+        const QLabel& mark = *labels.front();
+        QVERIFY(!mark.pixmap().isNull());
+        QVERIFY((*heading)->geometry().top() - mark.geometry().bottom() >= 16);
+        QVERIFY((*heading)->height() >= (*heading)->heightForWidth((*heading)->width()));
     }
 
     void garmentIsReadFlattenedAndShown() {

@@ -10,6 +10,7 @@
 #include "app/render/offscreen.h"
 #include "app/render/render_style.h"
 #include "app/views/colour_bar.h"
+#include "app/views/corner_legend.h"
 #include "tests/app/support/picture_bench.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
@@ -338,6 +339,20 @@ private slots:
             ends += distance(pixel, colourOf(divergingMap().back()).rgb()) < 12;
         }
         QVERIFY(ends > 3);
+    }
+
+    void theLegendInACornerGrowsUntilItsWordsFit() {
+        ColourLegend legend{Overlay::Strain, {-0.05, 0.05}};
+        const QFont font = options(ViewsShown::Pattern).font;
+        const QFontMetrics metrics(font);
+        const int least = legendHeight(font, LegendShape::Corner);
+        const int words = metrics.horizontalAdvance(legend.meaning());
+        QCOMPARE(cornerLegendHeight(legend, font, 3 * words), least);
+        QCOMPARE(cornerLegendHeight(legend, font, words + 30), least + metrics.height());
+        QCOMPARE(cornerLegendHeight(legend, font, 3 * words / 4), least + 2 * metrics.height());
+        QCOMPARE(cornerLegendHeight(legend, font, words / 4), least + 2 * metrics.height());
+        legend.isMissing = true;  // says in place of colours what is to be done
+        QCOMPARE(cornerLegendHeight(legend, font, words / 2), least);
     }
 
     void everySizeIsDrawnAsItIs_data() {

@@ -13,6 +13,7 @@
 #include "app/render/scene.h"
 #include "app/render/scene_builder.h"
 #include "app/widgets/banner.h"
+#include "core/marker/marker_plan.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
@@ -148,6 +149,29 @@ private slots:
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(waitForAnswer());
         QCOMPARE(verdict(), QString("No faults, 2 doubts"));
+    }
+
+    void whatIsSaidOfTheMarkerIsLookedAtAndWhereCopiesLieIsNot() {
+        QVERIFY(open("sheets.obj"));
+        QVERIFY(findings(FindingKind::WiderThanCloth).empty());
+        const auto say = [this](double width, std::vector<KeptCopy> kept) {
+            DocumentState next = document().state();
+            next.markers = next.markers.with("", {{.width = width}, std::move(kept)});
+            document().edit("Marker", std::move(next));
+        };
+        say(300, {});  // the sheets are 400 mm wide
+        QVERIFY(!checker().isUpToDate());
+        QVERIFY(waitForAnswer());
+        QCOMPARE(findings(FindingKind::WiderThanCloth).size(), std::size_t(2));
+        const CutPlan plan = checker().plan();
+        const PieceId first = document().garment()->pieces[0]->id;
+        say(300, std::vector{KeptCopy{{first, 0}, 0, Placement{{10, 20}}}});
+        QVERIFY(waitForAnswer());
+        QVERIFY(checker().plan() == plan);
+        fixture_.action(ActionId::Undo).trigger();
+        fixture_.action(ActionId::Undo).trigger();
+        QVERIFY(waitForAnswer());
+        QVERIFY(findings(FindingKind::WiderThanCloth).empty());
     }
 
     void pieceWithoutGrainIsSelectedAndFramed() {

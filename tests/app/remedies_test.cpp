@@ -279,6 +279,32 @@ private slots:
         QVERIFY(document().settings()[1].grain);
     }
 
+    void nothingHelpsAPieceOfAScanBeforeThatIsPrepared() {
+        // A ring in a file with a map that it is not divided by.
+        auto file = std::make_shared<SourceFile>();
+        auto soup = std::make_shared<PolygonSoup>();
+        soup->cornerUvs = {0};
+        file->soup = soup;
+        file->split.mode = SplitMode::Components;
+        auto garment = std::make_shared<Garment>();
+        garment->pieces = {std::make_shared<Piece>()};
+        Finding finding;
+        finding.kind = FindingKind::NotFlat;
+        finding.pieces = {0};
+        const auto remedies = [&](FileKind kind, bool isStated) {
+            auto read = std::make_shared<SourceFile>(*file);
+            read->reading.kind = kind;
+            read->reading.isStated = isStated;
+            garment->files = {read};
+            CutPlan plan;
+            plan.garment = garment;
+            return remediesFor(finding, plan);
+        };
+        QCOMPARE(remedies(FileKind::Sheet, false).front(), Remedy::DivideByUv);
+        QVERIFY(remedies(FileKind::Scan, false).empty());
+        QCOMPARE(remedies(FileKind::Scan, true).front(), Remedy::DivideByUv);
+    }
+
     void everyRemedyHasWordsAndSomethingThatDoesIt() {
         for (int i = 0; i <= static_cast<int>(Remedy::LayOutAgain); ++i) {
             const auto remedy = static_cast<Remedy>(i);

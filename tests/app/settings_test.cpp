@@ -224,12 +224,15 @@ private slots:
         display.choose(LengthUnit::Centimetre);
         QCOMPARE(lengthWithUnit(412.34), QString("41.23 cm"));
         QCOMPARE(areaWithUnit(41230), QString("412.3 cm²"));
+        QCOMPARE(areaWithUnit(999000), QString("9990.0 cm²"));
+        QCOMPARE(areaWithUnit(1948600), QString("1.95 m²"));  // nobody reads 19486.0 cm²
         QCOMPARE(fineLength(0.5), QString("0.050"));
         display.choose(LengthUnit::Inch, 16);
         display.choose(LengthUnit::Inch, 16);
         QCOMPARE(lengthWithUnit(412.34), QString("16 1/4 in"));
         QCOMPARE(lengthNumber(-9.525), QString("−3/8"));
         QCOMPARE(areaWithUnit(64516), QString("100.0 in²"));
+        QCOMPARE(areaWithUnit(3 * 914.4 * 914.4), QString("3.00 yd²"));
         QCOMPARE(signedFineLength(0.254), QString("+0.010"));
         QCOMPARE(changed.size(), 2);
     }
