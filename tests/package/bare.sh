@@ -38,7 +38,10 @@ within() { # COMMAND...: in the system, as root, in no language, without the set
         ${http_proxy:+http_proxy="$http_proxy"} ${https_proxy:+https_proxy="$https_proxy"} \
         chroot "$system" "$@"
 }
-as_user() { within setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/sewer XDG_RUNTIME_DIR=/tmp/runtime-sewer "$@"; }
+as_user() {
+    within setpriv --reuid=1000 --regid=1000 --clear-groups env HOME=/home/sewer \
+        ${runtime:+XDG_RUNTIME_DIR="$runtime"} "$@"
+}
 fail() {
     echo "bare: $*" >&2
     exit 1
@@ -68,6 +71,7 @@ within apt-get update -qq
 within apt-get install -y -qq --no-install-recommends xvfb xauth shared-mime-info desktop-file-utils \
     hicolor-icon-theme man-db libglib2.0-bin fonts-dejavu-core >/dev/null 2>&1
 within useradd --create-home --uid 1000 sewer
+runtime=$(as_user mktemp -d)
 mkdir -p "$system/home/sewer/patterns" "$system/packages"
 cp "$samples/tshirt.obj" "$samples/cap.obj" "$here/../data/sample.toile" "$system/home/sewer/patterns"
 chown -R 1000:1000 "$system/home/sewer"
