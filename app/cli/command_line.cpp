@@ -9,11 +9,11 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/serve_command.h"
-#include "core/layout/cloth_rows.h"
+#include "core/layout/marker.h"
 #include "core/linalg/blas_call.h"
 #include "core/pattern/piece_grain.h"
 #include "core/project/layer_materials.h"
-#include "core/project/place_on_cloth.h"
+#include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {

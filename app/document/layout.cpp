@@ -11,7 +11,6 @@
 #include "app/document/mirrored_edits.h"
 #include "app/document/names.h"
 #include "app/document/piece_edits.h"
-#include "core/layout/cloth_rows.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
 

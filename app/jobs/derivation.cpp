@@ -13,7 +13,7 @@
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/layer_materials.h"
 #include "core/project/left_out.h"
-#include "core/project/place_on_cloth.h"
+#include "core/project/place_pieces.h"
 
 namespace toile::app {
 namespace {

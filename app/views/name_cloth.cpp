@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/box_room.h"
+#include "core/pattern/pole.h"
 #include "core/pattern/seam_marks.h"
 
 namespace toile::app {

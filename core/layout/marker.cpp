@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/layout/cloth_rows.h"
 #include "core/pattern/half_pattern.h"
 
 namespace toile {
@@ -21,6 +20,7 @@ constexpr double kBestAspect = 1.25;  // width over height: between a square and
 constexpr int kWidthTrials = 32;
 constexpr double kNarrowestTrial = 0.75;  // of the width a packing without waste would have
 constexpr double kTrialStep = 1.0 / 16;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
 /// What fills a box, and how wide its cloth is.
 struct BoxOnCloth {
@@ -182,16 +182,11 @@ double gapBetweenPieces(double largestSide) {
     return std::min(kLargestGap, kRelativeGap * largestSide);
 }
 
-Rows layOutInRows(std::span<const Box> boxes) {
-    return layOutInRows(boxes,
-                        std::vector<double>(boxes.size(), std::numeric_limits<double>::infinity()));
-}
-
 Rows layOutInRows(std::span<const Box> boxes, std::span<const double> clothWidths) {
     std::vector<BoxOnCloth> filled;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (!boxes[i].isEmpty()) {
-            filled.push_back({boxes[i], clothWidths[i]});
+            filled.push_back({boxes[i], clothWidths.empty() ? kNoLimit : clothWidths[i]});
         }
     }
     const double gap = gapBetweenPieces(largestSide(boxes));
@@ -225,10 +220,6 @@ Rows layOutInRows(const Pattern& pattern) {
 
 Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements) {
     return layOutOn(pattern, placements, fabricPresets().front());
-}
-
-LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements) {
-    return laidOut(std::move(whole), placements, fabricPresets().front());
 }
 
 LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements,

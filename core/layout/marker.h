@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/garment/fabric.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/placement.h"
 
@@ -31,12 +32,14 @@ struct LaidOutPattern {
 };
 
 /// The pieces where they are to lie, the lower left corner of all at (0, 0); those without a place
-/// in rows to the right of the others, or alone (`layOutInRows`).
+/// in rows to the right of the others, or alone (`layOutInRows`), on cloth of the usual width.
 /// @param placements  one per piece of the pattern, or none  Cost: linear. Pure.
 Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements = {});
 
-/// @param whole  with the `Cutting` of each piece
-LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements = {});
+/// @param whole  with the `Cutting` of each piece and the materials
+/// @param own    the garment's fabric: of pieces without a material
+LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements = {},
+                       const Fabric& own = fabricPresets().front());
 
 /// 20 mm, or a tenth of the largest side of any piece where that is smaller, so that garments of
 /// any scale keep their digits.
@@ -50,7 +53,11 @@ struct Rows {
 
 /// Lays what fills these boxes in rows, in their order, with a gap between them
 /// (`gapBetweenPieces`); no two boxes overlap, and empty ones take no room.
-Rows layOutInRows(std::span<const Eigen::AlignedBox2d> boxes);
+/// @param clothWidths  one per box, above 0, mm: no row is wider than the narrowest cloth of those
+///                     in it, but that of a box which is wider itself; those of empty boxes are no
+///                     limit. None: nothing is a limit.
+Rows layOutInRows(std::span<const Eigen::AlignedBox2d> boxes,
+                  std::span<const double> clothWidths = {});
 
 /// The same of the pieces of a pattern.
 Rows layOutInRows(const Pattern& pattern);

@@ -11,7 +11,6 @@
 #include "core/geometry/buckets.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
-#include "core/pattern/box_room.h"
 
 namespace toile {
 namespace {

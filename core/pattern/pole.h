@@ -46,4 +46,9 @@ std::optional<Pole> circlePole(const FreeCloth& cloth, const PoleSearch& search 
 std::optional<Pole> boxPole(const FreeCloth& cloth, const Eigen::Vector2d& size, double angle,
                             const PoleSearch& search = {});
 
+/// As `boxPole`, but nothing where a box of this size finds no room: the search ends as soon as
+/// that is known, which is soon where it is far from fitting.
+std::optional<Pole> boxPlace(const FreeCloth& cloth, const Eigen::Vector2d& size, double angle,
+                             const PoleSearch& search = {});
+
 }  // namespace toile

@@ -10,11 +10,9 @@
 #include <Eigen/Geometry>
 
 #include "core/layout/arrange.h"
-#include "core/layout/cloth_rows.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
 #include "core/layout/sheet_overlaps.h"
-#include "core/project/place_on_cloth.h"
 
 namespace toile {
 namespace {
@@ -311,14 +309,6 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
         }
     }
     return motions;
-}
-
-std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
-                                          const PieceResults& results,
-                                          const std::vector<std::optional<FlatMotion>>& motions,
-                                          const Pattern* pattern) {
-    std::vector<double> clothWidths(settings.size(), kUsualClothWidth);
-    return Placing(std::move(settings), results, pattern, std::move(clothWidths)).run(motions);
 }
 
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,

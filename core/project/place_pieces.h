@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/flatten/base/piece_result.h"
+#include "core/garment/fabric.h"
 #include "core/layout/marker.h"
 #include "core/project/piece_settings.h"
 #include "core/project/rigid_motion.h"
@@ -34,16 +35,19 @@ std::vector<std::optional<FlatMotion>> flatMotions(const PieceResults& before,
 /// itself does, if its place is unset; where both were, both stay. With allowances no two pieces
 /// lie on each other but those that a person has placed.
 /// Pieces without a place get one: to the right of all others; or, where no piece has one yet,
-/// all in rows.
+/// all in rows, none wider than a cloth which the pieces in it are cut from (`layOutInRows`).
 /// @param settings  one per result
 /// @param motions   of `flatMotions`
 /// @param pattern   made of the results: pieces are as large as they are cut; null: as their
-/// outlines Cost: linear in the outlines, some milliseconds more for each piece that has to move.
-/// Pure.
+///                  outlines
+/// @param own       the garment's fabric: of pieces without a material
+/// Cost: linear in the outlines, some milliseconds more for each piece that has to move. Pure.
 std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const PieceResults& results,
                                           const std::vector<std::optional<FlatMotion>>& motions,
-                                          const Pattern* pattern = nullptr);
+                                          const Pattern* pattern = nullptr,
+                                          const MaterialList& materials = {},
+                                          const Fabric& own = fabricPresets().front());
 
 /// The pattern as it is cut and laid out, as has been said of its pieces.
 /// @param settings  one per piece, or none  Cost: linear. Pure.

@@ -204,10 +204,6 @@ Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::Vector
     return lengths3d.cwiseQuotient(lengths2d).array() - 1;
 }
 
-int flippedTriangles(const Eigen::VectorXd& areas2d) {
-    return static_cast<int>((areas2d.array() <= 0).count());
-}
-
 int flippedTriangles(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d) {
     return static_cast<int>((areas2d.array() <= kCollapsedShare * areas3d.array()).count());
 }

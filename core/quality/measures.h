@@ -68,8 +68,6 @@ QuasiConformal quasiConformal(const Eigen::MatrixX2d& singular, const Eigen::Vec
 /// (0.02 = must stretch by 2 %). Infinite where the flat edge has no length.
 Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 
-/// Triangles that are not positive in the plane.
-int flippedTriangles(const Eigen::VectorXd& areas2d);
 /// What no cloth does, though it may be positive by rounding: a triangle that keeps no more of its
 /// area than this has collapsed.
 inline constexpr double kCollapsedShare = 1e-6;

@@ -12,6 +12,7 @@
 #include "core/mesh/intrinsic_delaunay.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -50,7 +51,7 @@ Flips flipsByBoth(const Piece& piece, const Points2& Q) {
         return *system->extend(outline);
     };
     const auto flippedIn = [&piece](const Points2& points) {
-        return flippedTriangles(triangleAreas2d(points, piece.mesh.F));
+        return test::turnedTriangles(points, piece.mesh.F);
     };
     const Eigen::VectorXd own = cotangentWeights(piece.mesh, piece.table);
     const Points2 plain = placedWith({piece.table.edges, own});
@@ -73,7 +74,7 @@ TEST(ConformalInterior, KeepsTheMeshsOwnWeightsWhereNothingFlips) {
         const auto flat = flatten(*piece, {method}, Progress());
         ASSERT_TRUE(flat);
         EXPECT_EQ(flat->delaunayFlips, 0);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
         EXPECT_LE(test::distanceAfterRigidMotion(flat->Q, piece->mesh.V.leftCols(2)), 1e-8);
     }
 }
@@ -89,7 +90,7 @@ TEST(ConformalInterior, TakesDelaunayWeightsWhereTheOwnOnesFlip) {
         const Flips flips = flipsByBoth(*piece, flat->Q);
         EXPECT_GT(flips.plain, 0);
         EXPECT_EQ(flips.delaunay, 0);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
         EXPECT_EQ(flat->delaunayFlips, flips.turned);
         EXPECT_LT(flat->delaunayFlips,
                   intrinsicDelaunay(piece->mesh, piece->table, Progress())->flips);
@@ -106,7 +107,7 @@ TEST(ConformalInterior, KeepsTheOwnWeightsWhereTheOthersFlipMore) {
         const auto flat = flatten(*piece, {Method::Curvature}, Progress());
         ASSERT_TRUE(flat);
         const Flips flips = flipsByBoth(*piece, flat->Q);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)),
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F),
                   std::min(flips.plain, flips.delaunay));
         EXPECT_EQ(flat->delaunayFlips > 0, flips.delaunay < flips.plain);
         kept += 0 < flips.plain && flips.plain < flips.delaunay ? 1 : 0;

@@ -13,6 +13,7 @@
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -98,10 +99,10 @@ TEST_P(ConvexData, NeverFlips) {
         SCOPED_TRACE(piece->name);
         const auto flat = flatten(*piece, kConvex, progress);
         ASSERT_TRUE(flat) << sentence(flat.error());
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
         const auto tutte = tutteOnCircle(*piece, progress);
         ASSERT_TRUE(tutte) << sentence(tutte.error());
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(*tutte, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(*tutte, piece->mesh.F), 0);
     }
 }
 

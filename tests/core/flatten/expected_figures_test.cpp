@@ -13,6 +13,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -122,7 +123,7 @@ TEST_P(ExpectedFigures, AreMet) {
         EXPECT_NEAR(quality.piE, expected["pi_e"].get<double>(), 1e-5);
         EXPECT_NEAR(quality.piA, expected["pi_a"].get<double>(), 1e-5);
         // It counts by the sign of areas, and none that has collapsed.
-        const int turned = flippedTriangles(triangleAreas2d(placed, results[k]->piece->mesh.F));
+        const int turned = test::turnedTriangles(placed, results[k]->piece->mesh.F);
         EXPECT_EQ(turned, expected["flipped"].get<int>());
         EXPECT_GE(quality.flippedTriangles, turned);
         EXPECT_EQ(quality.outlineCrossings, expected["crossings"].get<int>());

@@ -20,6 +20,7 @@
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -213,7 +214,7 @@ TEST(CutSides, ArePartedByTheGapAskedFor) {
         moved += way > 0 ? 1 : 0;
     }
     EXPECT_EQ(moved, 2 * 6);  // both sides but for the tip
-    EXPECT_EQ(flippedTriangles(triangleAreas2d(parted, cut->mesh.F)), 0);
+    EXPECT_EQ(test::turnedTriangles(parted, cut->mesh.F), 0);
     // What is apart already stays.
     const Points2 once = parted;
     isometric::partCutSides(*cut, Eigen::VectorXd::Constant(n, 0.2), parted);

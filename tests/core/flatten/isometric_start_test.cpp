@@ -18,6 +18,7 @@
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -50,7 +51,7 @@ TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
                   piece->mesh.V.row(piece->boundary[i]));
         EXPECT_EQ(flat.row(coarse.loops().vertices()[i]), Q.row(piece->boundary[i]));
     }
-    EXPECT_EQ(flippedTriangles(triangleAreas2d(flat, coarse.mesh().F)), 0);
+    EXPECT_EQ(test::turnedTriangles(flat, coarse.mesh().F), 0);
     // A disk still: Euler's count.
     const EdgeTable table =
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
@@ -64,7 +65,7 @@ TEST(Coarsening, ComesBackWithoutFlips) {
     const auto back = coarse.prolonged(coarse.restricted(Q));
     ASSERT_TRUE(back);
     EXPECT_EQ(coarse.restricted(*back), coarse.restricted(Q));
-    EXPECT_EQ(flippedTriangles(triangleAreas2d(*back, piece->mesh.F)), 0);
+    EXPECT_EQ(test::turnedTriangles(*back, piece->mesh.F), 0);
 }
 
 /// A plane's vertices lie among their rings as they did: mean value coordinates are exact there.

@@ -15,6 +15,7 @@
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -42,7 +43,7 @@ Measured measured(const Piece& piece, const FlattenOptions& options) {
 /// The triangles' angles at each boundary vertex sum to its planar angle, not to that plus a full
 /// turn, and interior ones to one turn: with no triangle flipped, the map is locally one-to-one.
 void expectImmersed(const Piece& piece, const Points2& Q) {
-    EXPECT_EQ(flippedTriangles(triangleAreas2d(Q, piece.mesh.F)), 0);
+    EXPECT_EQ(test::turnedTriangles(Q, piece.mesh.F), 0);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(Q.rows());
     const Eigen::MatrixX3d corners = cornerAngles2d(Q, piece.mesh.F);
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {

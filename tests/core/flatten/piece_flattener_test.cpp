@@ -14,6 +14,7 @@
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/random_piece.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -331,7 +332,7 @@ TEST(MatchVersions, TellsTheSidesOfACutApart) {
         const auto flatBefore = flatten(*panel, by(Method::Curvature), Progress());
         const auto carried = carriedOver(opened, *panel, flatBefore->Q);
         ASSERT_TRUE(carried);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(*carried, cut->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(*carried, cut->mesh.F), 0);
         // A second edit elsewhere: everything finds itself, each side its own.
         const PiecePointer moved = test::dragged(*cut, cut->boundary.back(), {1, 1, 1});
         const VersionMatch same = matchVersions(*moved, *cut);
@@ -344,7 +345,7 @@ TEST(MatchVersions, TellsTheSidesOfACutApart) {
         const auto flatCut = flatten(*cut, by(Method::Curvature), Progress());
         const auto onBoth = carriedOver(again, *cut, flatCut->Q);
         ASSERT_TRUE(onBoth);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(*onBoth, both->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(*onBoth, both->mesh.F), 0);
     }
 }
 

@@ -16,6 +16,7 @@
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -74,7 +75,7 @@ TEST(RimLengths, EveryEdgeKeepsItsLength) {
         EXPECT_FALSE(hasNote(*flat, ErrorCode::EndedEarly));
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
         EXPECT_LE(worstError(*piece, flat->Q, piece->boundary), 1e-11);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
         // Without that they would not: a rim alone is off rimsBy some percent.
         const auto conformal = flatten(*piece, rimsBy(Method::Curvature), Progress());
         ASSERT_TRUE(conformal);
@@ -171,7 +172,7 @@ TEST(RimLengths, OfSlitsTooThatLieShut) {
             ADD_FAILURE() << bend << ": " << sentence(note);
         }
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
         if (bend == 0) {
             EXPECT_NEAR(*measure(*piece, flat->Q).symmetricDirichlet, 1, 1e-4);
         }
@@ -227,7 +228,7 @@ TEST(RimLengths, OfDeepPiecesAreFoundToo) {
         EXPECT_LE(worstRim(*piece, flat->Q), 1e-11);
         EXPECT_LE(worstError(*piece, flat->Q, piece->boundary), 1e-11);
         EXPECT_TRUE(outlineIsSimple(flat->Q, piece->holes[0]));
-        EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+        EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
     }
 }
 

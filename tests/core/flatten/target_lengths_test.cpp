@@ -17,6 +17,7 @@
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/turned_triangles.h"
 
 namespace toile {
 namespace {
@@ -115,7 +116,7 @@ TEST(TargetLengths, OfCurvedClothAreKeptToo) {
             ASSERT_TRUE(flat) << sentence(flat.error());
             EXPECT_LE(worstOf(*piece, flat->Q, targets), kExact) << name(method);
             if (method == Method::Isometric) {
-                EXPECT_EQ(flippedTriangles(triangleAreas2d(flat->Q, piece->mesh.F)), 0);
+                EXPECT_EQ(test::turnedTriangles(flat->Q, piece->mesh.F), 0);
             }
         }
     }

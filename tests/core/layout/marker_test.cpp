@@ -5,8 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/layout/cloth_rows.h"
-
 namespace toile {
 namespace {
 

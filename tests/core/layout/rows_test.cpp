@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/layout/cloth_rows.h"
 #include "core/layout/marker.h"
 
 namespace toile {

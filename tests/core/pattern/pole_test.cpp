@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/box_room.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
 

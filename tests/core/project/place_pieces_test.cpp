@@ -11,7 +11,6 @@
 #include "core/layout/sheet_overlaps.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/carry_settings.h"
-#include "core/project/place_on_cloth.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
