@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -256,9 +257,14 @@ std::vector<Plane> candidates(const HalfRims& half) {
     }
     // A flat panel has no outline from above: its ends.
     for (const Eigen::Vector3d& axis : half.along) {
-        const Eigen::VectorXd at = (*half.V)(half.used, Eigen::all) * axis;
-        planes.emplace_back(axis, -at.minCoeff());
-        planes.emplace_back(-axis, at.maxCoeff());
+        double least = std::numeric_limits<double>::infinity(), most = -least;
+        for (const int v : half.used) {
+            const double at = half.V->row(v).dot(axis);
+            least = std::min(least, at);
+            most = std::max(most, at);
+        }
+        planes.emplace_back(axis, -least);
+        planes.emplace_back(-axis, most);
     }
     return planes;
 }
