@@ -14,7 +14,9 @@ Refusal::Refusal(std::string what, std::string says, std::string about)
     : code(std::move(what)), message(std::move(says)), subject(std::move(about)) {}
 
 Refusal::Refusal(const Error& error)
-    : Refusal(std::string(name(error.code)), sentence(error), error.subject.name) {}
+    : Refusal(std::string(name(error.code)), sentence(error), error.subject.name) {
+    places = placesIn(error);
+}
 
 Refusal::Refusal(const Arguments& arguments)
     : Refusal(arguments.error ? Refusal(*arguments.error)
@@ -33,10 +35,12 @@ bool Refusal::isWorthAnotherTry() const {
 }
 
 Json refusalJson(const Refusal& refusal) {
-    return {{"code", refusal.code},
-            {"subject", textOrNull(refusal.subject)},
-            {"message", refusal.message},
-            {"again", refusal.isWorthAnotherTry()}};
+    Json json{{"code", refusal.code},
+              {"subject", textOrNull(refusal.subject)},
+              {"message", refusal.message},
+              {"again", refusal.isWorthAnotherTry()}};
+    addPlaces(json, refusal.places);
+    return json;
 }
 
 }  // namespace toile::app

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/base/error.h"
+#include "core/base/place_words.h"
 
 namespace toile::app {
 
@@ -26,6 +27,7 @@ struct Refusal {
     std::string code;
     std::string message;  ///< a sentence that says what may help
     std::string subject;  ///< the file, piece, seam or cut that it is about; empty: everything
+    std::vector<ToldPlace> places{};  ///< that the message tells
 
     Refusal(std::string what, std::string says, std::string about = {});
     Refusal(const Error& error);
@@ -36,7 +38,8 @@ struct Refusal {
     bool isWorthAnotherTry() const;
 };
 
-/// Its one form in JSON: code, subject (null: everything), message, again.
+/// Its one form in JSON: code, subject (null: everything), message, again, and places where there
+/// are any.
 nlohmann::ordered_json refusalJson(const Refusal& refusal);
 
 }  // namespace toile::app

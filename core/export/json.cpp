@@ -22,7 +22,9 @@ const Error* errorOf(const Garment& garment, const PieceResults& results, std::s
 }
 
 Json problemJson(const Error& error, const Json& piece) {
-    return {{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
+    Json json{{"code", text(name(error.code))}, {"piece", piece}, {"message", sentence(error)}};
+    addPlaces(json, placesIn(error));
+    return json;
 }
 
 Json problemJson(const Error& error) {
@@ -101,7 +103,15 @@ Json text(std::string_view words) {
 }
 
 Json errorJson(const Error& error) {
-    return {{"code", text(name(error.code))}, {"message", sentence(error)}};
+    Json json{{"code", text(name(error.code))}, {"message", sentence(error)}};
+    addPlaces(json, placesIn(error));
+    return json;
+}
+
+void addPlaces(Json& json, const std::vector<ToldPlace>& places) {
+    for (const ToldPlace& place : places) {
+        json["places"].push_back({{"words", place.words}, {"at", place.at}});
+    }
 }
 
 Json textOrNull(const std::string& words) {

@@ -4,9 +4,11 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/json_fields.h"
+#include "core/base/place_words.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pattern/pattern.h"
@@ -23,8 +25,11 @@ using Json = OrderedJson;  // fields in the order of docs/report.md
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json text(std::string_view words);
-/// A fault as programs and people read it: its code, which never changes, and its sentence.
+/// A fault as programs and people read it: its code, which never changes, its sentence, and the
+/// places that this tells.
 Json errorJson(const Error& error);
+/// Adds `places` beside a sentence, where it tells any.
+void addPlaces(Json& json, const std::vector<ToldPlace>& places);
 /// The text, or null where there is none.
 Json textOrNull(const std::string& words);
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/place_words.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"
@@ -63,8 +64,7 @@ private:
 
     Wording place(int vertex) const {
         const auto p = mesh_.V.row(vertex);
-        return toile::worded("at %1, %2, %3 mm",
-                             {figure(p.x(), 1), figure(p.y(), 1), figure(p.z(), 1)});
+        return toile::worded("at %1 mm", {barePlaceWording(p.x(), p.y(), p.z())});
     }
 
     bool fail(ErrorCode code, const Wording& detail) {

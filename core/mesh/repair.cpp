@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/place_words.h"
 #include "core/base/tolerances.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/disk_check.h"
@@ -31,9 +32,8 @@ Problems RepairNotes::problems(const std::string& piece) const {
             "%1 %2", {countWording(entry.count, entry.noun), toile::worded(entry.what)});
         if (entry.first.allFinite()) {
             text += entry.count == 1 ? toile::worded(", at ") : toile::worded(", the first at ");
-            text += toile::worded("%1, %2, %3 mm",
-                                  {figure(entry.first.x(), 1), figure(entry.first.y(), 1),
-                                   figure(entry.first.z(), 1)});
+            text += toile::worded(
+                "%1 mm", {barePlaceWording(entry.first.x(), entry.first.y(), entry.first.z())});
         }
         if (!problems.empty() && problems.back().code == entry.code) {
             problems.back().detail += "; ";

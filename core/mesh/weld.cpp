@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/place_words.h"
 #include "core/geometry/point_index.h"
 
 namespace toile {
@@ -60,11 +61,11 @@ Error weldNote(const Weld& weld, const PointsView& V, const std::string& name) {
     while (weld.target[first] == first) {
         ++first;
     }
-    const std::vector<Wording> words{countWording(weld.merged, "vertex"), figure(V(first, 0), 1),
-                                     figure(V(first, 1), 1), figure(V(first, 2), 1)};
+    const std::vector<Wording> words{countWording(weld.merged, "vertex"),
+                                     barePlaceWording(V(first, 0), V(first, 1), V(first, 2))};
     return {ErrorCode::VerticesWelded, Subject::file(name),
-            weld.merged == 1 ? worded("%1 welded to another, at %2, %3, %4 mm", words)
-                             : worded("%1 welded to another, the first at %2, %3, %4 mm", words)};
+            weld.merged == 1 ? worded("%1 welded to another, at %2 mm", words)
+                             : worded("%1 welded to another, the first at %2 mm", words)};
 }
 
 double weldTolerance(const Triangles& F, const PointsView& V) {

@@ -1600,6 +1600,14 @@ veraltet</translation>
         <translation>(%1; %2; %3)</translation>
     </message>
     <message>
+        <source>%1, %2, %3</source>
+        <translation>%1; %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
         <source>the cuts would separate the piece</source>
         <translation>die Einschnitte würden das Schnittteil zerteilen</translation>
     </message>
@@ -1824,8 +1832,8 @@ veraltet</translation>
         <translation>y zeigt nach oben, wie in den meisten Dateien</translation>
     </message>
     <message>
-        <source>at %1, %2, %3 mm</source>
-        <translation>bei %1; %2; %3 mm</translation>
+        <source>at %1 mm</source>
+        <translation>bei %1 mm</translation>
     </message>
     <message>
         <source>%1, the first %2</source>
@@ -1900,20 +1908,16 @@ veraltet</translation>
         <translation>, zuerst bei </translation>
     </message>
     <message>
-        <source>%1, %2, %3 mm</source>
-        <translation>%1; %2; %3 mm</translation>
-    </message>
-    <message>
         <source>turned</source>
         <translation>gewendet</translation>
     </message>
     <message>
-        <source>%1 welded to another, at %2, %3, %4 mm</source>
-        <translation>%1 mit anderen verschmolzen, bei %2; %3; %4 mm</translation>
+        <source>%1 welded to another, at %2 mm</source>
+        <translation>%1 mit anderen verschmolzen, bei %2 mm</translation>
     </message>
     <message>
-        <source>%1 welded to another, the first at %2, %3, %4 mm</source>
-        <translation>%1 mit anderen verschmolzen, zuerst bei %2; %3; %4 mm</translation>
+        <source>%1 welded to another, the first at %2 mm</source>
+        <translation>%1 mit anderen verschmolzen, zuerst bei %2 mm</translation>
     </message>
     <message>
         <source>%1, the longest rim %2 mm</source>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `toile serve`: requests by themselves.
+#include <array>
 #include <filesystem>
 #include <tuple>
 
@@ -221,6 +222,47 @@ TEST(ServeRequests, WhatIsWorthAnotherTrySaysSo) {
     EXPECT_EQ(served.refused(loadOf({"nowhere.obj"}))["again"], true);
     EXPECT_EQ(served.refused(loadOf({"a.obj", "--no-such-option"}))["again"], false);
     EXPECT_EQ(served.refused({{"do", "flatten"}})["again"], false);
+}
+
+/// How many places are told beside this sentence; each stands in it, in this order.
+std::size_t checkPlaces(const ServedJson& said, const std::array<double, 3>& first) {
+    const auto message = said.at("message").get<std::string>();
+    const auto places = said.value("places", ServedJson::array());
+    std::size_t from = 0;
+    for (const ServedJson& place : places) {
+        const auto words = place.at("words").get<std::string>();
+        from = message.find(words, from);
+        EXPECT_NE(from, std::string::npos) << words << " in " << message;
+        EXPECT_EQ(place.at("at").size(), 3U);
+    }
+    for (std::size_t k = 0; k < 3 && !places.empty(); ++k) {
+        EXPECT_NEAR(places[0]["at"][k].get<double>(), first[k], 1e-9) << message;
+    }
+    return places.size();
+}
+
+TEST(ServeRequests, PlacesOfSentencesStandBesideThemAsNumbers) {
+    Served served;
+    const test::TemporaryFolder folder;
+    // One triangle twice, in centimetres with z up.
+    const auto twice = folder.write("twice.obj",
+                                    "v 0 0 0\nv 10.123 -4 2\nv 10 0 10\nv 0 0 10\nv 20 0 0\n"
+                                    "f 1 2 3 4\nf 2 5 3\nf 2 5 3\n");
+    const std::vector<std::string> words{twice.string(), "--unit", "cm", "--up", "z"};
+    const std::array<double, 3> there{101.23, 20, 40};
+    std::vector<std::string> strict = words;
+    strict.emplace_back("--strict");
+    served.done(loadOf(strict));
+    const auto flat = served.done({{"do", "flatten"}});
+    EXPECT_EQ(checkPlaces(flat["pieces"][0]["error"], there), 1U);
+    const auto loaded = served.done(loadOf(words));
+    std::size_t told = 0;
+    for (const ServedJson& problem : loaded["files"][0]["problems"]) {
+        told += checkPlaces(problem, there);
+    }
+    EXPECT_EQ(told, 1U) << loaded["files"];
+    // What tells no place has none.
+    EXPECT_FALSE(served.refused(loadOf({"nowhere.obj"})).contains("places"));
 }
 
 TEST(ServeRequests, EachTakesTheOptionsThatItAsksFor) {

@@ -96,14 +96,14 @@ class Flattening:
             self._folder.cleanup()
             raise
 
-    def _reworded(self, sentence: str) -> str:
+    def _reworded(self, said: dict[str, Any]) -> str:
         """In words of who sees the meshes, and never the file."""
-        return in_scene(sentence.replace(FILE, self._meshes), self._unit)
+        return in_scene(said, self._unit).replace(FILE, self._meshes)
 
     def outcome(self) -> Outcome:
         loaded, flat, told, *exported = self.requests.wait()
         arrays = told.get("arrays", {})
-        errors = [piece["error"]["message"] for piece in flat["pieces"] if piece["error"]]
+        errors = [piece["error"] for piece in flat["pieces"] if piece["error"]]
         if len(errors) == len(flat["pieces"]):
             said = self._reworded(errors[0]) if errors else "Nothing lies flat."
             raise ToileError(said, "failed")
@@ -114,7 +114,8 @@ class Flattening:
             if said["code"] != WELDED
         ]
         others = [*of_files, *told["problems"], *told["doubts"]]
-        sentences = [*errors, *loaded["notes"], *(said["message"] for said in others)]
+        notes = [{"message": sentence} for sentence in loaded["notes"]]
+        sentences = map(self._reworded, [*errors, *notes, *others])
         pattern = found(self._garment, arrays)
         sewn = [seam for seam in told["seams"] if seam["error_mm"] is not None]
         sewn.sort(key=lambda seam: -round(abs(seam["error_mm"]), SHOWN))
@@ -125,7 +126,7 @@ class Flattening:
             sewn,
             pattern.is_split and bool(told["cuts"]),
             # What is wrong with a piece is said of its file too.
-            list(dict.fromkeys(map(self._reworded, sentences))),
+            list(dict.fromkeys(sentences)),
             [file["path"] for answer in exported for file in answer["files"]],
         )
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass, field
-from typing import Iterable, Sequence
+from typing import Any, Iterable, Sequence
 
 Point = Sequence[float]
 MILLIMETRES = 1000.0
@@ -196,22 +196,17 @@ def short_name(seam: str, pieces: Sequence[str]) -> str:
     return part.sub(lambda found: found[1] or "1", seam)
 
 
-NUMBER = r"(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?)"
-THREE = ", ".join([NUMBER] * 3)
-PLACE = re.compile(rf"\({THREE}\)(?: mm)?|(?<=\bat ){THREE} mm")
-
-
-def in_scene(sentence: str, unit: float) -> str:
-    """Places that a sentence of Toile's names, mm with y up, as Blender shows them.
+def in_scene(said: dict[str, Any], unit: float) -> str:
+    """A sentence of Toile's with the places that it tells as Blender shows them.
     @param unit  millimetres to a unit of the scene"""
     decimals = max(0, math.ceil(math.log10(unit / FINE)))
-
-    def there(match: re.Match[str]) -> str:
-        place = in_file([float(text) for text in match.groups() if text])
-        values = (f"{value / unit:.{decimals}f}" for value in place)
-        return "({}, {}, {})".format(*(re.sub(r"^-(?=[0.]+$)", "", value) for value in values))
-
-    return PLACE.sub(there, sentence)
+    before, told = said["message"], ""
+    for place in reversed(said.get("places", [])):
+        before, _, after = before.rpartition(place["words"])
+        values = (round(value / unit, decimals) + 0.0 for value in in_file(place["at"]))  # no -0
+        shown = ", ".join(f"{value:.{decimals}f}" for value in values)
+        told = f"({shown}){after}{told}"
+    return before + told
 
 
 def in_file(place: Point) -> tuple[float, float, float]:

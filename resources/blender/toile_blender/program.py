@@ -9,6 +9,7 @@ import queue
 import shutil
 import subprocess
 import threading
+from operator import itemgetter
 from typing import Any, Callable, Iterator
 
 
@@ -38,13 +39,13 @@ def program_path(preferred: str) -> str:
 class Requests:
     """Some requests, answered one after the other by a process of its own. Ask `poll` from time to
     time until `is_done`; nothing here waits but `wait`.
-    @param reworded  what becomes of the program's sentences for who has asked"""
+    @param reworded  what an error of the program's says to who has asked"""
 
     def __init__(
         self,
         program: str,
         requests: list[dict[str, Any]],
-        reworded: Callable[[str], str] = str,
+        reworded: Callable[[dict[str, Any]], str] = itemgetter("message"),
     ):
         try:
             self._process = subprocess.Popen(
@@ -114,7 +115,7 @@ class Requests:
                 self._end(ToileError("Toile has ended before it was done.", "ended"))
             elif "error" in message:
                 said = message["error"]
-                sentence = self._reworded(said["message"])
+                sentence = self._reworded(said)
                 self._end(ToileError(sentence, said["code"], said["subject"]))
             elif "progress" in message:
                 self.progress = (message["id"] + message["progress"]) / self._count
