@@ -32,6 +32,9 @@ enum OptionGroup : unsigned {
     kEveryOption = ~0U,
 };
 
+/// Threads that work at one garment; OpenBLAS has memory for no more.
+inline constexpr int kMostThreads = 64;
+
 /// What the user typed, parsed and checked.
 struct Arguments {
     enum class Command {

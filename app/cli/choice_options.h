@@ -7,7 +7,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/most_threads.h"
 #include "core/base/text.h"
 #include "core/base/words.h"
 
@@ -74,6 +73,16 @@ CLI::Option* addChoice(CLI::App& command, const std::string& option, Value& valu
     return addChoice(
         command, option, value, namesOf(words),
         [&words](const std::string& word) { return parseWord(words, word); }, help);
+}
+
+/// The name of a report.
+inline CLI::Validator jsonName() {
+    return {[](const std::string& name) {
+                return name.ends_with(".json") || name.ends_with(".JSON")
+                           ? std::string()
+                           : "the report's name must end in .json, not \"" + name + "\"";
+            },
+            ""};
 }
 
 }  // namespace toile::app

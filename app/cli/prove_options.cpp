@@ -35,12 +35,8 @@ CLI::Option* addUnit(CLI::App& command, const char* option, std::optional<FileUn
 
 void addSewnPattern(CLI::App& command, Arguments& arguments) {
     ProveArguments& prove = arguments.prove;
-    CLI::Option* pattern =
-        command
-            .add_option("--pattern", arguments.pattern,
-                        "Sew this pattern: .dxf, .svg or GarmentCode's .specification.json [the "
-                        "garment's own, as ASTM DXF, read back]")
-            ->type_name("FILE");
+    CLI::Option* pattern = addPatternFile(command, arguments, "Sew this pattern",
+                                          " [the garment's own, as ASTM DXF, read back]");
     addUnit(command, "--pattern-unit", prove.patternUnit, "Unit of its coordinates")
         ->needs(pattern);
     addChoice(command, "--reference", prove.isReference, kProvenReferenceWords,
@@ -101,6 +97,14 @@ void addStiffness(CLI::App& command, StatedStiffness& stated) {
 
 }  // namespace
 
+CLI::Option* addPatternFile(CLI::App& command, Arguments& arguments, const std::string& what,
+                            const std::string& otherwise) {
+    return command
+        .add_option("--pattern", arguments.pattern,
+                    what + ": .dxf, .svg or GarmentCode's .specification.json" + otherwise)
+        ->type_name("FILE");
+}
+
 void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed) {
     ProofSettings& settings = arguments.prove.settings;
     CLI::Option* touches = command.add_flag("--self-contact", settings.touchesItself,
@@ -155,11 +159,7 @@ void addProveOutput(CLI::App& command, Arguments& arguments) {
     command
         .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")
         ->type_name("FILE.json")
-        ->check([](const std::string& name) {
-            return name.ends_with(".json") || name.ends_with(".JSON")
-                       ? std::string()
-                       : "the report's name must end in .json, not \"" + name + "\"";
-        });
+        ->check(jsonName());
     command.add_flag("--json", arguments.json, "Print as JSON");
 }
 

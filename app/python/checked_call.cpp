@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "app/cli/most_threads.h"
+#include "app/cli/arguments.h"
 #include "app/cli/refusal.h"
 
 namespace toile::python {
