@@ -5,6 +5,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/proof_picture.h"
+#include "core/base/sanitized.h"
 #ifdef TOILE_GUI
 #include "app/export/paint_drawing.h"
 #include "app/report_pictures.h"
@@ -19,9 +20,9 @@ namespace {
 int end(int status) {
     std::cout.flush();
     std::cerr.flush();
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-    std::_Exit(status);
-#endif
+    if (!toile::isSanitized()) {  // these report at the end
+        std::_Exit(status);
+    }
     return status;
 }
 

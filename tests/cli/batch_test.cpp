@@ -18,9 +18,9 @@
 
 #include "app/cli/batch_folder.h"
 #include "app/cli/batch_process.h"
+#include "core/base/sanitized.h"
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
-#include "tests/core/support/sanitized.h"
 
 namespace toile {
 namespace {
@@ -244,7 +244,7 @@ TEST(Batch, WhatTookTooLongIsTriedAgainNextTime) {
 
 #ifdef __linux__
 TEST(Batch, MemoryHasABound) {
-    if (test::isSanitized()) {
+    if (isSanitized()) {
         GTEST_SKIP() << "a sanitizer has more memory mapped than any bound";
     }
     Bench bench;

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/sanitized.h"
 #include "tests/cli/run_program.h"
-#include "tests/core/support/sanitized.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -229,7 +229,7 @@ TEST_P(ContractOfThreads, TheirNumberLeavesNoTrace) {
 
 #ifdef __linux__
 TEST(Contract, EndsWhereMemoryDoesNotSuffice) {
-    if (test::isSanitized()) {
+    if (isSanitized()) {
         GTEST_SKIP() << "sanitizers reserve more memory than any limit";
     }
     const test::TemporaryFolder folder;

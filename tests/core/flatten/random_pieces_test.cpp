@@ -6,20 +6,20 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/sanitized.h"
 #include "core/base/tolerances.h"
 #include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/random_piece.h"
-#include "tests/core/support/sanitized.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
 constexpr unsigned kSeeds = 1000, kSeedsOfAShard = 50;
-const unsigned kQuickShards = test::isSanitized() ? 1 : 3;
-const unsigned kShards = test::isSanitized() ? 1 : kSeeds / kSeedsOfAShard;
+const unsigned kQuickShards = isSanitized() ? 1 : 3;
+const unsigned kShards = isSanitized() ? 1 : kSeeds / kSeedsOfAShard;
 constexpr std::array kMethods = {Method::Wang2005, Method::Curvature, Method::Isometric};
 constexpr std::array kSolvers = {BoundarySolver::Newton, BoundarySolver::Slcp};
 

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/sanitized.h"
 #include "core/base/units.h"
 #include "tests/core/nest/nest_shapes.h"
-#include "tests/core/support/sanitized.h"
 
 namespace {
 
@@ -133,7 +133,7 @@ NestInstance randomInstance(nest::Random& random) {
 class RandomNests : public testing::TestWithParam<int> {};
 
 TEST_P(RandomNests, KeepTheRules) {
-    const int sets = test::isSanitized() ? 2 : 10;  // of 500
+    const int sets = isSanitized() ? 2 : 10;  // of 500
     for (int k = 0; k < sets; ++k) {
         SCOPED_TRACE("set " + std::to_string(k));
         nest::Random random(static_cast<std::uint64_t>(GetParam()), static_cast<std::uint64_t>(k),

@@ -8,17 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/sanitized.h"
 #include "core/pipeline/piece_work.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/support/sanitized.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {
 namespace {
 
-const int kPanelSide = test::isSanitized() ? 120 : 708;  // squares: a million triangles
+const int kPanelSide = isSanitized() ? 120 : 708;  // squares: a million triangles
 /// Checked code is slow and locks a lot.
-const double kAllowed = test::isSanitized() ? 1 : kCancelSeconds;
+const double kAllowed = isSanitized() ? 1 : kCancelSeconds;
 /// The machine may be busy with something else at just the wrong moment.
 constexpr int kTries = 3;
 
