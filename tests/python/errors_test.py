@@ -23,6 +23,7 @@ class Errors(unittest.TestCase):
         self.assertIn("nowhere.obj", caught.exception.subject)
         self.assertIn("nowhere.obj", str(caught.exception))
         self.assertIsInstance(caught.exception, toile.Error)
+        self.assertTrue(caught.exception.again)  # it may be there by then
 
     def test_a_project_that_is_none(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
@@ -31,6 +32,7 @@ class Errors(unittest.TestCase):
             with self.assertRaises(toile.FileError) as caught:
                 toile.load(path)
             self.assertEqual(caught.exception.code, "malformed-project")
+            self.assertFalse(caught.exception.again)
             with self.assertRaises(toile.UsageError):
                 toile.load(path, unit="cm")
 
@@ -174,6 +176,7 @@ class Errors(unittest.TestCase):
         with self.assertRaises(toile.FileError) as caught:
             flat.write("/nowhere/at/all/pattern.svg")
         self.assertEqual(caught.exception.code, "file-unwritable")
+        self.assertTrue(caught.exception.again)
 
     def test_a_piece_that_fails_leaves_the_others(self) -> None:
         sheet, faces = grid()
@@ -187,6 +190,7 @@ class Errors(unittest.TestCase):
         self.assertEqual(flat[1].error.code, "closed-surface")
         self.assertEqual(flat[1].error.code, made[1].defect.code)
         self.assertEqual(flat[1].error.subject, made[1].name)
+        self.assertFalse(flat[1].error.again)
         self.assertIsNone(flat[1].positions)
         self.assertIsNone(flat[1].strain)
         self.assertIn("closed-surface", [problem.code for problem in flat.problems])

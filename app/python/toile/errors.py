@@ -8,15 +8,19 @@ class Error(Exception):
     code: the name that reports have, "no-geometry"; "wrong-usage" or
         "not-proved" of a UsageError.
     subject: the name of the file, piece, seam or cut that it is about; empty: everything.
+    again: whether the machine was the reason, so that another try may help: the file may be there
+        by then, or the memory.
     """
 
     code: str
     subject: str
+    again: bool
 
-    def __init__(self, text: str, code: str = "", subject: str = "") -> None:
-        super().__init__(text, code, subject)
+    def __init__(self, text: str, code: str = "", subject: str = "", again: bool = False) -> None:
+        super().__init__(text, code, subject, again)
         self.code = code
         self.subject = subject
+        self.again = again
 
     def __str__(self) -> str:
         return str(self.args[0])
