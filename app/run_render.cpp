@@ -16,7 +16,6 @@
 #include "app/jobs/lay_reference.h"
 #include "app/jobs/pattern_now.h"
 #include "app/jobs/proof_job.h"
-#include "app/jobs/settings_on_cloth.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
 #include "app/settings/language.h"

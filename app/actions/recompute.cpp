@@ -5,7 +5,7 @@
 
 #include "app/document/disposal.h"
 #include "app/document/document.h"
-#include "app/jobs/settings_on_cloth.h"
+#include "app/jobs/derivation.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile::app {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/document/disposal.h"
-#include "app/jobs/settings_on_cloth.h"
 #include "app/render/scene_builder.h"
 #include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"

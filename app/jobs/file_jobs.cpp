@@ -11,7 +11,6 @@
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
 #include "app/jobs/pattern_now.h"
-#include "app/jobs/settings_on_cloth.h"
 #include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/export/export_file.h"

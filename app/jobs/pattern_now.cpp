@@ -5,7 +5,6 @@
 
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
-#include "app/jobs/settings_on_cloth.h"
 #include "app/text/error_text.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/left_out.h"
