@@ -5,8 +5,6 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 #include <Eigen/LU>
 
@@ -19,7 +17,6 @@
 #include "app/text/error_text.h"
 #include "app/views/tool.h"
 #include "core/pattern/grain_line.h"
-#include "core/pattern/pattern.h"
 
 namespace toile::app {
 namespace {
@@ -55,50 +52,6 @@ void paintArrow(QPainter& painter, const QPointF& tail, const QPointF& tip, cons
     }
 }
 
-/// Where a grain line has most room on a piece if nothing else is drawn there, about the
-/// placement's offset.
-std::optional<Chord> clearGrain(const PatternPiece& piece, const Placement& placement,
-                                double direction) {
-    FreeCloth cloth{{turnedLine(piece.outline, placement)}};
-    for (const Points2& hole : piece.holes) {
-        cloth.loops.push_back(turnedLine(hole, placement));
-    }
-    return grainLine(cloth, direction);
-}
-
-/// Keeps what `clearGrain` has found for as long as pattern, turn and grain are the same: arrows
-/// are asked for with each move of the pointer.
-class ClearGrains {
-public:
-    std::optional<Chord> of(const Document& document, int piece, const Placement& placement,
-                            double direction) {
-        const std::shared_ptr<const Pattern>& pattern = document.derived().pattern;
-        if (pattern_.lock() != pattern) {
-            pattern_ = pattern;
-            found_.clear();
-        }
-        const Asked asked{placement.turn, direction, placement.mirrored};
-        const auto found = found_.find(piece);
-        if (found != found_.end() && found->second.first == asked) {
-            return found->second.second;
-        }
-        const auto line = clearGrain(*document.patternPiece(piece), placement, direction);
-        found_.insert_or_assign(piece, std::pair(asked, line));
-        return line;
-    }
-
-private:
-    struct Asked {
-        double turn, direction;
-        bool mirrored;
-
-        bool operator==(const Asked&) const = default;
-    };
-
-    std::weak_ptr<const Pattern> pattern_;
-    std::map<int, std::pair<Asked, std::optional<Chord>>> found_;  ///< by piece
-};
-
 }  // namespace
 
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
@@ -116,9 +69,8 @@ std::optional<GrainArrow> grainArrow(const Document& document, int piece,
     std::optional<Chord> line = marks.grain;
     const bool isWellSeen =
         line && (line->to - line->from).norm() * pixelsPerMillimetre >= kWellSeen;
-    if (!isWellSeen && document.patternPiece(piece)) {
-        thread_local ClearGrains kept;  // of the pattern that was asked about last
-        const auto clear = kept.of(document, piece, placement, directionOnSheet(placement, grain));
+    if (!isWellSeen) {
+        const auto clear = document.marks().clearGrain(document, piece);
         line = clear ? clear : line;
     }
     const Chord at = line.value_or(Chord{marks.label.position, marks.label.position});
