@@ -7,7 +7,6 @@
 
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
-#include "app/views/corner_legend.h"
 
 namespace toile::app {
 
@@ -15,6 +14,9 @@ namespace {
 
 /// Logical pixels, also what the scale bar in the other corner takes.
 constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 212;
+/// Where less than this is left beside the scale bar, the legend stands above that and takes the
+/// width but for this, which a ruler may have.
+constexpr int kLeastWidth = 260, kAtSides = 40, kAboveCorner = 52;
 constexpr int kLeastGround = 238;  ///< of 255: what is drawn below must not be read
 
 }  // namespace
@@ -36,10 +38,13 @@ ColourBar* ColourBar::inCorner(QWidget& view) {
 
 void ColourBar::placeInCorner() {
     const QWidget& view = *parentWidget();
-    const int width = std::min(kCornerWidth, view.width() - kBesideCorner);
+    const bool isAbove = view.width() - kBesideCorner < kLeastWidth;
+    const int taken = isAbove ? kAtSides : kBesideCorner;
+    const int width = std::clamp(view.width() - taken, 1, kCornerWidth);
     const int height = cornerLegendHeight(legend_, font(), width);
-    setGeometry(view.width() - width - kCornerMargin, view.height() - height - kCornerMargin, width,
-                height);
+    const int below = isAbove ? kAboveCorner : kCornerMargin;
+    setGeometry(view.width() - width - kCornerMargin, std::max(0, view.height() - height - below),
+                width, height);
 }
 
 bool ColourBar::eventFilter(QObject* watched, QEvent* event) {

@@ -25,6 +25,8 @@ struct ColourLegend {
     bool isOnItsWay = false;              ///< but it is being sewn
     SewnPattern sewn = SewnPattern::Own;  ///< that it is of
 
+    /// "Strain along warp (%)".
+    QString title() const;
     /// What the colours say, or what is to be done first.
     QString meaning() const;
 
@@ -35,8 +37,12 @@ struct ColourLegend {
     /// another direction may say something else. The shares at the ends as they are shown add up to
     /// it. Empty where the fabric has no limits, or nothing is flat yet.
     QString shareSentence() const;
-    /// The same in few words: "12 % beyond the fabric".
+    /// The same where the colours are seen: "(hatched)" follows where any cloth is beyond.
+    QString markedShareSentence() const;
+    /// The same in few words: "12 % beyond the fabric (hatched)".
     QString shortShare() const;
+    /// "+15" and, where cloth lies beyond that is marked by nothing else, "≥ +15".
+    QString endLabel(bool high) const;
     /// "12 %": how much of the cloth lies beyond the lower or the higher end; empty where no cloth
     /// has been counted.
     QString endShareText(bool high) const;
@@ -55,6 +61,9 @@ enum class LegendShape {
 
 /// How high a legend is, logical pixels.
 int legendHeight(const QFont& font, LegendShape shape = LegendShape::Row);
+/// How high one of LegendShape::Corner is where it is so wide: words that find no room beside the
+/// title stand below it, in two lines at most.
+int cornerLegendHeight(const ColourLegend& legend, const QFont& font, int width);
 
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,
                  const QFont& font, const QPalette& palette, LegendShape shape = LegendShape::Row);

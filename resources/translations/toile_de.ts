@@ -35,10 +35,6 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Strain on the bias (%)</source>
-        <translation>Dehnung im Schrägen (%)</translation>
-    </message>
-    <message>
         <source>%1 (hatched)</source>
         <translation>%1 (schraffiert)</translation>
     </message>

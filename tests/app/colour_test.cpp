@@ -8,6 +8,8 @@
 #include "app/render/colour_map.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
+#include "app/views/ruler.h"
+#include "app/views/view_text.h"
 #include "core/project/piece_settings.h"
 #include "tests/app/support/run_test.h"
 
@@ -239,6 +241,21 @@ private slots:
         (void)bar.grab();
         bar.show({Overlay::Angle, {0, 5, false, false}});
         QVERIFY2(bar.valueText().isEmpty(), "a strain is no angle");
+    }
+
+    void theBarInACornerLeavesTheScaleBarItsCorner() {
+        QWidget view;
+        ColourBar& bar = *ColourBar::inCorner(view);
+        for (const int width : {1200, 700, 480, 460, 330, 240}) {
+            view.resize(width, 420);
+            bar.show({Overlay::Strain, {-5, 5, true, true, true}});
+            QVERIFY2(view.rect().contains(bar.geometry()), qPrintable(QString::number(width)));
+            QVERIFY2(bar.width() >= std::min(260, width - 40), qPrintable(QString::number(width)));
+            for (const double scale : {0.2, 0.37, 0.5, 1.9, 5.2}) {
+                const QRectF corner = scaleBarBox(view.font(), view.rect(), scale, kRulerBreadth);
+                QVERIFY(!corner.intersects(bar.geometry()));
+            }
+        }
     }
 
     void valuesAreReadWithTheirUnit() {

@@ -10,7 +10,7 @@
 #include "app/render/offscreen.h"
 #include "app/render/render_style.h"
 #include "app/views/colour_bar.h"
-#include "app/views/corner_legend.h"
+#include "app/views/colour_legend.h"
 #include "tests/app/support/picture_bench.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/window_fixture.h"
@@ -352,7 +352,10 @@ private slots:
         QCOMPARE(cornerLegendHeight(legend, font, 3 * words / 4), least + 2 * metrics.height());
         QCOMPARE(cornerLegendHeight(legend, font, words / 4), least + 2 * metrics.height());
         legend.isMissing = true;  // says in place of colours what is to be done
-        QCOMPARE(cornerLegendHeight(legend, font, words / 2), least);
+        QCOMPARE(cornerLegendHeight(legend, font, words), least);
+        const int narrow = 60;
+        const int lines = metrics.horizontalAdvance(legend.meaning()) / narrow;
+        QVERIFY(cornerLegendHeight(legend, font, narrow) > lines * metrics.height());
     }
 
     void everySizeIsDrawnAsItIs_data() {
