@@ -10,6 +10,7 @@
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
+#include "app/views/view_text.h"
 
 namespace toile::app {
 
@@ -19,6 +20,7 @@ constexpr double kRing = 4.5;  ///< radius
 constexpr double kAway = 13;   ///< from the place to the label, along both axes
 constexpr double kPadding = 6;
 constexpr double kBadge = 17;  ///< width of the number's part of the label
+constexpr int kOverWords = 3;  ///< lines that a leader over other words is as bad as
 constexpr int kMaxSteps = 24;  ///< of half a label, in search of a free place
 
 bool overlaps(const QRectF& box, const std::vector<QRectF>& taken) {
@@ -26,19 +28,56 @@ bool overlaps(const QRectF& box, const std::vector<QRectF>& taken) {
         taken, [&box](const QRectF& other) -> bool { return box.intersects(other); });
 }
 
+/// The point of the label where the line from the place ends.
+QPointF nearestOn(const QRectF& box, const QPointF& at) {
+    return {std::clamp(at.x(), box.left() + 3, box.right() - 3),
+            std::clamp(at.y(), box.top(), box.bottom())};
+}
+
+bool meets(const QRectF& box, const QPolygonF& line) {
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        if (crosses({line[i - 1], line[i]}, box)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What a label at this place crosses: lines with the label, other words with its leader.
+int crossed(const QPointF& at, const QRectF& box, const std::vector<QRectF>& taken,
+            const std::vector<QPolygonF>& lines) {
+    const QLineF leader(at, nearestOn(box, at));
+    const auto words = std::ranges::count_if(taken, [&](const QRectF& other) -> bool {
+        return !other.contains(at) && crosses(leader, other);
+    });
+    const auto drawn = std::ranges::count_if(
+        lines, [&box](const QPolygonF& line) -> bool { return meets(box, line); });
+    return static_cast<int>(kOverWords * words + drawn);
+}
+
 /// Above on the right, where nothing is in the way; else at another corner or farther off.
 QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
-              const std::vector<QRectF>& taken) {
+              const std::vector<QRectF>& taken, const std::vector<QPolygonF>& lines) {
+    std::optional<QRectF> best;
+    int least = 0;
     for (const double away : {kAway, 2.5 * kAway, 4 * kAway}) {
         const double right = kAway, left = -kAway - size.width();
         const double above = -away - size.height(), below = away;
         for (const QPointF& corner : {QPointF(right, above), QPointF(left, above),
                                       QPointF(right, below), QPointF(left, below)}) {
             const QRectF box(at + corner, size);
-            if (view.contains(box) && !overlaps(box, taken)) {
-                return box;
+            if (!view.contains(box) || overlaps(box, taken)) {
+                continue;
+            }
+            const int price = crossed(at, box, taken, lines);
+            if (!best || price < least) {
+                best = box;
+                least = price;
             }
         }
+    }
+    if (best) {
+        return *best;
     }
     // In a corner, or among many: pushed into the view, and up or down until it lies free.
     QRectF box(at + QPointF(kAway, -kAway - size.height()), size);
@@ -62,12 +101,6 @@ QFont calloutFont(QFont font) {
     font.setPointSizeF(std::max(6.5, font.pointSizeF() * 0.9));
     font.setWeight(QFont::DemiBold);
     return font;
-}
-
-/// The point of the label where the line from the place ends.
-QPointF nearestOn(const QRectF& box, const QPointF& at) {
-    return {std::clamp(at.x(), box.left() + 3, box.right() - 3),
-            std::clamp(at.y(), box.top(), box.bottom())};
 }
 
 void paintCallout(QPainter& painter, const RenderStyle& style, const Callout& callout,
@@ -130,7 +163,7 @@ std::vector<QRectF> calloutBoxes(const QFont& font, const CalloutRoom& room,
         if (room.view.contains(callout.at)) {
             const QSizeF size(kBadge + metrics.horizontalAdvance(callout.text) + 2 * kPadding,
                               metrics.height() + 3);
-            box = boxFor(callout.at, size, room.view, taken);
+            box = boxFor(callout.at, size, room.view, taken, room.lines);
             taken.push_back(box);
         }
     }
@@ -192,7 +225,8 @@ void paintSpotCallouts(QPainter& painter, const RenderStyle& style, const Callou
             }
         }
     }
-    paintCallouts(painter, style, {room.view.adjusted(4, 4, -4, -4), room.taken}, callouts);
+    paintCallouts(painter, style, {room.view.adjusted(4, 4, -4, -4), room.taken, room.lines},
+                  callouts);
 }
 
 }  // namespace toile::app

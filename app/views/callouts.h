@@ -3,6 +3,7 @@
 
 #include <QFont>
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 #include <QString>
 #include <functional>
@@ -33,6 +34,8 @@ struct Callout {
 struct CalloutRoom {
     QRectF view;                  ///< callouts outside of it are left out
     std::vector<QRectF> taken{};  ///< by other words: labels stay beside them
+    /// Drawn: where there is a choice, labels lie beside them.
+    std::vector<QPolygonF> lines{};
 };
 
 /// A ring at each place and beside it a label with its number and text; see `calloutBoxes`.
@@ -40,7 +43,8 @@ void paintCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoo
                    const std::vector<Callout>& callouts);
 
 /// The labels of the callouts, one each: within the view and, where there is a way, neither on each
-/// other nor on what is taken. Empty rectangles for callouts that are left out.
+/// other nor on what is taken; of such places the nearest at which label and leader cross least.
+/// Cost: linear in the points of the lines. Empty rectangles for callouts that are left out.
 std::vector<QRectF> calloutBoxes(const QFont& font, const CalloutRoom& room,
                                  const std::vector<Callout>& callouts);
 

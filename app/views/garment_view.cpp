@@ -349,14 +349,8 @@ std::optional<SpotPlace> GarmentView::placeNow(const WorstSpot& spot) const {
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {
-    std::vector<QRectF> covered;
-    for (const QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
-        if (over->isVisible() && !over->testAttribute(Qt::WA_TransparentForMouseEvents)) {
-            covered.emplace_back(over->geometry());
-        }
-    }
     paintGarmentText(painter, style,
-                     {document_, camera_, rect(), spots(), morph_, sewnWay(), covered});
+                     {document_, camera_, rect(), spots(), morph_, sewnWay(), covered()});
 }
 
 }  // namespace toile::app

@@ -20,10 +20,11 @@ namespace {
 
 /// Letters that a shortened name must keep.
 constexpr int kMinLetters = 4;
-constexpr double kAir = 2;       ///< pixels between labels
-constexpr double kMinBox = 6;    ///< smaller pieces are dots
-constexpr double kOnArrow = 60;  ///< pixels that a leader may be longer not to end at an arrow
-constexpr double kBeside = 7;    ///< pixels between a piece and a name beside it
+constexpr double kAir = 2;         ///< pixels between labels
+constexpr double kMinBox = 6;      ///< smaller pieces are dots
+constexpr double kOnArrow = 60;    ///< pixels that a leader may be longer not to end at an arrow
+constexpr double kOverName = 200;  ///< not to cross a name
+constexpr double kBeside = 7;      ///< pixels between a piece and a name beside it
 
 bool meetsAny(const QRectF& box, const std::vector<QRectF>& others) {
     return std::ranges::any_of(
@@ -154,7 +155,13 @@ private:
         return room_.view.contains(box) && !meetsAny(box, room_.taken);
     }
 
-    /// The name beside its piece where the leader is shortest and ends at no arrow.
+    bool crossesAny(const QLineF& leader) const {
+        return std::ranges::any_of(
+            room_.taken, [&leader](const QRectF& other) -> bool { return crosses(leader, other); });
+    }
+
+    /// The name beside its piece where the leader is shortest, crosses no name and ends at no
+    /// arrow.
     std::optional<NameLabel> beside(int index, const NameCloth& cloth, const QString& text) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
         NameLabel label = made(index, text, {}, 0, 1);
@@ -180,8 +187,9 @@ private:
                     continue;
                 }
                 label.leader = QLineF(from, *end);
-                const double price =
-                    label.leader->length() + (cloth.isOnArrow(*end) ? kOnArrow : 0);
+                const double price = label.leader->length() +
+                                     (cloth.isOnArrow(*end) ? kOnArrow : 0) +
+                                     (crossesAny(*label.leader) ? kOverName : 0);
                 if (!best || price < least - 1) {
                     best = label;
                     least = price;

@@ -62,7 +62,8 @@ inline constexpr double kSmallName = 0.85;
 std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiece>& pieces,
                                   const NameRoom& room);
 
-/// Keeps the labels that it has found for as long as nothing moves.
+/// Keeps the labels that it has found for as long as nothing moves: a view is painted for each move
+/// of the pointer.
 class KeptNames {
 public:
     /// `nameLabels` of the same. Valid until the next call.

@@ -73,9 +73,10 @@ NamedPiece namedPiece(const PatternText& text, int piece, const SheetMap& onScre
     return named;
 }
 
-/// @return where they stand
-std::vector<QRectF> paintNames(QPainter& painter, const RenderStyle& style, const PatternText& text,
-                               NameRoom room, const std::vector<DrawnArrow>& arrows) {
+/// @return the names as they stand; valid until the next call
+const std::vector<NameLabel>& paintNames(QPainter& painter, const RenderStyle& style,
+                                         const PatternText& text, NameRoom room,
+                                         const std::vector<DrawnArrow>& arrows) {
     const Scene& scene = *text.document.scene();
     const SheetMap onScreen(text.camera);
     const DrawingWords words = drawingWords();
@@ -93,14 +94,31 @@ std::vector<QRectF> paintNames(QPainter& painter, const RenderStyle& style, cons
     for (const DrawnArrow& arrow : arrows) {
         room.arrows.push_back(arrow.line);
     }
-    // Of the view that was painted last: it is painted for each move of the pointer.
-    thread_local KeptNames kept;
-    std::vector<QRectF> boxes;
-    for (const NameLabel& name : kept.of(painter.font(), pieces, std::move(room))) {
+    const std::vector<NameLabel>& names = text.names.of(painter.font(), pieces, std::move(room));
+    for (const NameLabel& name : names) {
         paintNameLabel(painter, style, name, pieces[static_cast<std::size_t>(name.piece)].selected);
-        boxes.push_back(name.bounds());
     }
-    return boxes;
+    return names;
+}
+
+/// The outlines and cutting lines of what is seen.
+std::vector<QPolygonF> linesOf(const PatternText& text, const SheetMap& onScreen) {
+    const Scene& scene = *text.document.scene();
+    std::vector<QPolygonF> drawn;
+    for (const auto* runs : {&scene.patternLines.outlines, &scene.patternLines.cutting}) {
+        for (const VertexRun& run : *runs) {
+            QPolygonF line;
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                const LineVertex& vertex = scene.lineVertices[i];
+                const SheetPlace& place = placeOf(text.places, static_cast<int>(vertex.piece));
+                if (!place.hidden) {
+                    line << onScreen(place.placement.applied(flatPoint(vertex)));
+                }
+            }
+            drawn.push_back(std::move(line));
+        }
+    }
+    return drawn;
 }
 
 /// Whether any cloth lies under a part of the view.
@@ -135,7 +153,9 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     const SheetMap onScreen(text.camera);
     const double scale = text.camera.pixelsPerMillimetre();
     const QRectF caption = captionBox(painter.font(), corner, title, note);
-    std::vector<QRectF> taken{caption, scaleBarBox(painter.font(), text.view, scale, ruler)};
+    std::vector<QRectF> taken = text.covered;
+    taken.push_back(caption);
+    taken.push_back(scaleBarBox(painter.font(), text.view, scale, ruler));
     std::vector<QRectF> words = paintFolds(painter, style, onScreen, document);
     words.insert(words.end(), taken.begin(), taken.end());
     const QRectF free(text.view.adjusted(ruler, ruler, 0, 0));
@@ -145,13 +165,25 @@ void paintPatternText(QPainter& painter, const RenderStyle& style, const Pattern
     if (document.view().grain || text.strongGrain) {
         arrows = paintGrainArrows(painter, style, onScreen, document, text.strongGrain);
     }
-    if (document.view().labels) {
-        std::ranges::copy(paintNames(painter, style, text, {free, std::move(words)}, arrows),
-                          std::back_inserter(taken));  // callouts stand beside names
+    CalloutRoom room{free, std::move(taken)};
+    if (!text.spots.spots.empty()) {
+        room.lines = linesOf(text, onScreen);
     }
-    paintSpotCallouts(
-        painter, style, {free, taken}, document, text.spots,
-        [&text](const WorstSpot& spot) { return placeOfSpot(spot, text.camera, text.places); });
+    for (const DrawnArrow& arrow : arrows) {
+        room.lines.push_back(QPolygonF({arrow.line.p1(), arrow.line.p2()}));
+    }
+    if (document.view().labels) {
+        for (const NameLabel& name :
+             paintNames(painter, style, text, {free, std::move(words)}, arrows)) {
+            room.taken.push_back(name.bounds());
+            if (name.leader) {
+                room.lines.push_back(QPolygonF({name.leader->p1(), name.leader->p2()}));
+            }
+        }
+    }
+    paintSpotCallouts(painter, style, room, document, text.spots, [&text](const WorstSpot& spot) {
+        return placeOfSpot(spot, text.camera, text.places);
+    });
     paintCaption(painter, style, corner, title, note, isOnCloth(text, caption));
     paintScaleBar(painter, style, text.view, scale, ruler);
     if (document.view().rulers) {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <QRect>
+#include <QRectF>
+#include <vector>
 
 #include "app/render/camera.h"
 #include "app/views/callouts.h"
+#include "app/views/name_labels.h"
 #include "app/views/reference_gaps.h"
 
 namespace toile::app {
@@ -18,8 +21,10 @@ struct PatternText {
     QRect view;  ///< logical pixels, from 0, 0
     const FlaggedSpots& spots;
     const ReferenceGaps& gaps;
-    bool strongGrain = false;  ///< while the grain is what is being worked on
-    bool isElse = false;       ///< where no piece is flat, something else says why
+    KeptNames& names;               ///< of this view
+    std::vector<QRectF> covered{};  ///< by what else lies over the view
+    bool strongGrain = false;       ///< while the grain is what is being worked on
+    bool isElse = false;            ///< where no piece is flat, something else says why
 };
 
 void paintPatternText(QPainter& painter, const RenderStyle& style, const PatternText& text);

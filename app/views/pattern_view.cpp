@@ -146,8 +146,9 @@ void PatternView::paintText(QPainter& painter, const RenderStyle& style) {
     others_.paint(painter, style, onScreen, document_);
     gaps_.follow(document_);
     const bool isElse = !others_.isEmpty() || old_.isAny(document_);
-    paintPatternText(painter, style,
-                     {document_, places(), camera_, rect(), spots(), gaps_, grain, isElse});
+    paintPatternText(
+        painter, style,
+        {document_, places(), camera_, rect(), spots(), gaps_, names_, covered(), grain, isElse});
     if (rolled_) {
         rolled_->paint(painter, style, camera_, places());
     }

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/render/camera.h"
+#include "app/views/name_labels.h"
 #include "app/views/old_outlines.h"
 #include "app/views/piece_places.h"
 #include "app/views/reference_gaps.h"
@@ -69,6 +70,7 @@ private:
     PiecePlaces others_;
     OldOutlines old_;
     ReferenceGaps gaps_;
+    KeptNames names_;
     std::shared_ptr<const RolledPiece> rolled_;
 };
 

@@ -118,6 +118,16 @@ const SheetPlaces& SceneView::places() const {
     return renderer_->content().places;
 }
 
+std::vector<QRectF> SceneView::covered() const {
+    std::vector<QRectF> covered;
+    for (const QWidget* over : findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
+        if (over->isVisible() && !over->testAttribute(Qt::WA_TransparentForMouseEvents)) {
+            covered.emplace_back(over->geometry());
+        }
+    }
+    return covered;
+}
+
 std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
     std::vector<QPolygonF> drawn;
     const auto index = static_cast<std::size_t>(seam);

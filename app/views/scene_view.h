@@ -96,6 +96,8 @@ protected:
     virtual void zoom(const QPointF& at, double factor) = 0;
     virtual void paintScene(const RenderStyle& style, int width, int height, double ratio) = 0;
     virtual void paintText(QPainter& painter, const RenderStyle& style) = 0;
+    /// By what else lies over the view, logical pixels.
+    std::vector<QRectF> covered() const;
     /// A click on something that `paintText` has painted. @return whether it meant anything
     virtual bool clickOnOverlay(const QPointF&) { return false; }
 

@@ -133,8 +133,10 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
     beginText(picture, part);
     ReferenceGaps gaps;
     gaps.follow(document_);
-    paintPatternText(picture, style_,
-                     {document_, places_, camera, QRect(QPoint(), part.size()), spots_, gaps});
+    KeptNames names;
+    paintPatternText(
+        picture, style_,
+        {document_, places_, camera, QRect(QPoint(), part.size()), spots_, gaps, names});
     picture.restore();
 }
 

@@ -121,6 +121,21 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
     return {length, QString("%1 mm").arg(locale.toString(length, 'g', 4))};
 }
 
+bool crosses(const QLineF& line, const QRectF& box) {
+    double from = 0, to = 1;  // of the line, what is in the box
+    const auto clip = [&](double start, double way, double low, double high) -> bool {
+        if (way == 0) {
+            return start >= low && start <= high;
+        }
+        const auto [enters, leaves] = std::minmax({(low - start) / way, (high - start) / way});
+        from = std::max(from, enters);
+        to = std::min(to, leaves);
+        return from <= to;
+    };
+    return clip(line.x1(), line.dx(), box.left(), box.right()) &&
+           clip(line.y1(), line.dy(), box.top(), box.bottom());
+}
+
 QRectF scaleBarBox(const QFont& font, const QRect& view, double pixelsPerMillimetre, double taken) {
     const double length =
         scaleBarFor(kScaleBar, pixelsPerMillimetre).millimetres * pixelsPerMillimetre;

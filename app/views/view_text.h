@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QFont>
+#include <QLineF>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 #include <QPointF>
@@ -40,6 +41,9 @@ bool anyPointIn(const QRectF& part, const Holds& holds) {
     }
     return false;
 }
+
+/// Whether any of a line lies in a box.
+bool crosses(const QLineF& line, const QRectF& box);
 
 /// A label: a name in a rounded box that keeps it legible on any cloth.
 /// @param box   as large as `labelSize` says

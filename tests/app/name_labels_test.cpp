@@ -139,6 +139,19 @@ private slots:
         }
     }
 
+    void aLeaderCrossesNoNameWhereItCan() {
+        // A strip in a hollow of cloth: above it a name that is taken, below it nothing.
+        NamedPiece strip = pieceAt("side_front_left", {200, 160, 9, 60});
+        strip.box = {150, 120, 109, 130};
+        const QRectF name(160, 130, 90, 16), below = name.translated(0, 100);
+        for (const QRectF& taken : {name, below}) {
+            const auto names = nameLabels(kFont, {strip}, {kView, {taken}});
+            QCOMPARE(names.size(), std::size_t{1});
+            QVERIFY(names[0].leader);
+            QVERIFY(!crosses(*names[0].leader, taken));
+        }
+    }
+
     void whatAllNamesBeginWithGoesFirst() {
         // As high as the view, and too narrow for the whole name either way.
         const QSizeF size(labelSize(kFont, "115", false, kSmallName).width() + 6,
@@ -269,6 +282,42 @@ private slots:
             all.push_back(boxes[i]);
         }
         QVERIFY(!anyMeet(all));
+    }
+
+    void calloutsLieBesideLinesWhereThereIsAChoice() {
+        const Callout callout{{250, 200}, 1, "−12.5 %"};
+        const QRectF usual = calloutBoxes(kFont, {kView}, {callout})[0];
+        const QPointF middle = usual.center();
+        const QPolygonF level({{20, middle.y()}, {500, middle.y()}});
+        const QPolygonF plumb({{middle.x(), 20}, {middle.x(), 400}});
+        for (const std::vector<QPolygonF>& lines :
+             {std::vector{level}, std::vector{plumb}, std::vector{level, plumb}}) {
+            const QRectF box = calloutBoxes(kFont, {kView, {}, lines}, {callout})[0];
+            QVERIFY(kView.contains(box));
+            for (const QPolygonF& line : lines) {
+                QVERIFY(!crosses({line[0], line[1]}, box));
+            }
+        }
+        // Lines that lie elsewhere change nothing; nor does cloth as large as the view.
+        const QPolygonF around({{20, 20}, {500, 20}, {500, 400}, {20, 400}, {20, 20}});
+        QCOMPARE(calloutBoxes(kFont, {kView, {}, {around}}, {callout})[0], usual);
+        // Nor does a leader cross a name that its label does not lie on.
+        const QRectF name(256, 189, 40, 4);
+        const QRectF box = calloutBoxes(kFont, {kView, {name}}, {callout})[0];
+        QVERIFY(!box.intersects(name));
+        QVERIFY(box.right() < callout.at.x() || box.top() > callout.at.y());
+    }
+
+    void aLineCrossesABoxWhereAnyOfItLiesInIt() {
+        const QRectF box(10, 10, 20, 10);
+        QVERIFY(crosses({0, 0, 40, 30}, box));
+        QVERIFY(crosses({12, 12, 13, 13}, box));
+        QVERIFY(crosses({20, 0, 20, 40}, box));
+        QVERIFY(crosses({0, 15, 40, 15}, box));
+        QVERIFY(!crosses({0, 0, 9, 15}, box));
+        QVERIFY(!crosses({5, 0, 5, 40}, box));
+        QVERIFY(!crosses({0, 12, 12, 40}, box));
+        QVERIFY(!crosses({35, 0, 40, 30}, box));
     }
 };
 
