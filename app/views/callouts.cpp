@@ -55,7 +55,7 @@ int crossed(const QPointF& at, const QRectF& box, const std::vector<QRectF>& tak
     return static_cast<int>(kOverWords * words + drawn);
 }
 
-/// Above on the right, where nothing is in the way; else at another corner or farther off.
+/// Above on the right, where nothing is in the way; else at another corner, level, or farther off.
 QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
               const std::vector<QRectF>& taken, const std::vector<QPolygonF>& lines) {
     std::optional<QRectF> best;
@@ -63,8 +63,10 @@ QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
     for (const double away : {kAway, 2.5 * kAway, 4 * kAway}) {
         const double right = kAway, left = -kAway - size.width();
         const double above = -away - size.height(), below = away;
-        for (const QPointF& corner : {QPointF(right, above), QPointF(left, above),
-                                      QPointF(right, below), QPointF(left, below)}) {
+        const double level = -0.5 * size.height();
+        for (const QPointF& corner :
+             {QPointF(right, above), QPointF(left, above), QPointF(right, below),
+              QPointF(left, below), QPointF(away, level), QPointF(-away - size.width(), level)}) {
             const QRectF box(at + corner, size);
             if (!view.contains(box) || overlaps(box, taken)) {
                 continue;
