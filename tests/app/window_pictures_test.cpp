@@ -7,6 +7,7 @@
 #include <QPixmap>
 #include <filesystem>
 
+#include "app/jobs/ready_checker.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "tests/app/support/doc_picture.h"
@@ -103,6 +104,8 @@ private slots:
         chooseFabric("woven");
         fixture_.action(ActionId::GoToProblems).trigger();
         QVERIFY(isDone());
+        QVERIFY(QTest::qWaitFor([this] { return fixture_.window().checker().isUpToDate(); },
+                                test::kPatience));
         keep("findings");
     }
 
