@@ -20,7 +20,7 @@ constexpr double kRing = 4.5;  ///< radius
 constexpr double kAway = 13;   ///< from the place to the label, along both axes
 constexpr double kPadding = 6;
 constexpr double kBadge = 17;  ///< width of the number's part of the label
-constexpr int kOverWords = 3;  ///< lines that a leader over other words is as bad as
+constexpr int kOverWords = 9;  ///< lines that a leader over other words is as bad as
 constexpr int kMaxSteps = 24;  ///< of half a label, in search of a free place
 
 bool overlaps(const QRectF& box, const std::vector<QRectF>& taken) {
