@@ -23,14 +23,14 @@ bool isThere(const fs::path& path) {
 }
 
 /// By either path: `path` is then the one where it is.
-bool isFound(FileReference& file) {
-    if (isThere(file.path)) {
+bool isFound(fs::path& path, fs::path& elsewhere) {
+    if (isThere(path)) {
         return true;
     }
-    if (!isThere(file.elsewhere)) {
+    if (!isThere(elsewhere)) {
         return false;
     }
-    std::swap(file.path, file.elsewhere);
+    std::swap(path, elsewhere);
     return true;
 }
 
@@ -170,13 +170,14 @@ std::vector<FileReference> meshReferences(const Garment& garment) {
 std::vector<fs::path> locateMeshes(Project& project) {
     std::vector<fs::path> missing;
     for (FileReference& file : project.files) {
-        if (!isFound(file)) {
+        if (!isFound(file.path, file.elsewhere)) {
             missing.push_back(file.path);
         }
     }
     if (project.reference) {
-        isFound(*project.reference);
+        isFound(project.reference->path, project.reference->elsewhere);
     }
+    isFound(project.proof.body, project.bodyElsewhere);
     return missing;
 }
 

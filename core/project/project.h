@@ -11,6 +11,7 @@
 #include "core/marker/marker_plan.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
+#include "core/prove/proof_settings.h"
 
 namespace toile {
 
@@ -58,6 +59,10 @@ struct Project {
     MarkerPlans markers{};  ///< how the pieces are laid on cloth
     /// The pattern file that the pieces are compared with.
     std::optional<FileReference> reference{};
+    /// How the pattern is proved; the body's path is absolute.
+    ProofPlan proof{};
+    /// Where else to look for the body, as of `FileReference`. May be empty.
+    std::filesystem::path bodyElsewhere{};
     ProjectView view{};
     /// Where this is the recovery file of another: that project's path, empty where it had none.
     std::optional<std::filesystem::path> recoveryOf{};
@@ -82,7 +87,7 @@ std::vector<ProjectPiece> projectPieces(const Garment& garment, std::vector<Piec
 std::vector<FileReference> meshReferences(const Garment& garment);
 
 /// Meshes of the project that are not there; `path` of files found elsewhere, the reference pattern
-/// too, is set to that. Touches the disk.
+/// and the proof's body too, is set to that. Touches the disk.
 std::vector<std::filesystem::path> locateMeshes(Project& project);
 
 }  // namespace toile

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/project/project_fields.h"
+#include "core/project/proof_fields.h"
 
 namespace toile {
 namespace {
@@ -54,6 +55,18 @@ void readFiles(JsonFields& fields, const fs::path& folder, Project& project) {
                       [&](JsonFields& at) { project.reference = readReference(at, folder); });
 }
 
+void readProof(JsonFields& fields, const fs::path& folder, Project& project) {
+    fields.readObject("proof", [&](JsonFields& proof) {
+        proof.readObject("body", [&](JsonFields& at) {
+            FileReference body = readReference(at, folder);
+            project.proof.body = std::move(body.path);
+            project.bodyElsewhere = std::move(body.elsewhere);
+        });
+        FieldReader at(proof);
+        project_fields::kProof(at, project.proof);
+    });
+}
+
 OrderedJson referenceJson(const FileReference& file, const fs::path& folder) {
     OrderedJson json = OrderedJson::object();
     const fs::path relative = folder.empty() ? fs::path() : file.path.lexically_relative(folder);
@@ -67,6 +80,16 @@ OrderedJson referenceJson(const FileReference& file, const fs::path& folder) {
     return json;
 }
 
+OrderedJson proofJson(const ProofPlan& plan, const fs::path& folder) {
+    OrderedJson json;
+    FieldWriter at(json);
+    if (!plan.body.empty()) {
+        json["body"] = referenceJson({plan.body, {}, {}}, folder);
+    }
+    project_fields::kProof(at, plan);
+    return json;
+}
+
 /// Of a document of the present version.
 Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults& faults) {
     Project project;
@@ -75,6 +98,7 @@ Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults
         fields.find(stated);
     }
     readFiles(fields, folder, project);
+    readProof(fields, folder, project);
     FieldReader at(fields);
     std::vector<project_fields::LabelOfPiece> labels;
     std::vector<project_fields::MarkerOfMaterial> markers;
@@ -177,6 +201,9 @@ std::string projectText(const Project& project, const fs::path& folder) {
     std::vector<project_fields::MarkerOfMaterial> markers(project.markers.begin(),
                                                           project.markers.end());
     project_fields::describe(at, project, labels, markers);
+    if (!(project.proof == ProofPlan{})) {
+        json["proof"] = proofJson(project.proof, folder);
+    }
     if (project.recoveryOf) {
         json["recoveryOf"] = pathText(*project.recoveryOf);
     }

@@ -11,34 +11,12 @@
 #include "core/base/result.h"
 #include "core/base/wording.h"
 #include "core/export/export_source.h"
-#include "core/prove/fabric_stiffness.h"
+#include "core/prove/proof_settings.h"
 #include "core/reading/pattern_file.h"
 #include "core/sew/gap.h"
 #include "core/sew/settle.h"
 
 namespace toile {
-
-/// Limits of `ProofSettings::edge` where a person states it, mm.
-inline constexpr double kLeastProofEdge = 1, kMostProofEdge = 500;
-
-/// Limits of `ProofSettings::thickness`, mm.
-inline constexpr double kLeastThickness = 0.1, kMostThickness = 10;
-
-/// How a pattern is sewn and what holds it meanwhile, as a person has said it.
-struct ProofSettings {
-    /// Length of the edges of the fresh triangles, mm; 0: as the garment's own are.
-    double edge = 0;
-    /// Towards the design or the body, N/m² (10 Pa: 1 g on 10 cm²); below 0: outwards, as of a
-    /// cushion's filling.
-    double pressure = 10;
-    bool hasGravity = false;      ///< down the y axis
-    bool touchesItself = false;   ///< else cloth goes through cloth
-    double thickness = 1;         ///< that cloth keeps off itself then, mm
-    StatedStiffness stiffness{};  ///< in place of what the pieces' fabrics have
-    int threads = 0;              ///< 0: as many as the machine has cores; the same bytes for any
-
-    bool operator==(const ProofSettings&) const = default;
-};
 
 /// What is proved.
 struct ProofOrder {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/field_archive.h"
+#include "core/prove/proof_settings.h"
+
+namespace toile::project_fields {
+
+/// What a project file says of proving the pattern; included in one file.
+
+inline constexpr auto kStiffness = [](auto& at, auto& stated) {
+    at.field("warp", stated.warp, kLeastStretch, kMostStretch);
+    at.field("weft", stated.weft, kLeastStretch, kMostStretch);
+    at.field("shear", stated.shear, kLeastShear, kMostShear);
+    at.field("bending", stated.bending, 0, kMostBending);
+    at.field("weight", stated.weight, 0, kMostClothWeight);
+};
+
+/// What is not as it is where nobody has said anything; but the body's file, which depends on where
+/// the project lies, and the threads, which are the machine's.
+inline constexpr auto kProof = [](auto& at, auto& plan) {
+    const ProofPlan usual;
+    auto& settings = plan.settings;
+    const auto field = [&at](const char* key, auto& value, const auto& unsaid, auto... limits) {
+        if (at.kReads || !(value == unsaid)) {
+            at.field(key, value, limits...);
+        }
+    };
+    if (at.kReads || plan.sewn != usual.sewn) {
+        at.word("sewn", plan.sewn, kSewnPatternWords);
+    }
+    at.field("bodyUnit", plan.bodyUnit);
+    field("edge", settings.edge, usual.settings.edge, kLeastProofEdge, kMostProofEdge);
+    field("pressure", settings.pressure, usual.settings.pressure, -kMostPressure, kMostPressure);
+    field("gravity", settings.hasGravity, usual.settings.hasGravity);
+    field("selfContact", settings.touchesItself, usual.settings.touchesItself);
+    field("thickness", settings.thickness, usual.settings.thickness, kLeastThickness,
+          kMostThickness);
+    if (at.kReads || !(settings.stiffness == StatedStiffness{})) {
+        at.object("stiffness", settings.stiffness, kStiffness);
+    }
+};
+
+}  // namespace toile::project_fields
