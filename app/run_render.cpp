@@ -14,7 +14,6 @@
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
-#include "app/jobs/pattern_now.h"
 #include "app/jobs/proof_job.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
@@ -109,21 +108,20 @@ void applyView(Document& document, const Arguments& arguments) {
     document.setView(view);
 }
 
-/// Sews the pattern back together as the window does where nobody says otherwise. What stands
-/// against that is said, and the picture shows none of it. @return whether it could be sewn
+/// Sews the pattern back together as the window does. What stands against that is said, and the
+/// picture shows none of it. @return whether it could be sewn
 bool prove(Document& document) {
     Progress progress;
-    auto proof = PatternNow(document, {})
-                     .with({}, progress, [](const ExportSource& source, const Progress& part) {
-                         return proofOf(source, {}, part);
-                     });
-    const bool isSewn = bool(proof);
-    if (isSewn) {
-        showProof(document, std::move(proof).value());
+    const auto job = proofJob(
+        document, proofPlanOf(document.state()), nullptr,
+        [&](std::shared_ptr<const ShownProof> found) { document.showProof(std::move(found)); });
+    const auto sewn = job->process(progress);
+    if (sewn) {
+        job->finalize();
     } else {
-        std::cerr << "toile: " << sentence(proof.error()) << '\n';
+        std::cerr << "toile: " << sentence(sewn.error()) << '\n';
     }
-    return isSewn;
+    return bool(sewn);
 }
 
 PictureOptions pictureOptions(const PictureArguments& asked, Overlay overlay) {

@@ -179,9 +179,11 @@ void GarmentActions::askAndSaveProof() {
 void GarmentActions::askForBody() {
     const QString path = dialogs_.openBody(&window_, preferences_.openFolder());
     if (!path.isEmpty()) {
-        ProofPlan plan = workspace_.proof().plan();
+        Document& document = workspace_.document();
+        ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
-        workspace_.proof().setPlan(plan);
+        plan.bodyUnit.reset();  // that of another file
+        document.setProofPlan(std::move(plan), tr("Proof on a body"));
     }
 }
 

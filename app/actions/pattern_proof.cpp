@@ -29,11 +29,8 @@ PatternProof::PatternProof(Document& document, JobRunner& runner)
 
 PatternProof::~PatternProof() = default;
 
-void PatternProof::setPlan(const ProofPlan& plan) {
-    if (!(plan == plan_)) {
-        plan_ = plan;
-        emit changed();
-    }
+ProofPlan PatternProof::plan() const {
+    return proofPlanOf(document_.state());
 }
 
 bool PatternProof::canProve() const {
@@ -48,7 +45,7 @@ void PatternProof::begin() {
     }
     tray_ = std::make_shared<ProofTray>();
     runner_.replace(
-        proofJob(document_, plan_, tray_, [this](std::shared_ptr<const ShownProof> found) {
+        proofJob(document_, plan(), tray_, [this](std::shared_ptr<const ShownProof> found) {
             document_.showProof(std::move(found));
             document_.showSewing(nullptr);
             fit();
@@ -87,21 +84,14 @@ void PatternProof::fit() {
 }
 
 void PatternProof::onChanged(DocumentChanges what) {
-    ProofPlan plan = plan_;
     if (what.testFlag(DocumentChange::Opened)) {
         runner_.cancel();
-        plan.body.clear();  // that of another garment
-        plan.sewn = SewnPattern::Own;
     }
-    if (plan.sewn == SewnPattern::Reference && !document_.state().reference.file) {
-        plan.sewn = SewnPattern::Own;
-    }
-    setPlan(plan);
     if (what & kTouchesCloth) {
         fit();
     }
     if (what & (DocumentChange::Results | DocumentChange::Garment | DocumentChange::Options |
-                DocumentChange::Reference)) {
+                DocumentChange::Reference | DocumentChange::ProofPlan)) {
         emit changed();
     }
 }

@@ -14,9 +14,10 @@ namespace toile::app {
 
 class Document;
 
-/// Proves the document's pattern by sewing it back together: keeps how, does it beside all other
-/// work, and shows the cloth on its way. What has been found stays until something else is, and is
-/// of an earlier pattern once that has been edited (`Document::isProofCurrent`). GUI thread only.
+/// Proves the document's pattern by sewing it back together, as its state says: does it beside all
+/// other work, and shows the cloth on its way. What has been found stays until something else is,
+/// and is of an earlier pattern once that has been edited (`Document::isProofCurrent`). GUI thread
+/// only.
 class PatternProof : public QObject {
     Q_OBJECT
 
@@ -28,8 +29,8 @@ public:
     PatternProof(Document& document, JobRunner& runner);
     ~PatternProof() override;
 
-    const ProofPlan& plan() const { return plan_; }
-    void setPlan(const ProofPlan& plan);
+    /// As it can be followed now: `proofPlanOf`.
+    ProofPlan plan() const;
     /// Whether all is flat as the document has it, and anything can be sewn.
     bool canProve() const;
     bool isRunning() const { return runner_.isBusy(); }
@@ -59,7 +60,6 @@ private:
 
     Document& document_;
     JobRunner& runner_;
-    ProofPlan plan_;
     std::shared_ptr<ProofTray> tray_;
     QTimer poll_;
 };

@@ -134,9 +134,13 @@ void Workspace::startOpening() {
             DocumentState next;
             next.options = document_.options();
             next.lines = newLines_;
+            next.proof = document_.state().proof;
             next.settings = settingsOfNew(*made.garment);
             if (again || !document_.garment()) {
                 next.fabric = document_.fabric();
+            } else {  // nor worn on the same body, nor cut beside the same panels
+                next.proof = {.settings = next.proof.settings};
+                next.proof.settings.stiffness = {};
             }
             next.materials = materialsInUse(next);
             document_.open(std::move(next), made);

@@ -39,7 +39,7 @@ std::optional<std::filesystem::path> overwrittenInput(const Arguments& arguments
     for (const std::filesystem::path& hide : arguments.marker.hides) {
         inputs.push_back(hide);
     }
-    for (const std::filesystem::path& read : {arguments.pattern, arguments.prove.body}) {
+    for (const std::filesystem::path& read : {arguments.pattern, arguments.prove.typed.body}) {
         inputs.push_back(read);
     }
     std::vector<std::filesystem::path> outputs = arguments.outputs;

@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/proof_order.h"
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/check/finding.h"
@@ -63,11 +64,16 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
 
 /// The pattern sewn back together; null, and why, where it cannot be.
 std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& plan,
-                                    const Progress& progress, std::ostream& err) {
+                                    Progress& progress, std::ostream& err) {
+    const auto ordered = orderOfOwn(arguments, *plan.garment, progress);
+    if (const auto* refusal = std::get_if<Refusal>(&ordered)) {
+        refuse(*refusal, err);
+        return nullptr;
+    }
     const LaidOutPattern laid = laidOut(arguments, *plan.garment, plan.results);
     const ExportSource source(*plan.garment, plan.results, laid, arguments.exporting, {},
                               arguments.lines, plan.fabric);
-    const auto proof = proofOf(source, {.settings = arguments.prove.settings}, progress);
+    const auto proof = proofOf(source, std::get<ProofOrder>(ordered), progress);
     if (!proof) {
         refuse(refusalOfProof(proof.error(), plan.results), err);
         return nullptr;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/arguments.h"
+#include "app/cli/proof_order.h"
 #include "app/cli/serve_command.h"
 #include "core/layout/marker.h"
 #include "core/linalg/blas_call.h"
@@ -123,15 +124,19 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     }
     arguments.inputs.clear();
     for (const FileReference& file : read->project.files) {
-        for (const fs::path& output : arguments.outputs) {
+        arguments.inputs.push_back(file.path);
+    }
+    std::vector<fs::path> meshes = arguments.inputs;
+    meshes.push_back(read->project.proof.body);
+    for (const fs::path& output : arguments.outputs) {
+        for (const fs::path& mesh : meshes) {
             std::error_code ignored;
-            if (fs::equivalent(file.path, output, ignored)) {
+            if (fs::equivalent(mesh, output, ignored)) {
                 return refused("\"" + output.string() +
                                    "\" is a mesh of the project and would be overwritten.",
                                kExitUsage);
             }
         }
-        arguments.inputs.push_back(file.path);
     }
     arguments.load = read->project.loading;
     arguments.options = arguments.stated.over(read->project.options);
@@ -162,7 +167,10 @@ std::optional<Error> refusalOfFiles(const Arguments& arguments) {
     };
     constexpr const char* kWhy = "it is no regular file";
     std::vector<fs::path> read = arguments.inputs;
-    read.insert(read.end(), {arguments.seams, arguments.pattern, arguments.prove.body});
+    read.insert(read.end(), {arguments.seams, arguments.pattern});
+    if (arguments.isProving || arguments.command == Arguments::Command::Prove) {
+        read.push_back(proofPlanOf(arguments).body);
+    }
     if (const auto odd = firstOdd(read); odd != read.end()) {
         return Error{ErrorCode::FileUnreadable, Subject::file(odd->string()), kWhy};
     }

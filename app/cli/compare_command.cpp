@@ -6,6 +6,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/proof_order.h"
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/export/comparison_writer.h"
@@ -41,7 +42,12 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
 /// Sews the pattern of each method back together, and notes how far it sits from the design.
 /// @return whether one could not be sewn, of which a sentence is printed
 bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison& comparison,
-                  const Progress& progress, std::ostream& err) {
+                  Progress& progress, std::ostream& err) {
+    const auto ordered = orderOfOwn(arguments, garment, progress);
+    if (const auto* refusal = std::get_if<Refusal>(&ordered)) {
+        refuse(*refusal, err);
+        return true;
+    }
     Arguments exact = arguments;  // methods are compared by their exact outlines
     exact.lines = {};
     bool failed = false;
@@ -49,7 +55,7 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
         const LaidOutPattern laid = laidOut(exact, garment, method.results);
         const ExportSource source(garment, method.results, laid, {}, {}, {},
                                   arguments.fabric.value_or(fabricPresets().front()));
-        const auto proof = proofOf(source, {.settings = arguments.prove.settings},
+        const auto proof = proofOf(source, std::get<ProofOrder>(ordered),
                                    Progress(progress, 1.0 / double(comparison.methods.size())));
         if (!proof) {
             err << "toile: " << name(method.method) << ": "

@@ -12,8 +12,17 @@ namespace toile::app {
 
 struct Arguments;
 
-/// What is to be sewn and what holds it, as typed; its files are read. Refused: what
-/// `readPatternFile` and `readBody` say, and `kNotProved` where it does not suit the garment.
+/// How a pattern is proved: what the project says, with what was typed in its place. Stiffness that
+/// a project states is that of its own fabric, and does not go with another. A pattern that is
+/// improved is the garment's own.
+ProofPlan proofPlanOf(const Arguments& arguments);
+
+/// What holds the cloth, by `proofPlanOf`, with the body read; what is sewn is the garment's own
+/// pattern. Refused: what `readBody` says, and `kNotProved` where it does not suit the garment.
+std::variant<ProofOrder, Refusal> orderOfOwn(const Arguments& arguments, const Garment& garment,
+                                             Progress& progress);
+
+/// The same with what is to be sewn, read too. Refused: also what `readPatternFile` says.
 std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const Garment& garment,
                                              Progress& progress);
 

@@ -18,8 +18,6 @@
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
-#include "core/prove/body_file.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 namespace {
@@ -84,40 +82,6 @@ void provideProofPictures(DrawProof draw) {
 
 DrawProof proofPictures() {
     return drawProof;
-}
-
-std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const Garment& garment,
-                                             Progress& progress) {
-    const ProveArguments& typed = arguments.prove;
-    const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
-    if (typed.isReference && std::ranges::none_of(garment.pieces, hasPanel)) {
-        return Refusal(kNotProved,
-                       "the garment carries no panels of its designer's; leave out --reference.");
-    }
-    ProofOrder order{
-        .isReference = typed.isReference, .settings = typed.settings, .scale = typed.scale};
-    if (!arguments.pattern.empty()) {
-        auto file = readPatternFile(arguments.pattern, typed.patternUnit);
-        if (!file) {
-            return Refusal(file.error());
-        }
-        order.file = std::move(*file);
-    }
-    if (!typed.body.empty()) {
-        auto body = readBody(typed.body, typed.bodyUnit, garment, progress);
-        if (!body) {
-            return Refusal(body.error());
-        }
-        if (!isNear(*body, garment)) {
-            return Refusal(kNotProved,
-                           "\"" + shownText(typed.body.string(), kMaxOfPlace) +
-                               "\" lies nowhere near the garment; say its unit with --body-unit.",
-                           typed.body.string());
-        }
-        order.body = std::move(*body);
-        order.bodyName = typed.body.filename().string();
-    }
-    return order;
 }
 
 int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {

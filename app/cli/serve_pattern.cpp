@@ -116,10 +116,11 @@ ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& p
 }
 
 ServeOutcome ServeSession::State::prove(const ServeRequest& request, Progress& progress) {
-    const Arguments typed = typedOfGarment("prove", request, kSewing);
+    Arguments typed = typedOfGarment("prove", request, kSewing);
     if (typed.isMessage()) {
         return Refusal(typed);
     }
+    typed.project = asked->arguments.project;
     if (const auto pipe = refusalOfFiles(typed)) {
         return Refusal(*pipe);
     }

@@ -181,7 +181,8 @@ void Document::open(DocumentState state, Derived derived) {
                  DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
                  DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
                  DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings |
-                 DocumentChange::Reference | DocumentChange::Marker | DocumentChange::Proof);
+                 DocumentChange::Reference | DocumentChange::Marker | DocumentChange::Proof |
+                 DocumentChange::ProofPlan);
 }
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {
@@ -266,6 +267,7 @@ DocumentChanges Document::differences(const DocumentState& before) const {
     what.setFlag(DocumentChange::Seams, !haveTheSameNames(state_.labels, before.labels));
     what.setFlag(DocumentChange::Reference, state_.reference != before.reference);
     what.setFlag(DocumentChange::Marker, !(state_.markers == before.markers));
+    what.setFlag(DocumentChange::ProofPlan, !(state_.proof == before.proof));
     return what;
 }
 
@@ -367,6 +369,16 @@ void Document::setLines(LineSettings lines, const QString& text, int gesture) {
         DocumentState next = state_;
         next.lines = std::move(lines);
         edit(text, std::move(next), gesture);
+    }
+}
+
+void Document::setProofPlan(ProofPlan plan, const QString& text, int gesture) {
+    if (garment()) {
+        DocumentState next = state_;
+        next.proof = std::move(plan);
+        edit(text, std::move(next), gesture);
+    } else {
+        set(state_.proof, std::move(plan), DocumentChange::ProofPlan);
     }
 }
 

@@ -143,6 +143,9 @@ public:
     /// open.
     /// @param text, gesture  as for `edit`
     void setLines(LineSettings lines, const QString& text, int gesture = -1);
+    /// How the pattern is proved: a step of the history where a garment is open.
+    /// @param text, gesture  as for `edit`
+    void setProofPlan(ProofPlan plan, const QString& text, int gesture = -1);
     /// Says how the next files are read; where a garment is open that is a matter of `edit`.
     void setLoading(LoadOptions loading);
     /// One thing is selected at a time: pieces, a seam, or a mark. Whatever is selected drops the

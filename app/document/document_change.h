@@ -21,6 +21,7 @@ enum class DocumentChange : unsigned {
     Reference = 1U << 11,     ///< the reference pattern, and how it lies on the pieces
     Marker = 1U << 12,        ///< what has been said of laying the pattern on cloth
     Proof = 1U << 13,         ///< the pattern sewn back together, or on its way there
+    ProofPlan = 1U << 14,     ///< what has been said of how it is sewn
     Mark = 1U << 16,          ///< which stretch of an outline or vertex is selected
     Hover = 1U << 17,         ///< what the pointer is on
 };

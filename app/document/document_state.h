@@ -12,6 +12,7 @@
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
+#include "core/prove/proof_settings.h"
 
 namespace toile {
 struct Pattern;
@@ -34,6 +35,7 @@ struct DocumentState {
     PieceLabels labels{};
     ReferenceFile reference{};  ///< that the pieces are compared with
     ClothPlans markers{};       ///< how the pieces are laid on cloth
+    ProofPlan proof{};          ///< and how the pattern is proved
 
     bool operator==(const DocumentState&) const = default;
 };

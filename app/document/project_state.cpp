@@ -22,6 +22,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.pieces = projectPieces(garment, std::move(settings), derived.results);
     project.labels = state.labels;
     project.markers = state.markers.all();
+    project.proof = state.proof;
     if (const auto& path = state.reference.path; !path.empty()) {
         project.reference = FileReference{.path = path};
     }
@@ -59,6 +60,7 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
     state.materials = project.materials;
     state.labels = project.labels;
     state.markers = ClothPlans(project.markers);
+    state.proof = project.proof;
     if (project.reference) {
         state.reference.path = project.reference->path;
     }

@@ -23,10 +23,18 @@ LineSettings linesOfCloth(LineSettings lines) {
 
 }  // namespace
 
+ProofPlan proofPlanOf(const DocumentState& state) {
+    ProofPlan plan = state.proof;
+    if (plan.sewn == SewnPattern::Reference && !state.reference.file) {
+        plan.sewn = SewnPattern::Own;
+    }
+    return plan;
+}
+
 ProofGround proofGround(const Derived& derived, const DocumentState& state,
                         const std::vector<PieceSettings>& settings, SewnPattern sewn) {
     ProofGround ground{derived.garment,
-                       derived.results,
+                       state.options,
                        state.inputs.loading,
                        linesOfCloth(state.lines),
                        state.fabric,
@@ -35,7 +43,15 @@ ProofGround proofGround(const Derived& derived, const DocumentState& state,
                        sewn == SewnPattern::Reference ? state.reference.file : nullptr};
     ground.pieces.reserve(settings.size());
     for (const PieceSettings& piece : settings) {
-        ground.pieces.push_back({grainOf(piece), piece.material, piece.leftOut});
+        ground.pieces.push_back({0, grainOf(piece), piece.material, piece.leftOut});
+    }
+    return withFlat(std::move(ground), derived.results);
+}
+
+ProofGround withFlat(ProofGround ground, const PieceResults& results) {
+    for (std::size_t i = 0; i < ground.pieces.size(); ++i) {
+        const PieceResult* result = i < results.size() ? results[i].get() : nullptr;
+        ground.pieces[i].flat = result ? result->fingerprint : 0;
     }
     return ground;
 }

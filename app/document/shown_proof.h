@@ -1,35 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/document/document_state.h"
-#include "app/document/sewn_pattern.h"
 #include "core/prove/proof.h"
 
 namespace toile::app {
 
 struct SewnCloth;
 
-/// How a document's pattern is proved, as a person has said it.
-struct ProofPlan {
-    SewnPattern sewn = SewnPattern::Own;
-    std::filesystem::path body{};  ///< what it is worn on, a mesh; empty: the design's own surface
-    ProofSettings settings{};
-
-    bool operator==(const ProofPlan&) const = default;
-};
+/// How the state's pattern is to be proved: as has been said, but for a reference pattern that is
+/// not open, in whose place its own is sewn.
+ProofPlan proofPlanOf(const DocumentState& state);
 
 /// All of a document that a proof depends on. Places on the sheet, names, and what is drawn beside
-/// the seam line (allowances, notches, lines inside, texts) do not matter to it. Compares what is
-/// large by pointer.
+/// the seam line (allowances, notches, lines inside, texts) do not matter to it. Flat pieces are
+/// the same where their points are, so that a proof of settled ones is of the pattern once they
+/// have taken the place of warm ones. Compares what else is large by pointer.
 struct ProofGround {
     struct Cloth {
-        double grain = 0;  ///< radians
+        std::uint64_t flat = 0;  ///< `PieceResult::fingerprint`; 0: it is not flat
+        double grain = 0;        ///< radians
         std::string material{};
         bool leftOut = false;
 
@@ -37,7 +33,7 @@ struct ProofGround {
     };
 
     std::shared_ptr<const Garment> garment{};
-    PieceResults results{};
+    FlattenOptions options{};
     LoadOptions loading{};  ///< for the ease
     LineSettings lines{};   ///< without what does not matter
     Fabric fabric{};
@@ -51,6 +47,9 @@ struct ProofGround {
 /// @param settings  one per piece of the garment shown
 ProofGround proofGround(const Derived& derived, const DocumentState& state,
                         const std::vector<PieceSettings>& settings, SewnPattern sewn);
+
+/// The same ground with these flat pieces. @param results  one per piece; may be null
+ProofGround withFlat(ProofGround ground, const PieceResults& results);
 
 /// A pattern sewn back together, or on its way there, as it is shown. Immutable.
 struct ShownProof {

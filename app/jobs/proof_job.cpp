@@ -37,7 +37,7 @@ std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
                     Progress& progress) mutable -> Result<std::shared_ptr<const ShownProof>> {
         if (const auto& body = shown.plan.body; !body.empty()) {
             Progress reading(progress, 0);
-            auto read = readBody(body, {}, *shown.ground.garment, reading);
+            auto read = readBody(body, shown.plan.bodyUnit, *shown.ground.garment, reading);
             if (!read) {
                 return read.error();
             }
@@ -48,16 +48,19 @@ std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
         }
         const auto anchors = lineAnchors(*scene);
         const SewnPattern of = shown.plan.sewn;
-        order.watch = [&](const std::vector<Points3>& sewn) {
+        const auto watch = [&](const std::vector<Points3>& sewn) {
             ShownProof onItsWay = shown;
             onItsWay.cloth = sewnCloth(scene, anchors, sewn, nullptr, of);
             const std::lock_guard lock(tray->mutex);
             tray->sewing = std::make_shared<const ShownProof>(std::move(onItsWay));
         };
-        auto proof =
-            now.with({}, progress, [&order](const ExportSource& source, const Progress& part) {
-                return proofOf(source, order, part);
-            });
+        if (tray) {
+            order.watch = watch;
+        }
+        auto proof = now.with({}, progress, [&](const ExportSource& source, const Progress& part) {
+            shown.ground = withFlat(std::move(shown.ground), source.results());
+            return proofOf(source, order, part);
+        });
         order.watch = {};
         if (!proof) {
             return proof.error();

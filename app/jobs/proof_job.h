@@ -19,6 +19,7 @@ struct ProofTray {
 };
 
 /// Sews the document's pattern back together, as it is now, and measures it.
+/// @param tray  may be null
 /// @param done  not called where that cannot be, or is cancelled
 std::unique_ptr<Job> proofJob(const Document& document, const ProofPlan& plan,
                               std::shared_ptr<ProofTray> tray,

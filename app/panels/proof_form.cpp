@@ -3,15 +3,23 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QEvent>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
+#include <QToolButton>
 #include <algorithm>
+#include <initializer_list>
+#include <iterator>
+#include <optional>
+#include <utility>
 
 #include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/panels/stiffness_form.h"
 #include "app/text/fabric_name.h"
 #include "app/widgets/number_edits.h"
 
@@ -22,8 +30,8 @@ namespace {
 /// What the pattern is held by, in the order of the list.
 enum Holder { ByDesign, ByBody, ByAnotherBody };
 
-constexpr double kMostProofPressure = 100000;  // N/m²
-constexpr int kWidestProofField = 190;         // logical pixels
+constexpr int kFirstUnit = 1;           // of the list of units: before it, what the file says
+constexpr int kWidestProofField = 190;  // logical pixels
 
 void setOffered(QComboBox& list, int row, bool offered) {
     auto* model = qobject_cast<QStandardItemModel*>(list.model());
@@ -38,34 +46,47 @@ bool hasDesignersPanels(const Document& document) {
 
 }  // namespace
 
-ProofForm::ProofForm(const Document& document, PatternProof& proof, QWidget* parent)
+ProofForm::ProofForm(Document& document, PatternProof& proof, QWidget* parent)
     : QWidget(parent),
       document_(document),
       proof_(proof),
       guard_(new FieldGuard(this)),
+      form_(new QFormLayout(this)),
       sewn_(new QComboBox(this)),
       holder_(new QComboBox(this)),
+      unit_(new QComboBox(this)),
       pressure_(new QDoubleSpinBox(this)),
       edge_(new LengthEdit(this)),
+      thickness_(new LengthEdit(this)),
       gravity_(new QCheckBox(tr("Gravity"), this)),
       touching_(new QCheckBox(tr("Cloth touches itself"), this)),
-      cloth_(new QLabel(this)) {
+      cloth_(new QLabel(this)),
+      fold_(new QToolButton(this)),
+      stiffness_(new StiffnessForm(*guard_, this)) {
     makeFields();
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(10, 6, 10, 6);
-    form->setHorizontalSpacing(8);
-    form->setVerticalSpacing(4);
-    form->addRow(tr("Sew"), sewn_);
-    form->addRow(tr("Held by"), holder_);
-    form->addRow(tr("Pressure"), pressure_);
-    form->addRow(tr("Triangles"), edge_);
-    form->addRow(tr("Fabric"), cloth_);
-    form->addRow(gravity_, touching_);
+    makeCloth();
+    connectFields();
+    form_->setContentsMargins(10, 6, 10, 6);
+    form_->setHorizontalSpacing(8);
+    form_->setVerticalSpacing(4);
+    form_->addRow(tr("Sew"), sewn_);
+    form_->addRow(tr("Held by"), holder_);
+    form_->addRow(tr("Its unit"), unit_);
+    form_->addRow(tr("Pressure"), pressure_);
+    form_->addRow(tr("Triangles"), edge_);
+    form_->addRow(tr("Fabric"), cloth_);
+    form_->addRow(gravity_, touching_);
+    form_->addRow(tr("Thickness"), thickness_);
+    form_->addRow(fold_);
+    form_->addRow(stiffness_);
     connect(&proof_, &PatternProof::changed, this, &ProofForm::show);
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric |
                     DocumentChange::Reference)) {
             show();
+        }
+        if (what.testFlag(DocumentChange::Opened)) {
+            fold_->setChecked(document_.state().proof.settings.stiffness != StatedStiffness{});
         }
     });
     show();
@@ -87,7 +108,7 @@ void ProofForm::makeFields() {
         tr("What the cloth lies on while it is sewn: the design's own surface, or "
            "the mesh of a body in the garment's place"));
     pressure_->setObjectName("proofPressure");
-    pressure_->setRange(-kMostProofPressure, kMostProofPressure);
+    pressure_->setRange(-kMostPressure, kMostPressure);
     pressure_->setDecimals(1);
     pressure_->setSuffix(tr(" Pa"));
     pressure_->setKeyboardTracking(false);
@@ -105,41 +126,117 @@ void ProofForm::makeFields() {
     touching_->setObjectName("proofSelfContact");
     touching_->setToolTip(
         tr("Layers of cloth keep off each other; it takes longer. Else cloth goes through cloth"));
-    cloth_->setObjectName("proofFabric");
-    for (QWidget* field : {static_cast<QWidget*>(sewn_), static_cast<QWidget*>(holder_),
-                           static_cast<QWidget*>(pressure_), static_cast<QWidget*>(edge_)}) {
+    unit_->setObjectName("proofBodyUnit");
+    unit_->setToolTip(tr("The unit that the body's file is in"));
+    unit_->addItem(tr("As its file says"));
+    for (const LengthUnit unit : kLengthUnits) {
+        unit_->addItem(QString::fromUtf8(symbol(unit)));
+    }
+    for (QComboBox* list : {sewn_, holder_, unit_}) {
+        list->setMaximumWidth(kWidestProofField);
+        guard_->install(*list);
+    }
+    for (QDoubleSpinBox* field : std::initializer_list<QDoubleSpinBox*>{pressure_, edge_}) {
         field->setMaximumWidth(kWidestProofField);
+        field->installEventFilter(this);
         guard_->install(*field);
     }
+}
+
+void ProofForm::makeCloth() {
+    cloth_->setObjectName("proofFabric");
+    thickness_->setObjectName("proofThickness");
+    thickness_->setRange(kLeastThickness, kMostThickness);
+    thickness_->setToolTip(tr("How far layers of cloth keep off each other"));
+    thickness_->setMaximumWidth(kWidestProofField);
+    thickness_->installEventFilter(this);
+    guard_->install(*thickness_);
+    fold_->setObjectName("proofMeasured");
+    fold_->setText(tr("Measured cloth"));
+    fold_->setToolTip(
+        tr("What you have measured of the cloth, in place of what is known of its "
+           "fabric"));
+    fold_->setCheckable(true);
+    fold_->setAutoRaise(true);
+    fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    const auto follow = [this](bool open) {
+        fold_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
+        stiffness_->setVisible(open);
+    };
+    connect(fold_, &QToolButton::toggled, this, follow);
+    follow(false);
+}
+
+void ProofForm::connectFields() {
     connect(sewn_, &QComboBox::activated, this, [this](int choice) {
-        change([choice](ProofPlan& plan) { plan.sewn = static_cast<SewnPattern>(choice); });
+        change(tr("Proof of another pattern"),
+               [choice](ProofPlan& plan) { plan.sewn = static_cast<SewnPattern>(choice); });
     });
     connect(holder_, &QComboBox::activated, this, &ProofForm::chooseHolder);
+    connect(unit_, &QComboBox::activated, this, [this](int choice) {
+        const int known = choice - kFirstUnit;
+        if (known < static_cast<int>(std::size(kLengthUnits))) {  // else the one that it has
+            change(tr("Unit of the body"), [known](ProofPlan& plan) {
+                plan.bodyUnit =
+                    known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
+            });
+        }
+    });
     connect(pressure_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        change([value](ProofPlan& plan) { plan.settings.pressure = value; });
+        change(
+            tr("Pressure of the proof"),
+            [value](ProofPlan& plan) { plan.settings.pressure = value; }, gesture_);
     });
     connect(edge_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         const double edge = value > 0 ? std::max(value, kLeastProofEdge) : 0;
-        change([edge](ProofPlan& plan) { plan.settings.edge = edge; });
+        change(
+            tr("Triangles of the proof"), [edge](ProofPlan& plan) { plan.settings.edge = edge; },
+            gesture_);
         show();  // the least, where less was typed
     });
-    connect(gravity_, &QCheckBox::clicked, this,
-            [this](bool on) { change([on](ProofPlan& plan) { plan.settings.hasGravity = on; }); });
-    connect(touching_, &QCheckBox::clicked, this, [this](bool on) {
-        change([on](ProofPlan& plan) { plan.settings.touchesItself = on; });
+    connect(thickness_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        change(
+            tr("Thickness of the cloth"),
+            [value](ProofPlan& plan) { plan.settings.thickness = value; }, gesture_);
     });
+    connect(gravity_, &QCheckBox::clicked, this, [this](bool on) {
+        change(on ? tr("Proof with gravity") : tr("Proof without gravity"),
+               [on](ProofPlan& plan) { plan.settings.hasGravity = on; });
+    });
+    connect(touching_, &QCheckBox::clicked, this, [this](bool on) {
+        change(on ? tr("Cloth touches itself") : tr("Cloth goes through itself"),
+               [on](ProofPlan& plan) { plan.settings.touchesItself = on; });
+    });
+    connect(stiffness_, &StiffnessForm::wanted, this,
+            [this](const StatedStiffness& stated, bool isFirst) {
+                gesture_ = isFirst ? document_.newGesture() : gesture_;
+                change(
+                    tr("Measured cloth"),
+                    [&stated](ProofPlan& plan) { plan.settings.stiffness = stated; }, gesture_);
+                showCloth();  // the least, where less was typed
+            });
+}
+
+bool ProofForm::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn) {
+        gesture_ = document_.newGesture();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 template <class Change>
-void ProofForm::change(const Change& change) {
-    ProofPlan plan = proof_.plan();
+void ProofForm::change(const QString& text, const Change& change, int gesture) {
+    ProofPlan plan = document_.state().proof;
     change(plan);
-    proof_.setPlan(plan);
+    document_.setProofPlan(std::move(plan), text, gesture);
 }
 
 void ProofForm::chooseHolder(int choice) {
     if (choice == ByDesign) {
-        change([](ProofPlan& plan) { plan.body.clear(); });
+        change(tr("Proof on the design"), [](ProofPlan& plan) {
+            plan.body.clear();
+            plan.bodyUnit.reset();
+        });
         return;
     }
     if (choice == ByAnotherBody || proof_.plan().body.empty()) {
@@ -149,7 +246,7 @@ void ProofForm::chooseHolder(int choice) {
 }
 
 void ProofForm::show() {
-    const ProofPlan& plan = proof_.plan();
+    const ProofPlan plan = proof_.plan();
     sewn_->setCurrentIndex(static_cast<int>(plan.sewn));
     setOffered(*sewn_, static_cast<int>(SewnPattern::Designer), hasDesignersPanels(document_));
     setOffered(*sewn_, static_cast<int>(SewnPattern::Reference),
@@ -157,12 +254,39 @@ void ProofForm::show() {
     holder_->setItemText(ByBody, plan.body.empty() ? tr("A body…") : textOf(plan.body.filename()));
     setOffered(*holder_, ByAnotherBody, !plan.body.empty());
     holder_->setCurrentIndex(plan.body.empty() ? ByDesign : ByBody);
-    const QSignalBlocker quietPressure(pressure_), quietEdge(edge_);
+    showUnit(plan);
+    const QSignalBlocker quietPressure(pressure_), quietEdge(edge_), quietThickness(thickness_);
     pressure_->setValue(plan.settings.pressure);
     edge_->setValue(plan.settings.edge);
     gravity_->setChecked(plan.settings.hasGravity);
     touching_->setChecked(plan.settings.touchesItself);
-    cloth_->setText(fabricName(document_.fabric()));
+    thickness_->setValue(plan.settings.thickness);
+    form_->setRowVisible(thickness_, plan.settings.touchesItself);
+    showCloth();
+}
+
+void ProofForm::showUnit(const ProofPlan& plan) {
+    form_->setRowVisible(unit_, !plan.body.empty());
+    while (unit_->count() > kFirstUnit + static_cast<int>(std::size(kLengthUnits))) {
+        unit_->removeItem(unit_->count() - 1);
+    }
+    const auto named = plan.bodyUnit ? plan.bodyUnit->named() : std::nullopt;
+    if (plan.bodyUnit && !named) {
+        unit_->addItem(
+            tr("1 = %1 mm").arg(QLocale().toString(plan.bodyUnit->millimetres(), 'g', 4)));
+    }
+    const auto* const known = std::ranges::find(kLengthUnits, named);
+    unit_->setCurrentIndex(
+        plan.bodyUnit ? kFirstUnit + static_cast<int>(known - std::begin(kLengthUnits)) : 0);
+}
+
+void ProofForm::showCloth() {
+    const StatedStiffness& stated = document_.state().proof.settings.stiffness;
+    const bool isOneFabric = document_.state().materials.empty();
+    stiffness_->showStated(
+        stated, isOneFabric ? std::optional(clothStiffness(document_.fabric())) : std::nullopt);
+    const QString fabric = fabricName(document_.fabric());
+    cloth_->setText(stated == StatedStiffness{} ? fabric : tr("%1, as measured").arg(fabric));
 }
 
 }  // namespace toile::app

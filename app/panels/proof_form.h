@@ -3,10 +3,14 @@
 
 #include <QWidget>
 
+#include "core/prove/proof_settings.h"
+
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
+class QToolButton;
 
 namespace toile::app {
 
@@ -14,15 +18,16 @@ class Document;
 class FieldGuard;
 class LengthEdit;
 class PatternProof;
-struct ProofPlan;
+class StiffnessForm;
 
-/// How a pattern is proved: what is sewn, what holds the cloth meanwhile, how finely it is divided.
+/// How a pattern is proved: what is sewn, what holds the cloth meanwhile, how finely it is divided;
+/// below a fold what has been measured of the cloth. What is changed is a step of the history.
 class ProofForm : public QWidget {
     Q_OBJECT
 
 public:
     /// Both must outlive the form.
-    ProofForm(const Document& document, PatternProof& proof, QWidget* parent = nullptr);
+    ProofForm(Document& document, PatternProof& proof, QWidget* parent = nullptr);
 
     QWidget& firstField() const;
 
@@ -30,22 +35,34 @@ signals:
     /// A mesh to wear the pattern on is to be asked for.
     void bodyWanted();
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void makeFields();
+    void makeCloth();
+    void connectFields();
     void show();
-    /// Changes the plan as somebody has said.
+    void showUnit(const ProofPlan& plan);
+    void showCloth();
+    /// Changes the plan as somebody has said, by a step of this name. What is changed in a field is
+    /// one step until it is entered again.
     template <class Change>
-    void change(const Change& change);
+    void change(const QString& text, const Change& change, int gesture = -1);
     void chooseHolder(int choice);
 
-    const Document& document_;
+    Document& document_;
     PatternProof& proof_;
     FieldGuard* guard_;
-    QComboBox *sewn_, *holder_;
+    QFormLayout* form_;
+    QComboBox *sewn_, *holder_, *unit_;
     QDoubleSpinBox* pressure_;
-    LengthEdit* edge_;
+    LengthEdit *edge_, *thickness_;
     QCheckBox *gravity_, *touching_;
     QLabel* cloth_;
+    QToolButton* fold_;
+    StiffnessForm* stiffness_;
+    int gesture_ = -1;
 };
 
 }  // namespace toile::app

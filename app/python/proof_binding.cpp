@@ -48,8 +48,9 @@ ProofOrder orderOf(const app::Arguments& typed, const Garment& garment, Progress
 }
 
 PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs& options) {
-    const app::Arguments typed = provingArguments(options);
+    app::Arguments typed = provingArguments(options);
     const HeldFlat& held = *flat.held;
+    typed.project = held.arguments.project;
     return interruptible(onProgress, [&](Progress& progress) {
         const ProofOrder order = orderOf(typed, held.garment(), progress);
         const Fabric fabric =

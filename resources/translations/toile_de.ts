@@ -6862,6 +6862,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
     </message>
+    <message>
+        <source>Proof on a body</source>
+        <translation>Nähprobe auf einem Körper</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::GarmentCard</name>
@@ -8718,6 +8722,78 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Layers of cloth keep off each other; it takes longer. Else cloth goes through cloth</source>
         <translation>Lagen von Stoff halten sich voneinander ab; das dauert länger. Sonst geht Stoff durch Stoff hindurch</translation>
     </message>
+    <message>
+        <source>Its unit</source>
+        <translation>Seine Einheit</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>The unit that the body&apos;s file is in</source>
+        <translation>Die Einheit der Datei des Körpers</translation>
+    </message>
+    <message>
+        <source>As its file says</source>
+        <translation>Wie seine Datei sagt</translation>
+    </message>
+    <message>
+        <source>How far layers of cloth keep off each other</source>
+        <translation>Wie weit sich Lagen von Stoff voneinander abhalten</translation>
+    </message>
+    <message>
+        <source>Measured cloth</source>
+        <translation>Gemessener Stoff</translation>
+    </message>
+    <message>
+        <source>What you have measured of the cloth, in place of what is known of its fabric</source>
+        <translation>Was Sie am Stoff gemessen haben, anstelle dessen, was von seiner Art bekannt ist</translation>
+    </message>
+    <message>
+        <source>Proof of another pattern</source>
+        <translation>Nähprobe eines anderen Schnitts</translation>
+    </message>
+    <message>
+        <source>Unit of the body</source>
+        <translation>Einheit des Körpers</translation>
+    </message>
+    <message>
+        <source>Pressure of the proof</source>
+        <translation>Druck der Nähprobe</translation>
+    </message>
+    <message>
+        <source>Triangles of the proof</source>
+        <translation>Dreiecke der Nähprobe</translation>
+    </message>
+    <message>
+        <source>Thickness of the cloth</source>
+        <translation>Dicke des Stoffs</translation>
+    </message>
+    <message>
+        <source>Proof with gravity</source>
+        <translation>Nähprobe mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Proof without gravity</source>
+        <translation>Nähprobe ohne Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Cloth goes through itself</source>
+        <translation>Stoff geht durch sich hindurch</translation>
+    </message>
+    <message>
+        <source>Proof on the design</source>
+        <translation>Nähprobe auf dem Entwurf</translation>
+    </message>
+    <message>
+        <source>1 = %1 mm</source>
+        <translation>1 = %1 mm</translation>
+    </message>
+    <message>
+        <source>%1, as measured</source>
+        <translation>%1, wie gemessen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProofModel</name>
@@ -9524,6 +9600,72 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::StatedEdit</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::StiffnessForm</name>
+    <message>
+        <source>As the fabric</source>
+        <translation>Wie der Stoff</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>N/m</translation>
+    </message>
+    <message>
+        <source>µN·m</source>
+        <translation>µN·m</translation>
+    </message>
+    <message>
+        <source>g/m²</source>
+        <translation>g/m²</translation>
+    </message>
+    <message>
+        <source>Stretch, warp</source>
+        <translation>Zug, Kette</translation>
+    </message>
+    <message>
+        <source>What a strip of the cloth, 1 m wide, resists being stretched along the warp with: the force by the strain. Empty: as the fabric</source>
+        <translation>Womit sich ein Streifen des Stoffs, 1 m breit, gegen Zug in Kettrichtung wehrt: die Kraft durch die Dehnung. Leer: wie der Stoff</translation>
+    </message>
+    <message>
+        <source>Stretch, weft</source>
+        <translation>Zug, Schuss</translation>
+    </message>
+    <message>
+        <source>The same along the weft. Empty: as the fabric</source>
+        <translation>Dasselbe in Schussrichtung. Leer: wie der Stoff</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>What it resists being sheared with, on the bias. Empty: as the fabric</source>
+        <translation>Womit er sich gegen Schub im schrägen Fadenlauf wehrt. Leer: wie der Stoff</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>What it resists being bent with. Empty: as the fabric</source>
+        <translation>Womit er sich gegen Biegung wehrt. Leer: wie der Stoff</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>What it weighs, which counts with gravity. Empty: as the fabric</source>
+        <translation>Was er wiegt, was bei Schwerkraft zählt. Leer: wie der Stoff</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A pattern sewn back together in the window: by real keys and clicks, what is seen of it on its
 // way and once it is there, and what becomes of it when the pattern is edited.
+#include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 #include <algorithm>
 
 #include "app/actions/pattern_proof.h"
+#include "app/document/project_state.h"
 #include "app/document/shown_proof.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/proof_form.h"
@@ -21,6 +23,8 @@
 #include "app/views/garment_view.h"
 #include "app/views/sewn_bar.h"
 #include "app/views/sewn_run.h"
+#include "app/widgets/stated_edit.h"
+#include "core/project/project_file.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
@@ -286,15 +290,142 @@ private slots:
         plan.sewn = SewnPattern::Designer;
         plan.body = "body.obj";
         plan.settings.pressure = 30;
-        proof().setPlan(plan);
+        plan.settings.stiffness.warp = 40;
+        document().setProofPlan(plan, "Plan");
+        openSample("sheet.obj");  // again
+        QVERIFY(proof().plan() == plan);
         openSample("tshirt.obj");
+        ProofPlan other;
+        other.settings.pressure = 30;
+        QVERIFY(proof().plan() == other);
+    }
+
+    void withoutAReferenceTheOwnPatternIsSewn() {
+        openSample("sheet.obj");
+        ProofPlan plan;
+        plan.sewn = SewnPattern::Reference;
+        document().setProofPlan(plan, "Plan");
         QVERIFY(proof().plan().sewn == SewnPattern::Own);
-        QVERIFY(proof().plan().body.empty());
-        QCOMPARE(proof().plan().settings.pressure, 30.0);
-        plan.sewn = SewnPattern::Reference;  // of which there is none
-        proof().setPlan(plan);
-        document().setSelection({0});
-        QVERIFY(proof().plan().sewn == SewnPattern::Own);
+        find<QAbstractButton>("proofGravity").click();
+        QVERIFY(document().state().proof.sewn == SewnPattern::Reference);  // it stays said
+        DocumentState next = document().state();
+        next.reference.path = "reference.dxf";
+        next.reference.file = std::make_shared<const PatternFile>();
+        document().edit("Reference", next);
+        QVERIFY(proof().plan().sewn == SewnPattern::Reference);
+    }
+
+    void whatIsSaidIsAStep() {
+        openSample("sheet.obj");
+        press(ActionId::GoToProof);
+        find<QAbstractButton>("proofGravity").click();
+        QCOMPARE(document().history().count(), 1);
+        QVERIFY(!document().history().isClean());
+        auto& pressure = find<QAbstractSpinBox>("proofPressure");
+        pressure.setFocus();
+        for (int step = 0; step < 3; ++step) {
+            QTest::keyClick(&pressure, Qt::Key_Up);
+        }
+        QCOMPARE(document().state().proof.settings.pressure, 13.0);
+        QCOMPARE(document().history().count(), 2);  // of one gesture
+        document().history().undo();
+        QCOMPARE(pressure.text().section(' ', 0, 0).toDouble(), 10.0);
+        QVERIFY(find<QAbstractButton>("proofGravity").isChecked());
+        document().history().undo();
+        QVERIFY(document().state().proof == ProofPlan{});
+        QVERIFY(!find<QAbstractButton>("proofGravity").isChecked());
+    }
+
+    void aProjectKeepsWhatIsSaid() {
+        openSample("sheet.obj");
+        ProofPlan plan;
+        plan.sewn = SewnPattern::Designer;
+        plan.body = fixture_.path("body.obj").toStdString();  // which need not be there
+        plan.bodyUnit = LengthUnit::Inch;
+        plan.settings.hasGravity = true;
+        plan.settings.stiffness.bending = 20e-6;
+        document().setProofPlan(plan, "Plan");
+        const Project project =
+            projectOf(document().state(), document().derived(), document().view());
+        QVERIFY(writeProject(fixture_.path("sheet.toile").toStdString(), project));
+        openSample("tshirt.obj");
+        openSample("sheet.toile");
+        QVERIFY(document().state().proof == plan);
+        QVERIFY(document().history().isClean());
+        QVERIFY(find<QToolButton>("proofMeasured").isChecked());
+        QVERIFY(find<StatedEdit>("stiffnessBending").stated().has_value());
+    }
+
+    void measuredClothIsStatedAndLeftToTheFabricAgain() {
+        openSample("sheet.obj");
+        press(ActionId::GoToProof);
+        auto& warp = find<StatedEdit>("stretchWarp");
+        QVERIFY(!warp.isVisible());
+        find<QToolButton>("proofMeasured").click();
+        QVERIFY(warp.isVisible());
+        QVERIFY2(warp.text().startsWith("As the fabric"), qPrintable(warp.text()));
+        const auto type = [&warp](const QString& text) {
+            warp.setFocus();
+            warp.selectAll();
+            QTest::keyClick(&warp, Qt::Key_Delete);
+            QTest::keyClicks(&warp, text);
+            QTest::keyClick(&warp, Qt::Key_Return);
+        };
+        const auto stated = [this] { return document().state().proof.settings.stiffness; };
+        type("1250");
+        QCOMPARE(*stated().warp, 1250.0);
+        QVERIFY(warp.font().bold());
+        QTest::keyClick(&warp, Qt::Key_Up);
+        QCOMPARE(*stated().warp, 1350.0);
+        type("0.5");  // less than any cloth
+        QCOMPARE(*stated().warp, kLeastStretch);
+        QVERIFY2(warp.text().startsWith("1 "), qPrintable(warp.text()));
+        type("");
+        QVERIFY(!stated().warp);
+        QVERIFY(!warp.font().bold());
+        QTest::keyClick(&warp, Qt::Key_Up);  // from what holds
+        QVERIFY(std::abs(*stated().warp - clothStiffness(document().fabric()).warp) < 1e-3);
+        auto& bending = find<StatedEdit>("stiffnessBending");
+        bending.setFocus();
+        bending.selectAll();
+        QTest::keyClicks(&bending, "0");
+        QTest::keyClick(&bending, Qt::Key_Return);
+        QCOMPARE(*stated().bending, 0.0);
+    }
+
+    void aBodyHasAUnit() {
+        openSample("sheet.obj");
+        press(ActionId::GoToProof);
+        auto& unit = find<QComboBox>("proofBodyUnit");
+        QVERIFY(!unit.isVisible());
+        ProofPlan plan;
+        plan.body = "body.obj";
+        plan.bodyUnit = FileUnit::ofMillimetres(12.5);
+        document().setProofPlan(plan, "Plan");
+        QVERIFY(unit.isVisible());
+        QVERIFY2(unit.currentText().contains("12.5"), qPrintable(unit.currentText()));
+        unit.setFocus();
+        QTest::keyClick(&unit, Qt::Key_Home);
+        QVERIFY(!document().state().proof.bodyUnit);
+        QTest::keyClick(&unit, Qt::Key_Down);
+        QVERIFY(document().state().proof.bodyUnit == FileUnit(LengthUnit::Millimetre));
+        QCOMPARE(unit.count(), 6);  // what was so long is offered no more
+    }
+
+    void aProofOfSettledPiecesIsOfThemOnceTheyAreThere() {
+        openSample("sheet.obj");
+        prove();
+        const auto flat = document().results();
+        Derived warm = document().derived();
+        auto other = std::make_shared<PieceResult>(*flat.front());
+        other->fingerprint ^= 1U;  // other points
+        warm.results.front() = other;
+        document().show(warm, document().state().settings);
+        QVERIFY(!isProved());
+        Derived settled = document().derived();
+        settled.results.front() = std::make_shared<PieceResult>(*flat.front());
+        document().show(settled, document().state().settings);
+        QVERIFY(isProved());
     }
 
     void aBodyElsewhereIsRefused() {
@@ -304,7 +435,7 @@ private slots:
         test::writeObj(fixture_.path("far.obj").toStdString(), {{"far", far}});
         ProofPlan plan;
         plan.body = fixture_.path("far.obj").toStdString();
-        proof().setPlan(plan);
+        document().setProofPlan(plan, "Plan");
         press(ActionId::ProveBySewing);
         QVERIFY(QTest::qWaitFor([this] { return !proof().isRunning(); }, test::kPatience));
         QVERIFY(!document().proof());

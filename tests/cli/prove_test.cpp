@@ -123,6 +123,92 @@ TEST_F(ProveCommand, TheClothDecidesHowItComesToRest) {
     EXPECT_NE(proven({"--stretch", "5000"})["strain"], jersey["strain"]);
 }
 
+/// A project of the barrel with this of its proof.
+class ProveProject : public ProveCommand {
+protected:
+    nlohmann::json proven(const std::string& proof, std::vector<std::string> words = {}) const {
+        folder_.write(
+            "barrel.toile",
+            R"({"format": "toile-project", "version": 3, "files": [{"path": "barrel.obj"}],
+                          "reading": {"unit": "mm"}, "proof": )" +
+                proof + "}");
+        words.insert(words.begin(), {"prove", (folder_ / "barrel.toile").string(), "--json"});
+        const auto proved = test::toileRun(words);
+        EXPECT_EQ(proved.status, 0) << proved.out << proved.err;
+        return proved.status == 0 ? nlohmann::json::parse(proved.out) : nlohmann::json();
+    }
+};
+
+TEST_F(ProveProject, IsSewnAsItSays) {
+    const auto json = proven(R"({"pressure": 25, "gravity": true, "edge": 17, "selfContact": true,
+                                 "thickness": 0.5, "stiffness": {"weight": 90}})");
+    const auto& held = json["held"];
+    EXPECT_EQ(held["pressure_pa"], 25);
+    EXPECT_EQ(held["gravity"], true);
+    EXPECT_EQ(held["self_contact_mm"], 0.5);
+    EXPECT_EQ(held["stiffness"]["weight"], 90);
+    EXPECT_NE(json["edge_mm"], proven("{}")["edge_mm"]);
+}
+
+TEST_F(ProveProject, WhatIsTypedGoesBefore) {
+    const std::string said = R"({"pressure": 25, "gravity": true, "selfContact": true,
+                                 "stiffness": {"warp": 50, "weight": 90}})";
+    auto held = proven(
+        said, {"--pressure", "10", "--no-gravity", "--no-self-contact", "--stretch", "70"})["held"];
+    EXPECT_EQ(held["pressure_pa"], 10);  // which is the usual one, too
+    EXPECT_EQ(held["gravity"], false);
+    EXPECT_EQ(held["self_contact_mm"], nullptr);
+    EXPECT_EQ(held["stiffness"]["warp"], 70);
+    EXPECT_EQ(held["stiffness"]["weft"], 70);
+    EXPECT_EQ(held["stiffness"]["weight"], 90);
+    held = proven(said, {"--fabric", "denim"})["held"];  // it was measured of another
+    EXPECT_EQ(held["stiffness"]["warp"], nullptr);
+    EXPECT_EQ(held["pressure_pa"], 25);
+}
+
+TEST_F(ProveProject, IsWornOnItsBody) {
+    folder_.write("body.obj", barrel());
+    const std::string said = R"({"body": {"path": "body.obj"}, "bodyUnit": "0.9 mm"})";
+    EXPECT_EQ(proven(said)["held"]["body"], "body.obj");
+    EXPECT_EQ(proven(said, {"--body", "none"})["held"]["on"], "design");
+    const std::string typed = (folder_ / "typed.obj").string();
+    folder_.write("typed.obj", barrel());
+    EXPECT_EQ(proven(said, {"--body", typed})["held"]["body"], "typed.obj");
+    const std::string project = (folder_ / "barrel.toile").string();
+    const auto overwriting =
+        test::toileRun({"flatten", project, "-o", (folder_ / "body.obj").string()});
+    EXPECT_EQ(overwriting.status, 2) << overwriting.err;
+    std::filesystem::remove(folder_ / "body.obj");
+    const auto gone = test::toileRun({"prove", project});
+    EXPECT_EQ(gone.status, 3) << gone.err;
+    EXPECT_NE(gone.err.find("body.obj"), std::string::npos) << gone.err;
+    EXPECT_EQ(test::toileRun({"flatten", project, "-o", (folder_ / "a.dxf").string()}).status, 0);
+}
+
+TEST_F(ProveProject, SewsThePatternThatItNames) {
+    ASSERT_EQ(run("flatten", {"-o", (folder_ / "barrel.dxf").string()}).status, 0);
+    const std::string said = R"({"sewn": "reference"}, "reference": {"path": "barrel.dxf"})";
+    const auto reference = proven(said)["source"];
+    EXPECT_NE(reference, proven(R"({"sewn": "own"})")["source"]);
+    EXPECT_EQ(proven(said, {"--reference", "none"})["source"], proven("{}")["source"]);
+    EXPECT_EQ(proven(R"({"sewn": "reference"})")["source"],
+              proven("{}")["source"]);  // none is open
+    const auto designers =
+        test::toileRun({"prove", (folder_ / "barrel.toile").string(), "--reference", "uv"});
+    EXPECT_EQ(designers.status, 3);
+    EXPECT_NE(designers.err.find("--reference none"), std::string::npos) << designers.err;
+}
+
+TEST_F(ProveProject, TheCheckIsHeldByTheSame) {
+    proven(R"({"body": {"path": "missing.obj"}})", {"--body", "none"});
+    const std::string project = (folder_ / "barrel.toile").string();
+    for (const char* command : {"check", "compare"}) {
+        const auto held = test::toileRun({command, project, "--prove"});
+        EXPECT_NE(held.err.find("missing.obj"), std::string::npos) << held.err;
+        EXPECT_NE(held.status, 0);
+    }
+}
+
 TEST_F(ProveCommand, TheFabricsAreThoseOfThePage) {
     std::string table =
         "| Fabric | Warp N/m | Weft N/m | Coupling N/m | Shear N/m | Bending µN·m | g/m² |\n"

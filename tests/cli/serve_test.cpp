@@ -195,6 +195,19 @@ TEST(ServeRequests, ProveTellsTheReportOfAProof) {
     EXPECT_EQ(farBody["subject"], body);
 }
 
+TEST(ServeRequests, ProveGoesByWhatAProjectSays) {
+    Served served;
+    const test::TemporaryFolder folder;
+    folder.write("flap.obj", test::kPanel);
+    const auto project = folder.write(
+        "flap.toile", R"({"format": "toile-project", "version": 3, "files": [{"path": "flap.obj"}],
+                          "reading": {"unit": "mm"}, "proof": {"pressure": 25}})");
+    served.done(loadOf({project.string()}));
+    EXPECT_EQ(served.done({{"do", "prove"}})["held"]["pressure_pa"], 25);
+    EXPECT_EQ(served.done({{"do", "prove"}, {"args", {"--pressure", "3"}}})["held"]["pressure_pa"],
+              3);
+}
+
 TEST(ServeRequests, NobodyWaitsForAPipe) {
     const test::TemporaryFolder folder;
     const std::string panel = folder.write("flap.obj", test::kPanel).string();

@@ -93,6 +93,9 @@ QString difference(const Moment& one, const Moment& other) {
     if (one.state.reference.path != other.state.reference.path) {
         return "reference";
     }
+    if (!(one.state.proof == other.state.proof)) {
+        return "proof";
+    }
     for (const auto& [id, said] : one.state.settings) {
         const auto found = other.state.settings.find(id);
         if (found == other.state.settings.end()) {

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/widgets/stated_edit.h"
+
+#include <QLocale>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+namespace toile::app {
+
+namespace {
+
+constexpr int kStatedDecimals = 6, kStatedDigits = 6;
+
+}  // namespace
+
+StatedEdit::StatedEdit(double least, double most, const QString& unit, const QString& unstated,
+                       QWidget* parent)
+    : NumberEdit(parent), least_(least), unit_(unit), unstated_(unstated) {
+    setDecimals(kStatedDecimals);
+    setRange(least - 1, most);  // below the least nothing is stated
+    showStated({}, {});
+}
+
+std::optional<double> StatedEdit::stated() const {
+    return value() > minimum() ? std::optional(std::max(value(), least_)) : std::nullopt;
+}
+
+void StatedEdit::showStated(std::optional<double> stated, std::optional<double> usual) {
+    const QSignalBlocker quiet(this);
+    usual_ = usual;
+    setSpecialValueText(usual ? tr("%1: %2").arg(unstated_, textFromValue(*usual)) : unstated_);
+    setValue(stated.value_or(minimum()));
+    QFont font = parentWidget() ? parentWidget()->font() : this->font();
+    font.setBold(stated.has_value());
+    setFont(font);
+}
+
+QString StatedEdit::textFromValue(double number) const {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // else read back as a decimal mark
+    return QString("%1 %2").arg(locale.toString(number, 'g', kStatedDigits), unit_);
+}
+
+/// By a tenth of the number's largest digit, from what holds where nothing is stated.
+void StatedEdit::stepBy(int steps) {
+    const double from = stated().value_or(usual_.value_or(least_));
+    const double step =
+        std::pow(10, std::floor(std::log10(std::max({from, 10 * least_, 1.0}))) - 1);
+    setValue(stated() ? std::max(from + steps * step, least_) : from);
+    selectAll();
+}
+
+std::optional<double> StatedEdit::parsed(const QString& text) const {
+    const QString typed = text.trimmed();
+    if (typed.isEmpty() || typed == specialValueText()) {
+        return minimum();
+    }
+    QString number = typed.endsWith(unit_) ? typed.chopped(unit_.size()) : typed;
+    bool ok = false;
+    const double value =
+        QLocale::c().toDouble(number.replace(',', '.').simplified().remove(' '), &ok);
+    return ok && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace toile::app
