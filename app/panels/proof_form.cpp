@@ -286,7 +286,10 @@ void ProofForm::showCloth() {
     stiffness_->showStated(
         stated, isOneFabric ? std::optional(clothStiffness(document_.fabric())) : std::nullopt);
     const QString fabric = fabricName(document_.fabric());
-    cloth_->setText(stated == StatedStiffness{} ? fabric : tr("%1, as measured").arg(fabric));
+    const bool isStated = document_.fabric().id != fabricPresets().front().id;
+    cloth_->setText(stated == StatedStiffness{} ? fabric
+                    : isStated                  ? tr("%1, as measured").arg(fabric)
+                                                : tr("as measured"));
 }
 
 }  // namespace toile::app

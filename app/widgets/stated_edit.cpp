@@ -11,6 +11,13 @@ namespace toile::app {
 namespace {
 
 constexpr int kStatedDecimals = 6, kStatedDigits = 6;
+constexpr int kUsualDigits = 4;  // of what nobody has stated
+
+QString digitsOf(double number, int digits) {
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // else read back as a decimal mark
+    return locale.toString(number, 'g', digits);
+}
 
 }  // namespace
 
@@ -29,7 +36,9 @@ std::optional<double> StatedEdit::stated() const {
 void StatedEdit::showStated(std::optional<double> stated, std::optional<double> usual) {
     const QSignalBlocker quiet(this);
     usual_ = usual;
-    setSpecialValueText(usual ? tr("%1: %2").arg(unstated_, textFromValue(*usual)) : unstated_);
+    setSpecialValueText(
+        usual ? tr("%1: %2").arg(unstated_, digitsOf(*usual, kUsualDigits) + ' ' + unit_)
+              : unstated_);
     setValue(stated.value_or(minimum()));
     QFont font = parentWidget() ? parentWidget()->font() : this->font();
     font.setBold(stated.has_value());
@@ -37,9 +46,7 @@ void StatedEdit::showStated(std::optional<double> stated, std::optional<double> 
 }
 
 QString StatedEdit::textFromValue(double number) const {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // else read back as a decimal mark
-    return QString("%1 %2").arg(locale.toString(number, 'g', kStatedDigits), unit_);
+    return digitsOf(number, kStatedDigits) + ' ' + unit_;
 }
 
 /// By a tenth of the number's largest digit, from what holds where nothing is stated.

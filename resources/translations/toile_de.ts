@@ -8794,6 +8794,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>%1, as measured</source>
         <translation>%1, wie gemessen</translation>
     </message>
+    <message>
+        <source>as measured</source>
+        <translation>wie gemessen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProofModel</name>
