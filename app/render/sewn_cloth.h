@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/sewn_pattern.h"
 #include "app/render/scene.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/prove/proof_settings.h"
 
 namespace toile {
 struct Proof;

@@ -7,8 +7,8 @@
 #include <QString>
 #include <optional>
 
-#include "app/document/sewn_pattern.h"
 #include "app/render/overlay_figures.h"
+#include "core/prove/proof_settings.h"
 
 class QPainter;
 
