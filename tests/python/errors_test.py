@@ -259,6 +259,9 @@ class Cancelling(unittest.TestCase):
         self.garment = toile.garment(points, faces, unit="mm")
 
     def test_ctrl_c_ends_a_flattening(self) -> None:
+        # A shell has what it starts in the background ignore it.
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
         threading.Timer(0.15, os.kill, (os.getpid(), signal.SIGINT)).start()
         with self.assertRaises(KeyboardInterrupt):
             while True:
