@@ -132,8 +132,8 @@ step_python() {
     # With the library of exceptions, which the sanitizer wants to find when it starts.
     asan="$(clang -print-file-name=libclang_rt.asan-x86_64.so) $(clang -print-file-name=libstdc++.so.6)"
     for test in arrays errors prove same_bytes threads; do
-        TOILE_CALLS=1000 TOILE_MEMORY=0 ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=$asan PYTHONPATH=build/asan-python/app/python \
-            TOILE_PROGRAM=build/asan-python/app/toile /usr/bin/python3 "tests/python/${test}_test.py" || status=1
+        TOILE_CALLS=1000 TOILE_MEMORY=0 ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=$asan PYTHONPATH=$PWD/build/asan-python/app/python \
+            TOILE_PROGRAM=$PWD/build/asan-python/app/toile /usr/bin/python3 "tests/python/${test}_test.py" || status=1
     done
     return $status
 }
