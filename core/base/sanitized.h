@@ -2,10 +2,10 @@
 #pragma once
 
 extern "C" {
-// NOLINTBEGIN(bugprone-reserved-identifier): theirs
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): theirs
 void __asan_init() __attribute__((weak));
 void __tsan_init() __attribute__((weak));
-// NOLINTEND(bugprone-reserved-identifier)
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 }
 
 namespace toile {
