@@ -79,7 +79,8 @@ show_progress() {
     while IFS= read -r line; do
         [[ $line =~ ^@([0-9]+)[.0-9]*\ +([0-9]+)%\ (.*) ]] || continue
         elapsed=${BASH_REMATCH[1]} percent=${BASH_REMATCH[2]}
-        [ "$percent" -ge 10 ] || continue # before, nobody knows: the first steps are short ones
+        # Before, nobody knows: the first steps are short ones, as is a look at what is to be built.
+        ((percent >= 10 && elapsed >= 5)) || continue
         left=$((elapsed * (100 - percent) / percent))
         if [ -t 1 ]; then
             printf '\r\033[K[ %3d %% ] about %d:%02d left' "$percent" $((left / 60)) $((left % 60))
