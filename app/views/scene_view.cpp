@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Longer than a file mostly is: what both views do alike with the pointer, the camera and what is
+// shown under them, which share the same few members.
 #include "app/views/scene_view.h"
 
 #include <QApplication>
