@@ -1,28 +1,41 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the documentation with the program itself: those of the methods with
-# `toile render`, which needs no display, those of the whole window on a virtual one (package xvfb).
+# Makes the pictures of the documentation with the program itself. The pictures of methods come from
+# `toile render`, which needs no display; those of the whole window need a virtual display (package xvfb).
+# Each picture is reduced to 256 colours if pngquant is installed; the repository keeps only such pictures.
 #
-#   docs/make_pictures.sh                     every picture
+#   docs/make_pictures.sh                     every picture except those that tests take
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
-#   docs/make_pictures.sh methods lscm abf    for these
-#   docs/make_pictures.sh patterns            those of the page on patterns, but for the ones that a test takes
-#   docs/make_pictures.sh proofs              those of the page on proofs
-#   docs/make_pictures.sh blender             that of the page on Blender, where blender is installed
-#   docs/make_pictures.sh batch               the summary of a batch, where chromium is installed
-#   docs/make_pictures.sh readme              those of the README
-#   IMAGES=trial docs/make_pictures.sh        into another folder than docs/images
-#   TOILE=build/release/app/toile docs/make_pictures.sh    with another program than build/ci's
+#   docs/make_pictures.sh methods lscm abf    for these methods
+#   docs/make_pictures.sh patterns            docs/images/pattern-{exact,fair,cut}.png
+#   docs/make_pictures.sh proofs              docs/images/prove-*.png
+#   docs/make_pictures.sh blender             docs/images/blender.png; needs blender
+#   docs/make_pictures.sh batch               docs/images/batch-summary.png; needs chromium
+#   docs/make_pictures.sh readme              the pictures of the README
+#   docs/make_pictures.sh compress            reduce the colours of all pictures, or of the files named
+#   IMAGES=trial docs/make_pictures.sh        write into another folder than docs/images
+#   TOILE=build/dev/app/toile docs/make_pictures.sh    use another program than build/release's
 set -euo pipefail
 cd "$(dirname "$0")/.."
-toile=${TOILE:-build/ci/app/toile}
+toile=${TOILE:-build/release/app/toile}
 samples=resources/samples
 images=${IMAGES:-docs/images}
 export LIBGL_ALWAYS_SOFTWARE=1 LC_ALL=C.UTF-8
 mkdir -p "$images"
 images=$(realpath "$images")
 
-can_make() { # PICTURE PROGRAM: whether what draws it is there; else says so
+compress() { # FILE.png...: to a palette of 256 colours, about a third of the size
+    command -v pngquant >/dev/null || return 0
+    # Status 98: the result would be larger, so the file stays as it was.
+    pngquant --speed 1 --strip --skip-if-larger --force --ext .png -- "$@" || [ $? -eq 98 ]
+}
+
+finish() { # FILE.png: compresses it and prints its name
+    compress "$1"
+    echo "$1"
+}
+
+can_make() { # PICTURE PROGRAM: whether the program that draws the picture is installed
     command -v "$2" >/dev/null || { echo "skipped: $1 needs $2" && false; }
 }
 
@@ -30,14 +43,14 @@ window_picture() { # FILE.png ARGUMENTS...: the whole window
     local file=$1
     shift
     QT_QPA_PLATFORM=xcb tests/app/own_display.sh "$toile" "$@" --screenshot "$file"
-    echo "$file"
+    finish "$file"
 }
 
 method_picture() { # METHOD: both views and the colour bar of the bodice, which is curved both ways
     local file="$images/method-$1.png"
     env -u DISPLAY "$toile" render "$samples/bodice.obj" --unit mm --up y --method "$1" \
         --overlay strain --size 1200x523 -o "$file"
-    echo "$file"
+    finish "$file"
 }
 
 method_names() { # as the program lists them
@@ -57,21 +70,22 @@ make_patterns() { # the bodice's pattern, exact and drawn
         env -u DISPLAY "$toile" render "$samples/bodice.obj" --unit mm --up y --view pattern \
             --overlay none $([ $name = exact ] || echo --true) --size 900x640 \
             -o "$images/pattern-$name.png"
-        echo "$images/pattern-$name.png"
+        finish "$images/pattern-$name.png"
     done
 }
 
 make_patterns_to_cut() { # with allowances and notches
     env -u DISPLAY "$toile" render "$samples/tshirt.obj" --unit mm --view pattern --pattern \
         --overlay none --size 1100x720 -o "$images/pattern-cut.png"
-    echo "$images/pattern-cut.png"
+    finish "$images/pattern-cut.png"
 }
 
 make_proofs() { # the shirt sewn back together: where it stands off, and where it pulls
     local name
     for name in gap worn-strain; do
         env -u DISPLAY "$toile" prove "$samples/tshirt.obj" --unit mm --up y --overlay $name \
-            --size 1500x700 -o "$images/prove-$name.png" > /dev/null
+            --size 1500x700 -o "$images/prove-$name.png" >/dev/null
+        finish "$images/prove-$name.png"
     done
 }
 
@@ -80,7 +94,7 @@ make_blender() { # as Blender shows it, with a window
     tests/app/own_display.sh blender --factory-startup --enable-event-simulate \
         --window-geometry 0 0 1500 860 --python docs/blender_picture.py -- \
         "$(realpath "$toile")" "$images/blender.png" >/dev/null
-    echo "$images/blender.png"
+    finish "$images/blender.png"
 }
 
 make_batch() {
@@ -94,7 +108,7 @@ make_batch() {
     chromium --headless --no-sandbox --hide-scrollbars --window-size=1000,1600 \
         --screenshot="$images/batch-summary.png" "file://$work/summary.html" 2>/dev/null
     rm -r "$work"
-    echo "$images/batch-summary.png"
+    finish "$images/batch-summary.png"
 }
 
 make_readme() {
@@ -105,7 +119,13 @@ make_readme() {
         --seams "$samples/tshirt.seams.json" --method natural --panel seams
 }
 
+command -v pngquant >/dev/null || echo "pngquant is not installed: pictures keep all their colours" >&2
 case ${1:-all} in
+    compress)
+        shift
+        [ $# -gt 0 ] || set -- "$images"/*.png
+        compress "$@"
+        ;;
     methods) make_methods "${@:2}" ;;
     patterns)
         make_patterns
@@ -124,5 +144,5 @@ case ${1:-all} in
         make_batch
         make_readme
         ;;
-    *) sed -n '3,15s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    *) sed -n '3,17s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac
