@@ -16,9 +16,9 @@ namespace {
 
 constexpr const char* kHead = R"(# Performance
 
-What a flattening costs, and what it costs next to the least it could: one sparse Cholesky
-factorisation, the *floor*. Everything on this page is written by `tests/bench/report` from one run
-of the benchmarks; to write it anew ([contributing](contributing.md)):
+This page compares the time of flattening with its lower bound, one sparse Cholesky factorisation: the
+*floor*. `tests/bench/report` writes the page from one run of the benchmarks
+([development](development.md#benchmarks)):
 
 ```sh
 tests/bench/run.sh
