@@ -7,6 +7,9 @@
 #   ./run.sh FILE [OPTIONS]  your own garment; options as of `toile flatten` (--unit cm, ...)
 #   ./run.sh --package       Debian packages, into build/package
 #   ./run.sh --prepare [PACKAGE...]   only install what building needs, and these packages
+#   ./run.sh --jobs          print how many compilers run at once
+#
+# With --no-install as the first argument apt-get is never called.
 set -euo pipefail
 
 caller=$PWD
@@ -54,10 +57,22 @@ install_missing() {
         apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
+# One compiler for each core, but two GiB of free memory for each compiler.
+jobs=$(awk -v cores="$(nproc)" '/^MemAvailable/ { n = int($2 / 2 ^ 21); print n < 1 ? 1 : n < cores ? n : cores }' \
+    /proc/meminfo)
+install=1
+if [ "${1:-}" = --no-install ]; then
+    install=
+    shift
+fi
 build_folder=build/release
 case ${1:-} in
     --help | -h)
         sed -n 's/^#  *\(\.\/run\.sh.*\)/\1/p' "$0"
+        exit
+        ;;
+    --jobs)
+        echo "$jobs"
         exit
         ;;
     --prepare)
@@ -71,17 +86,41 @@ case ${1:-} in
         build_folder=build/package
         ;;
 esac
-install_missing "${packages[@]}"
+[ -z "$install" ] || install_missing "${packages[@]}"
 
-# Says how far the compiler is: one line that moves in a terminal, a line now and then elsewhere.
+# What is to be compiled, a line for each object: how many seconds it took last time, or else how large
+# its source is and what seconds that was of others, and its name.
+plan() {
+    ninja -C "$build_folder" -n "${targets[@]}" 2>/dev/null | sed -n 's/^\[[0-9/]*\] Building CXX object //p' |
+        while IFS= read -r object; do
+            source=$build_folder/${object%.o}
+            if [ -f "$source" ]; then
+                xargs -a <(sed -n 's/^#include "\(.*\)"$/\1/p' "$source") cat | wc -c
+            else
+                echo 10000
+            fi | tr '\n' ' '
+            echo "$object"
+        done | awk -v log="$build_folder/.ninja_log" '
+            BEGIN { while ((getline line <log) > 0) { split(line, f, "\t"); before[f[4]] = (f[2] - f[1]) / 1000 } }
+            # A unit takes about two seconds for its headers, and one more for each 25 kB.
+            { print ($2 in before ? before[$2] : 2 + $1 / 25000), $2 }'
+}
+
+# Shows how far the compiler is: one line that changes in a terminal, a line now and then elsewhere.
 show_progress() {
-    local line elapsed percent left next=0
+    local line object weight elapsed percent left next=0 total=0 finished=0
+    local -A weights=()
     while IFS= read -r line; do
-        [[ $line =~ ^@([0-9]+)[.0-9]*\ +([0-9]+)%\ (.*) ]] || continue
-        elapsed=${BASH_REMATCH[1]} percent=${BASH_REMATCH[2]}
-        # Before, nobody knows: the first steps are short ones, as is a look at what is to be built.
-        ((percent >= 10 && elapsed >= 5)) || continue
-        left=$((elapsed * (100 - percent) / percent))
+        if [[ $line =~ ^plan\ ([0-9]+)[.0-9]*\ (.*) ]]; then
+            weights[${BASH_REMATCH[2]}]=${BASH_REMATCH[1]}
+            total=$((total + BASH_REMATCH[1]))
+        fi
+        [[ $line =~ ^@([0-9]+)[.0-9]*\ .*Building\ CXX\ object\ (.*) ]] || continue
+        elapsed=${BASH_REMATCH[1]} object=${BASH_REMATCH[2]}
+        weight=${weights[$object]:-0}
+        finished=$((finished + weight))
+        ((total > 0 && finished * 10 >= total && elapsed >= 5)) || continue # too early to estimate
+        percent=$((100 * finished / total)) left=$((elapsed * (total - finished) / finished))
         if [ -t 1 ]; then
             printf '\r\033[K[ %3d %% ] about %d:%02d left' "$percent" $((left / 60)) $((left % 60))
         elif [ "$percent" -ge "$next" ]; then
@@ -93,15 +132,16 @@ show_progress() {
 }
 
 build() {
-    local options=() targets=(--target toile)
+    local options=() targets=(toile)
     if [ "$build_folder" = build/package ]; then
         options=(-DCMAKE_INSTALL_PREFIX=/usr -DTOILE_DEBIAN=ON -DTOILE_PYTHON=ON)
         targets=()
     fi
     [ -f "$build_folder/build.ninja" ] ||
         cmake --preset release -B "$build_folder" "${options[@]}" || return
-    # Elapsed seconds and per cent, for show_progress.
-    NINJA_STATUS='@%e %p ' cmake --build "$build_folder" --parallel "$(nproc)" "${targets[@]}"
+    plan | sed 's/^/plan /'
+    # Elapsed seconds, for show_progress.
+    NINJA_STATUS='@%e ' cmake --build "$build_folder" --parallel "$jobs" "${targets[@]/#/--target=}"
 }
 
 [ -x "$build_folder/app/toile" ] || echo "Building Toile; the first time takes some minutes ..."

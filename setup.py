@@ -16,7 +16,7 @@ ROOT = Path(__file__).resolve().parent
 OPTIONS = {
     "CMAKE_BUILD_TYPE": "Release",
     "TOILE_GUI": "OFF",
-    "TOILE_TESTS": "OFF",
+    "BUILD_TESTING": "OFF",
     "TOILE_PYTHON": "ON",
     "Python_EXECUTABLE": sys.executable,
 }

@@ -1,45 +1,94 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Builds and runs the tests. Ends with status 0 only if all passed.
+# Builds and runs the tests. Exits with 0 only if all passed. The last line counts them.
 #
-#   ./test.sh            what every change must pass, as continuous integration runs it: checks of
-#                        the source, the core and the command line without Qt under sanitizers, then
-#                        both as they ship, the samples, and the window under a virtual display with
-#                        software OpenGL
-#   ./test.sh --quick    for daily work: the build, and the tests that take seconds
-#   ./test.sh --nightly  what takes hours (tests/nightly.sh)
+#   ./test.sh                      what every change must pass: checks of the source, then the tests of the
+#                                  core, the command line, the window (virtual display, software OpenGL),
+#                                  the Python module and the packages, in the build tree of ./run.sh
+#   ./test.sh --quick              for daily work: the build, and the tests that take seconds
+#   ./test.sh --sanitize           core and command line, built by Clang with sanitizers
+#   ./test.sh --nightly [STEP...]  what takes hours (tests/nightly.sh)
+#
+# With --no-install as the first argument apt-get is never called. In continuous integration (CI is set)
+# warnings are errors, and too many skipped tests are a failure (TOILE_MAX_SKIPPED).
 set -euo pipefail
 cd "$(dirname "$0")"
 
-jobs=$(nproc)
-started=$SECONDS
-step() { printf '\n== %s (after %d:%02d)\n' "$1" $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60)); }
-skipped() { # PRESET: how many tests its last run left out for want of files
-    sed -n 's/^\[  SKIPPED \] \([0-9]*\) test.*/\1/p' "build/$1/Testing/Temporary/LastTest.log" |
-        awk '{ n += $1 } END { print n + 0 " tests skipped" }'
+install=1
+if [ "${1:-}" = --no-install ]; then
+    install=
+    shift
+fi
+prepare() { # PACKAGE...: installs these and what building needs
+    [ -z "$install" ] || ./run.sh --prepare "$@"
 }
 
 packages=(
-    libgtest-dev xvfb clang-format
+    libgtest-dev xvfb clang-format clang-tidy
     python3-dev python3-numpy pybind11-dev # the Python module
     desktop-file-utils appstream shared-mime-info libglib2.0-bin mandoc groff # what judges resources/package
 )
-clang_packages=(clang clang-tidy libclang-rt-14-dev libomp-dev)
-clang_build=$PWD/build/asan # compiles the core's tests for both: it takes half the time
+clang_packages=(clang libclang-rt-14-dev libomp-dev libgtest-dev)
+jobs=$(./run.sh --jobs)
+started=$SECONDS
+stage='' stage_started=$SECONDS
+stages=()
+
+# Ends the stage before, and prints how long it took with the others at the end.
+stage() { # NAME
+    [ -z "$stage" ] || stages+=("$(printf '%3d:%02d  %s' \
+        $(((SECONDS - stage_started) / 60)) $(((SECONDS - stage_started) % 60)) "$stage")")
+    stage=$1 stage_started=$SECONDS
+    [ -z "$stage" ] || printf '\n== %s\n' "$stage"
+}
+
+# Prints the times of the stages and the number of tests; fails if one failed or too many were skipped.
+report() { # BUILD STATUS
+    local status=$2
+    stage ''
+    printf '\nMinutes:\n'
+    printf '  %s\n' "${stages[@]}"
+    printf '%5d:%02d  in all\n\n' $(((SECONDS - started) / 60)) $(((SECONDS - started) % 60))
+    tests/count_tests.py "$1/Testing/Temporary/LastTest.log" ${CI:+--max-skipped "${TOILE_MAX_SKIPPED:-0}"} ||
+        status=1
+    exit "$status"
+}
+
+werror=(-DTOILE_WERROR="${CI:+ON}")
+tests() { # BUILD CTEST-ARGUMENT...
+    local build=$1 status=0
+    shift
+    # One more than there are cores: tests of the window wait now and then.
+    ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel $((jobs + 1)) "$@" || status=1
+    report "$build" $status
+}
+
 case ${1:-} in
     --quick)
-        ./run.sh --prepare "${packages[@]}"
-        step "Build, warnings are errors"
-        cmake --preset ci -DTOILE_TESTS=ON >/dev/null
-        cmake --build --preset ci --parallel "$jobs"
-        step "Quick tests"
-        ctest --preset ci --parallel "$jobs" -L quick
-        exit
+        prepare "${packages[@]}"
+        stage "Build"
+        cmake --preset release -DBUILD_TESTING=ON -DTOILE_PYTHON=ON "${werror[@]}" >/dev/null
+        cmake --build build/release --parallel "$jobs"
+        stage "Quick tests"
+        tests build/release -L quick
+        ;;
+    --sanitize)
+        prepare "${clang_packages[@]}"
+        stage "Build by Clang with sanitizers"
+        cmake --preset asan "${werror[@]}" >/dev/null
+        cmake --build build/asan --parallel "$jobs" --target toile toile_core_test toile_cli_test
+        if ldd build/asan/app/toile | grep -E 'Qt6|libGL\.|libGLX|libOpenGL|libEGL|libepoxy'; then
+            echo "The build without the window must not need these." >&2
+            exit 1
+        fi
+        stage "Tests with sanitizers"
+        tests build/asan -L quick -R '^toile_(core|cli)_test'
         ;;
     --nightly)
-        ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" \
-            libbenchmark-dev python3-ezdxf librsvg2-bin
-        exec tests/nightly.sh
+        prepare "${packages[@]}" "${clang_packages[@]}" librsvg2-bin
+        shift
+        [ -n "$install" ] || set -- --no-install "$@"
+        exec tests/nightly.sh "$@"
         ;;
     "") ;;
     *)
@@ -47,28 +96,18 @@ case ${1:-} in
         exit 2
         ;;
 esac
-./run.sh --prepare "${packages[@]}" "${clang_packages[@]}"
 
-step "Source: format, one definition of everything, clang-tidy on what has changed"
-git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r clang-format --dry-run -Werror
-tests/one_definition.py
+prepare "${packages[@]}"
+stage "Source: format, licence headers"
+git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r -P "$jobs" -n 200 clang-format --dry-run -Werror
+tests/check_headers.sh
+
+stage "Build"
+cmake --preset release -DBUILD_TESTING=ON -DTOILE_PYTHON=ON "${werror[@]}" >/dev/null
+cmake --build build/release --parallel "$jobs"
+
+stage "clang-tidy on changed lines"
 tests/tidy.py
 
-step "Core and command line by Clang, without Qt, under sanitizers; warnings are errors"
-cmake --preset asan -DTOILE_TESTS=ON
-cmake --build --preset asan --parallel "$jobs" --target toile toile_core_test toile_cli_test
-if ldd build/asan/app/toile | grep -E 'Qt6|libGL\.|libGLX|libOpenGL|libEGL|libepoxy'; then
-    echo "The build without the window must not need these." >&2
-    exit 1
-fi
-ctest --preset asan --parallel "$jobs" --progress -L full -R '^toile_(core|cli)'
-skipped asan
-
-step "Build by GCC, warnings are errors"
-cmake --preset ci -DTOILE_TESTS=ON -DTOILE_CORE_TESTS_FROM="$clang_build"
-cmake --build --preset ci --parallel "$jobs"
-
-step "Tests"
-ctest --preset ci --parallel $((jobs + 1)) -L full # those of the window wait now and then
-skipped ci
-step "All passed"
+stage "Tests"
+tests build/release -L full

@@ -13,7 +13,7 @@ namespace {
 using geometry::Polygon;
 
 constexpr double kMostNumber = 1e7;
-constexpr int kMostCopies = 100'000;
+constexpr int kMaxCopiesOfItem = 100'000;
 
 /// A list of points; the last one may repeat the first.
 Polygon readRing(JsonFields& fields, const JsonDocument& list, const std::string& place) {
@@ -61,10 +61,10 @@ void readShape(JsonFields& shape, std::vector<Polygon>& rings) {
 NestItem readItem(JsonFields& fields) {
     NestItem item;
     int id = 0;
-    fields.read("id", id, 0, kMostCopies);
+    fields.read("id", id, 0, kMaxCopiesOfItem);
     item.name = std::to_string(id);
     fields.need("demand");
-    fields.read("demand", item.demand, 0, kMostCopies);
+    fields.read("demand", item.demand, 0, kMaxCopiesOfItem);
     item.tolerance = kPi;
     if (const JsonDocument* angles = fields.find("allowed_orientations");
         angles && !angles->is_null()) {

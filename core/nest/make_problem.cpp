@@ -17,15 +17,15 @@ constexpr const char* kTooManyCopies =
 constexpr const char* kKeptOutside =
     translatable("it is kept where it lies, which is outside the cloth");
 constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
-constexpr int kMostCopies = 4000;
+constexpr int kMaxCopiesOfProblem = 4000;
 constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
 
 }  // namespace
 
 std::optional<Error> wrongCopies(const std::string& name, std::int64_t copies) {
-    return copies > kMostCopies
+    return copies > kMaxCopiesOfProblem
                ? std::optional(Error{ErrorCode::MalformedFile, Subject::file(name),
-                                     worded(kTooManyCopies, {figure(kMostCopies, 0)})})
+                                     worded(kTooManyCopies, {figure(kMaxCopiesOfProblem, 0)})})
                : std::nullopt;
 }
 

@@ -20,7 +20,7 @@ namespace {
 /// A seam's end lies at the turn point that is nearer than this, mm.
 constexpr double kAtTurnPoint = 1e-3;
 /// Places on a line that are the same, as shares of it.
-constexpr double kSameShare = 1e-6;
+constexpr double kSameEnd = 1e-6;
 
 std::optional<OutlineCorner> cornerAt(const std::vector<OutlineSegments>& segments,
                                       const SeamSide& side, double at) {
@@ -61,7 +61,7 @@ std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSe
         const LineStretch& there = isTurned ? place.right : place.left;
         const double off =
             one.atEnd ? there.to - one.seam.left.to : there.from - one.seam.left.from;
-        if (std::abs(std::remainder(off, 1)) < kSameShare) {  // else a cut has taken that end away
+        if (std::abs(std::remainder(off, 1)) < kSameEnd) {  // else a cut has taken that end away
             said[{found, one.atEnd != isTurned}] = one.trued;
         }
     }

@@ -16,7 +16,7 @@ if (($# > 0)); then
     docs=build/bench/docs # a part is no page to keep
 fi
 
-cmake --preset core -DTOILE_TESTS=OFF -DTOILE_BENCH=ON -B build/bench >/dev/null
+cmake --preset core -DBUILD_TESTING=OFF -DTOILE_BENCH=ON -B build/bench >/dev/null
 cmake --build build/bench --target toile_bench toile_bench_report --parallel "$(nproc)"
 mkdir -p "$docs/images"
 build/bench/tests/bench/toile_bench "$@" \

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMixes[] = {0, 0.25, 0.5, 1};
 
-Points2 outlineOf(const Piece& piece, const Points2& Q) {
+Points2 boundaryOf(const Piece& piece, const Points2& Q) {
     return Q(piece.boundary, Eigen::all);
 }
 
@@ -25,7 +25,7 @@ TEST(Authalic, NoShareOfItIsTheConformalInterior) {
     Progress progress;
     const auto start = flatten(*piece, {Method::Wang2005}, progress);
     ASSERT_TRUE(start);
-    const Points2 outline = outlineOf(*piece, start->Q);
+    const Points2 outline = boundaryOf(*piece, start->Q);
     const auto conformal =
         fillInterior({piece->table.edges, cotangentWeights(piece->mesh, piece->table)},
                      piece->mesh.V, piece->boundary, outline, progress);

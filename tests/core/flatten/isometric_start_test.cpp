@@ -34,7 +34,7 @@ Points2 onCircle(const Piece& piece) {
     return *circle;
 }
 
-double energyOf(const Piece& piece, const Points2& Q) {
+double dirichletOf(const Piece& piece, const Points2& Q) {
     return isometric::SymmetricDirichlet(piece.mesh, piece.table).energy(Q);
 }
 
@@ -109,8 +109,8 @@ TEST(IsometricStart, IsNearerToTheEndWithExactLengths) {
     const auto lowest = isometric::lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
                                                         Q, {}, progress);
     ASSERT_TRUE(lowest);
-    EXPECT_LT(energyOf(*piece, start.Q) - lowest->distortion,
-              0.8 * (energyOf(*piece, Q) - lowest->distortion));
+    EXPECT_LT(dirichletOf(*piece, start.Q) - lowest->distortion,
+              0.8 * (dirichletOf(*piece, Q) - lowest->distortion));
     EXPECT_EQ(start.multipliers.size(), static_cast<Eigen::Index>(piece->boundary.size()));
     const LengthConstraints constraints(piece->boundary,
                                         boundaryLengths3d(piece->mesh.V, piece->boundary));
@@ -132,7 +132,7 @@ TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {
     const Points2 before = Q;
     isometric::SymmetricDirichlet(piece->mesh, piece->table)
         .relax(Q, piece->boundary, 5, Progress());
-    EXPECT_LT(energyOf(*piece, Q), energyOf(*piece, before));
+    EXPECT_LT(dirichletOf(*piece, Q), dirichletOf(*piece, before));
     for (const int v : piece->boundary) {
         EXPECT_EQ(Q.row(v), before.row(v));
     }

@@ -15,7 +15,7 @@ namespace toile {
 namespace {
 
 /// A piece of free edges from corner to corner, numbered from 1.
-PatternPiece polygon(const std::vector<Eigen::RowVector2d>& corners) {
+PatternPiece polygonPiece(const std::vector<Eigen::RowVector2d>& corners) {
     PatternPiece piece;
     piece.outline.resize(static_cast<Eigen::Index>(corners.size()), 2);
     for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -33,7 +33,7 @@ PatternPiece polygon(const std::vector<Eigen::RowVector2d>& corners) {
 }
 
 PatternPiece rectangle() {
-    return polygon({{0, 0}, {100, 0}, {100, 60}, {0, 60}});
+    return polygonPiece({{0, 0}, {100, 0}, {100, 60}, {0, 60}});
 }
 
 PatternPiece disk(double radius, int count) {
@@ -42,7 +42,7 @@ PatternPiece disk(double radius, int count) {
         const double angle = 2 * std::numbers::pi * k / count;
         corners.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
     }
-    PatternPiece piece = polygon(corners);
+    PatternPiece piece = polygonPiece(corners);
     piece.segments.resize(1);
     piece.segments.front().to = ClosedLine(piece.outline).length();
     return piece;
@@ -75,7 +75,7 @@ TEST(Extension, HasTheAllowancesOfTheEdgesThatRunOn) {
 
 TEST(Extension, RunsOnAsTheEdgesBesideItDo) {
     // The upper edge rises at 45 degrees: prolonged by 20 it is 20 higher there.
-    PatternPiece piece = polygon({{0, 0}, {100, 0}, {100, 100}, {0, 0.5}});
+    PatternPiece piece = polygonPiece({{0, 0}, {100, 0}, {100, 100}, {0, 0.5}});
     piece.segments[1].extension = 20;
     addCuttingLine(piece);
     ASSERT_EQ(piece.extensions.size(), 1U);

@@ -93,7 +93,7 @@ PolygonSoup plainly(const PolygonSoup& sheet) {
     return thickened(sheet);
 }
 
-PolygonSoup shirt() {
+PolygonSoup shirtSoup() {
     return withMap(shirtSample());
 }
 
@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         ThickCase{"tube", tubeSheet, plainly},
         ThickCase{"panel", [] { return asSoup(bentPanel(20)); }, plainly},
-        ThickCase{"shirt_panel_by_panel", shirt, plainly},
+        ThickCase{"shirt_panel_by_panel", shirtSoup, plainly},
         ThickCase{"shirt_welded", weldedShirt, plainly},
         ThickCase{"without_rims", tubeSheet,
                   [](const auto& sheet) { return thickened(sheet, {.rims = false}); }},
