@@ -4,7 +4,7 @@
 # `toile render`, which needs no display; those of the whole window need a virtual display (package xvfb).
 # Each picture is reduced to 256 colours if pngquant is installed; the repository keeps only such pictures.
 #
-#   docs/make_pictures.sh                     every picture except those that tests take
+#   docs/make_pictures.sh                     every picture
 #   docs/make_pictures.sh methods             docs/images/method-NAME.png for every method
 #   docs/make_pictures.sh methods lscm abf    for these methods
 #   docs/make_pictures.sh patterns            docs/images/pattern-{exact,fair,cut}.png
@@ -12,6 +12,7 @@
 #   docs/make_pictures.sh blender             docs/images/blender.png; needs blender
 #   docs/make_pictures.sh batch               docs/images/batch-summary.png; needs chromium
 #   docs/make_pictures.sh readme              the pictures of the README
+#   docs/make_pictures.sh window              those of the window's states, and what tests take on their way
 #   docs/make_pictures.sh compress            reduce the colours of all pictures, or of the files named
 #   IMAGES=trial docs/make_pictures.sh        write into another folder than docs/images
 #   TOILE=build/dev/app/toile docs/make_pictures.sh    use another program than build/release's
@@ -119,6 +120,16 @@ make_readme() {
         --seams "$samples/tshirt.seams.json" --method natural --panel seams
 }
 
+make_window() { # with the programs of the tests, which go to the states that the pages describe
+    local name program=build/release/tests/app/toile_window_test
+    [ -x "$program" ] || { echo "skipped: the pictures of the window need ./test.sh --quick" && return; }
+    for name in window_pictures reading_pictures whole_pattern first_steps; do
+        TOILE_UPDATE_DOCS=1 TOILE_SAMPLES=4 QT_QPA_PLATFORM=xcb tests/app/own_display.sh "$program" "$name" \
+            >/dev/null || echo "$name failed" >&2
+    done
+    compress docs/images/{window,input,first-steps,pattern,marker}-*.png
+}
+
 command -v pngquant >/dev/null || echo "pngquant is not installed: pictures keep all their colours" >&2
 case ${1:-all} in
     compress)
@@ -135,6 +146,7 @@ case ${1:-all} in
     blender) make_blender ;;
     batch) make_batch ;;
     readme) make_readme ;;
+    window) make_window ;;
     all)
         make_methods
         make_patterns
@@ -143,6 +155,7 @@ case ${1:-all} in
         make_blender
         make_batch
         make_readme
+        make_window
         ;;
-    *) sed -n '3,17s/^# \{0,1\}//p' "$0" && exit 2 ;;
+    *) sed -n '3,18s/^# \{0,1\}//p' "$0" && exit 2 ;;
 esac

@@ -19,7 +19,6 @@
 #include "app/settings/language.h"
 #include "app/widgets/number_edits.h"
 #include "core/marker/marker_plan.h"
-#include "tests/app/support/doc_picture.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"
@@ -585,24 +584,6 @@ private slots:
         QVERIFY(!window().isVisible());
         QVERIFY(!desk().marker());
         QVERIFY(!desk().isRunning());
-    }
-
-    void pictureForTheDocumentation() {
-        fixture_.close();
-        fixture_.open({1400, 900}, NewGarment::Pattern);
-        QVERIFY(fixture_.openAndWait(fixture_.path("tshirt.obj")));
-        fixture_.workspace().setUnit(LengthUnit::Millimetre);
-        QVERIFY(fixture_.waitUntilIdle());
-        QVERIFY(fixture_.waitForResults());
-        layOnCloth();
-        click("markerImprove");
-        QVERIFY(comes([this] { return desk().marker()->rounds >= 30 || !desk().isRunning(); }));
-        desk().stop();
-        QVERIFY(rests());
-        window().resize(1280, 760);
-        view().frameAll();
-        QTest::qWait(300);
-        test::keepForDocs("marker-window", window().grab());
     }
 
     /// The last: what has been translated stays.

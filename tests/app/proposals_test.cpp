@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Proposed cuts in the window: real keys and clicks, what the garment is then, and what the history
 // keeps of it.
-#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPainter>
 #include <QPushButton>
 #include <QStyleOptionViewItem>
 #include <QTreeWidget>
@@ -16,7 +14,6 @@
 #include "app/panels/proposals_form.h"
 #include "app/settings/language.h"
 #include "app/text/proposed_name.h"
-#include "tests/app/support/doc_picture.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/mouse.h"
@@ -643,35 +640,6 @@ private slots:
         for (const auto* form : fixture_.window().findChildren<ProposalsForm*>()) {
             QVERIFY2(form->height() <= 560, qPrintable(QString::number(form->height())));
         }
-    }
-
-    /// Of docs/tailor.md: a T-shirt whose panels have become one skin.
-    void picture() {
-        QFile panels(TOILE_SOURCE_DIR "/resources/samples/tshirt.obj");
-        QFile skin(fixture_.path("skin.obj"));
-        QVERIFY(panels.open(QFile::ReadOnly) && skin.open(QFile::WriteOnly));
-        for (const QByteArray& line : panels.readAll().split('\n')) {
-            if (!line.startsWith("o ")) {
-                skin.write(line + '\n');
-            }
-        }
-        skin.close();
-        fixture_.workspace().setWeld(true);
-        open("skin.obj");
-        propose();
-        QTRY_VERIFY_WITH_TIMEOUT(!proposals().isSolving(), test::kPatience);
-        proposals().select(static_cast<std::size_t>(std::max(0, rowOf("left armhole"))));
-        QTest::qWait(300);
-        QPixmap picture = fixture_.window().grab();
-        for (auto* form : fixture_.window().findChildren<ProposalsForm*>()) {
-            QPainter painter(&picture);
-            const QPoint at = fixture_.window().mapFromGlobal(form->pos());
-            const QPixmap shown = form->grab();
-            painter.drawPixmap(at, shown);
-            painter.setPen(QColor(120, 120, 120));
-            painter.drawRect(QRect(at, shown.size()));
-        }
-        test::keepForDocs("window-proposals", picture);
     }
 
     /// The last: what has been translated stays.

@@ -26,8 +26,11 @@ using namespace toile::app;
 
 namespace {
 
-/// Texts that have come in since the last translation; none in a release.
-constexpr int kMayBeUnfinished = 0;
+/// A missing German text is a warning, so that a feature can be added before it is translated; the
+/// nightly run fails on it.
+bool isStrict() {
+    return qEnvironmentVariableIsSet("TOILE_STRICT_TRANSLATION");
+}
 
 struct Message {
     QString context, source, translation;
@@ -144,14 +147,14 @@ private slots:
         for (const Message& message : german_) {
             if (message.unfinished || message.translation.isEmpty()) {
                 ++unfinished;
-                qInfo().noquote() << "not translated:" << message.context << message.source;
+                qWarning().noquote() << "not translated:" << message.context << message.source;
             }
         }
-        QVERIFY2(unfinished <= kMayBeUnfinished, qPrintable(QString::number(unfinished)));
+        QVERIFY2(unfinished == 0 || !isStrict(), qPrintable(QString::number(unfinished)));
     }
 
     void germanKnowsEveryTextOfTheWindow() {
-        // Collected anew: a text that the file has not met would be shown in English, unnoticed.
+        // A text that the file lacks would be shown in English, unnoticed.
         const auto texts = [](const QList<Message>& messages) {
             QSet<QString> set;
             for (const Message& message : messages) {
@@ -162,12 +165,12 @@ private slots:
         const QSet<QString> used = texts(collected({"app", "core"})), known = texts(german_);
         QVERIFY(used.size() > 300);
         for (const QString& text : used - known) {
-            qInfo().noquote() << "not in toile_de.ts:" << text;
+            qWarning().noquote() << "not in toile_de.ts:" << text;
         }
         for (const QString& text : known - used) {
-            qInfo().noquote() << "no more in the program:" << text;
+            qWarning().noquote() << "no more in the program:" << text;
         }
-        QVERIFY2(used == known,
+        QVERIFY2(used == known || !isStrict(),
                  "bring the file up to date: cmake --build BUILD --target translations");
     }
 

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes docs/window.md's pictures, each of a state that a person comes to; with TOILE_UPDATE_DOCS
-// set they are written.
+// Takes the pictures of docs/window.md, each of a state that a user reaches; docs/make_pictures.sh
+// runs it. No test: nothing is checked but that the pictures can be taken.
 #include <QFile>
 #include <QMenu>
 #include <QPainter>
 #include <QPixmap>
+#include <QPushButton>
+#include <QTreeWidget>
 #include <filesystem>
 
+#include "app/actions/cut_proposals.h"
 #include "app/jobs/ready_checker.h"
+#include "app/marker/cloth_view.h"
+#include "app/marker/marker_window.h"
+#include "app/panels/proposals_form.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "tests/app/support/doc_picture.h"
@@ -161,6 +167,60 @@ private slots:
         fixture_.window().openFiles({QString::fromStdString(path.string())});
         QVERIFY(isDone());
         keep(QTest::currentDataTag());
+    }
+
+    /// A T-shirt whose panels have become one skin, with proposed cuts.
+    void proposals() {
+        QFile panels(fixture_.path("tshirt.obj"));
+        QFile skin(fixture_.path("skin.obj"));
+        QVERIFY(panels.open(QFile::ReadOnly) && skin.open(QFile::WriteOnly));
+        for (const QByteArray& line : panels.readAll().split('\n')) {
+            if (!line.startsWith("o ")) {
+                skin.write(line + '\n');
+            }
+        }
+        skin.close();
+        fixture_.open({1400, 900}, NewGarment::Pattern);
+        fixture_.workspace().setUnit(LengthUnit::Millimetre);
+        fixture_.workspace().setWeld(true);
+        QVERIFY(fixture_.openAndWait(fixture_.path("skin.obj")));
+        fixture_.action(ActionId::ProposeCuts).trigger();
+        CutProposals& proposals = fixture_.workspace().proposals();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            proposals.state() == CutProposals::State::Known && !proposals.isSolving(),
+            test::kPatience);
+        auto& table = fixture_.find<QTreeWidget>("proposalTable");
+        const auto armhole = table.findItems("left armhole", Qt::MatchExactly);
+        proposals.select(
+            armhole.isEmpty() ? 0 : std::size_t(table.indexOfTopLevelItem(armhole.front())));
+        QTest::qWait(300);
+        QPixmap picture = fixture_.window().grab();
+        for (auto* form : fixture_.window().findChildren<ProposalsForm*>()) {
+            QPainter painter(&picture);
+            const QPixmap shown = form->grab();
+            const QPoint at = fixture_.window().mapFromGlobal(form->pos());
+            painter.drawPixmap(at, shown);
+            painter.setPen(QColor(120, 120, 120));
+            painter.drawRect(QRect(at, shown.size()));
+        }
+        keep("proposals", picture);
+    }
+
+    void marker() {
+        openTshirt();
+        QVERIFY(fixture_.waitForResults());
+        fixture_.action(ActionId::LayOnCloth).trigger();
+        auto& window = fixture_.find<MarkerWindow>("markerWindow");
+        MarkerDesk& desk = window.desk();
+        QTRY_VERIFY_WITH_TIMEOUT(desk.marker() && !desk.isRunning(), test::kPatience);
+        QTest::mouseClick(window.findChild<QPushButton*>("markerImprove"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(desk.marker()->rounds >= 30 || !desk.isRunning(), test::kPatience);
+        desk.stop();
+        QTRY_VERIFY_WITH_TIMEOUT(!desk.isRunning(), test::kPatience);
+        window.resize(1280, 760);
+        window.view().frameAll();
+        QTest::qWait(300);
+        test::keepForDocs("marker-window", window.grab());
     }
 
     /// The last: what has been translated stays.

@@ -107,7 +107,7 @@ std::string percentOf(double part) {
     return fixed(100 * part, 1);
 }
 
-TEST(CutAdviceTruth, ForetoldStrainRanksCutsAsFlatteningDoes) {
+TEST(CutAdviceTruthSlow, ForetoldStrainRanksCutsAsFlatteningDoes) {
     constexpr std::pair<const char*, std::size_t> kFiles[] = {
         {"garments/dress.obj", 3}, {"garments/leggings.ply", 5}, {"disks/mannequin-devil.off", 5}};
     TOILE_NEEDS_SHARED(test::sharedFile("garments"));
@@ -140,9 +140,7 @@ TEST(CutAdviceTruth, ForetoldStrainRanksCutsAsFlatteningDoes) {
     }
     EXPECT_GT(rankCorrelation(foretold, solved), 0.9);
     EXPECT_GT(rankCorrelation(mostForetold, mostSolved), 0.9);
-    if (std::getenv("TOILE_UPDATE_DOCS")) {
-        test::expectFiguresInDocs("tailor.md", "strain foretold and solved", table);
-    }
+    test::updateTableInDocs("tailor.md", "strain foretold and solved", table);
 }
 
 struct Outcome {
@@ -174,7 +172,7 @@ Outcome flatOf(const Garment& garment) {
     return made;
 }
 
-TEST(CutAdviceTruth, TailorsCutsStrainLessAndAreLittleLonger) {
+TEST(CutAdviceTruthSlow, TailorsCutsStrainLessAndAreLittleLonger) {
     struct Skin {
         const char* file;
         double mostStrain;             ///< of that of the shortest cuts
@@ -212,9 +210,7 @@ TEST(CutAdviceTruth, TailorsCutsStrainLessAndAreLittleLonger) {
                  std::to_string(shortest.pieces) + " | " + fixed(shortest.length / 1000, 2) +
                  " | " + percentOf(shortest.mean) + " |\n";
     }
-    if (std::getenv("TOILE_UPDATE_DOCS")) {
-        test::expectFiguresInDocs("tailor.md", "tailors' cuts and the shortest", table);
-    }
+    test::updateTableInDocs("tailor.md", "tailors' cuts and the shortest", table);
 }
 
 }  // namespace

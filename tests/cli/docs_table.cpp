@@ -136,7 +136,7 @@ bool sameWords(const std::string& a, const std::string& b, bool inTable) {
 
 void expectTableInDocs(const std::string& page, const std::string& name, const std::string& table) {
     if (const auto present = tableInDocs(page, name, table)) {
-        EXPECT_EQ(*present, table) << "write it anew: TOILE_UPDATE_DOCS=1";
+        EXPECT_EQ(*present, table) << "update it with TOILE_UPDATE_DOCS=1";
     }
 }
 
@@ -144,7 +144,13 @@ void expectFiguresInDocs(const std::string& page, const std::string& name,
                          const std::string& table) {
     if (const auto present = tableInDocs(page, name, table)) {
         EXPECT_EQ(differingFigures(*present, table), "")
-            << "in docs/" << page << ", " << name << "; write it anew: TOILE_UPDATE_DOCS=1";
+            << "in docs/" << page << ", " << name << "; update it with TOILE_UPDATE_DOCS=1";
+    }
+}
+
+void updateTableInDocs(const std::string& page, const std::string& name, const std::string& table) {
+    if (std::getenv("TOILE_UPDATE_DOCS")) {  // NOLINT(concurrency-mt-unsafe)
+        tableInDocs(page, name, table);
     }
 }
 

@@ -15,6 +15,10 @@ void expectTableInDocs(const std::string& page, const std::string& name, const s
 void expectFiguresInDocs(const std::string& page, const std::string& name,
                          const std::string& table);
 
+/// For tables of garments that a clone lacks: writes the table with TOILE_UPDATE_DOCS in the
+/// environment, and else does nothing.
+void updateTableInDocs(const std::string& page, const std::string& name, const std::string& table);
+
 /// The first two lines that differ by more than rounding on another machine explains, or nothing.
 /// Columns whose head speaks of time are left out; numbers with decimals may differ by half a
 /// percent and one in the last digit, and below 1e-9 they are all alike; counts in a table by two

@@ -255,7 +255,7 @@ TEST(CuttingLine, ClosesASlotNarrowerThanItsAllowances) {
 
 /// Ordinarily kOutlines; tests/nightly.sh asks for more.
 int outlineCount() {
-    constexpr int kOutlines = 500;
+    constexpr int kOutlines = 200;
     const char* asked = std::getenv("TOILE_OUTLINES");       // NOLINT(concurrency-mt-unsafe)
     return asked == nullptr ? kOutlines : std::atoi(asked);  // NOLINT(cert-err34-c)
 }

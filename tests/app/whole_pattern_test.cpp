@@ -24,7 +24,7 @@ using namespace toile;
 using namespace toile::app;
 
 /// The T-shirt of the samples with darts, pockets, facings and turn-ups.
-class PatternPicturesTest : public QObject {
+class WholePatternTest : public QObject {
     Q_OBJECT
 
 private:
@@ -196,5 +196,5 @@ private slots:
     }
 };
 
-TOILE_WINDOW_TEST(PatternPicturesTest)
-#include "pattern_pictures_test.moc"
+TOILE_WINDOW_TEST(WholePatternTest)
+#include "whole_pattern_test.moc"
