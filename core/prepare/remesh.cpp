@@ -1,135 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Includes CGAL, and slow to compile: 30 seconds.
 #include "core/prepare/remesh.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <iterator>
-#include <tuple>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
 
+#include "core/cut/nearest_search.h"
+#include "core/mesh/disk_check.h"
+#include "core/mesh/tri_mesh.h"
 #include "core/prepare/holes.h"
-
-// Inputs are checked before, results after. The Delaunay search of hole filling needs exact
-// predicates, and compiles as long as all the rest.
-#ifndef CGAL_NDEBUG
-#define CGAL_NDEBUG
-#endif
-#define CGAL_HOLE_FILLING_DO_NOT_USE_DT3
-#define CGAL_HOLE_FILLING_DO_NOT_USE_CDT2
-#include <CGAL/Polygon_mesh_processing/fair.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "core/prepare/rim_corners.h"
 
 namespace toile {
 namespace {
 
-namespace processing = CGAL::Polygon_mesh_processing;
+/// Where edges are split and collapsed, of the length aimed at ([BK04] 4).
+constexpr double kMaxEdge = 4.0 / 3, kMinEdge = 4.0 / 5;
+/// Aimed at, of the wanted length: the mean comes out shorter.
+constexpr double kAim = 1.02;
+constexpr int kRounds = 5, kLastRounds = 2;
+/// The least cosine between the normals of a triangle before and after a step.
+constexpr double kMinTurnCosine = 0.87;
+/// The least cosine between the normals of two triangles after a flip and their normal before.
+constexpr double kMinFlipCosine = 0.9;
+/// No step makes triangles of a lower quality than this, unless they were worse before.
+constexpr double kMinQuality = 0.3;
+/// A vertex is on a fold if the normals around it add up to less than this part of the area. It
+/// moves off the fold by so much of the edge length at most.
+constexpr double kFoldedArea = 0.8, kMaxFoldLoss = 0.05;
+/// How strongly normals that differ keep a vertex in its place: see `smoothed`.
+constexpr int kCreaseDamping = 20;
+/// Distances from the input below this are left, of the edge length.
+constexpr double kSlightDistance = 0.005;
+constexpr int kMaxTrianglesAtVertex = 4000;  // single steps look at all of them
+constexpr double kMaxTriangles = 5e6;
+constexpr int kStepsPerCancelCheck = 1024;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Surface::Vertex_index;
-
-constexpr std::size_t kMostHoleEdges = 400;
-constexpr double kFarthestPatch = 0.25;  // of the perimeter, from the box around a hole
-constexpr double kRimLoss = 0.003;       // of length
-constexpr int kMostAround = 400;         // triangles at a vertex, whose third power CGAL takes
-constexpr double kMostTriangles = 5e6;
-constexpr int kRemeshings = 3;
-constexpr int kRelaxations = 2;
-
-Eigen::Vector3d toEigen(const Kernel::Point_3& p) {
-    return {p.x(), p.y(), p.z()};
-}
-
-Surface toSurface(const MeshArrays& mesh) {
-    Surface surface;
-    surface.reserve(static_cast<Surface::size_type>(mesh.V.rows()),
-                    static_cast<Surface::size_type>(3 * mesh.F.rows()),
-                    static_cast<Surface::size_type>(mesh.F.rows()));
-    for (int v = 0; v < mesh.V.rows(); ++v) {
-        surface.add_vertex({mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)});
-    }
-    const auto vertex = [&mesh](int f, int k) {
-        return Vertex(static_cast<Surface::size_type>(mesh.F(f, k)));
-    };
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        surface.add_face(vertex(f, 0), vertex(f, 1), vertex(f, 2));
-    }
-    return surface;
-}
-
-/// Vertices and faces in CGAL's order, without those that were removed.
-MeshArrays toArrays(Surface& surface) {
-    surface.collect_garbage();
-    MeshArrays mesh{Points3(surface.number_of_vertices(), 3),
-                    Triangles(surface.number_of_faces(), 3)};
-    for (const Vertex v : surface.vertices()) {
-        mesh.V.row(static_cast<Eigen::Index>(v)) = toEigen(surface.point(v)).transpose();
-    }
-    for (const Surface::Face_index f : surface.faces()) {
-        auto side = surface.halfedge(f);
-        for (int k = 0; k < 3; ++k, side = surface.next(side)) {
-            mesh.F(static_cast<Eigen::Index>(f), k) = static_cast<int>(surface.source(side));
-        }
-    }
-    return mesh;
-}
-
-/// Bends the patch so that the surface goes on without an edge; where that throws it far out, as a
-/// ragged rim does, it stays as taut as it was.
-void fair(Surface& surface, const std::vector<Vertex>& inner, const Eigen::AlignedBox3d& around,
-          double farthest) {
-    std::vector<Kernel::Point_3> taut;
-    taut.reserve(inner.size());
-    for (const Vertex v : inner) {
-        taut.push_back(surface.point(v));
-    }
-    bool isFair = false;
-    try {
-        isFair = processing::fair(surface, inner, processing::parameters::fairing_continuity(1U));
-    } catch (const std::exception&) {
-        isFair = false;
-    }
-    for (const Vertex v : inner) {
-        const Eigen::Vector3d point = toEigen(surface.point(v));
-        isFair = isFair && point.allFinite() && around.exteriorDistance(point) <= farthest;
-    }
-    for (std::size_t i = 0; !isFair && i < inner.size(); ++i) {
-        surface.point(inner[i]) = taut[i];
-    }
-}
-
-/// Returns how many faces the patch has.
-std::size_t closeHole(Surface& surface, const RimLoop& hole) {
-    const auto vertex = [&hole](std::size_t i) {
-        return Vertex(static_cast<Surface::size_type>(hole.vertices[i % hole.vertices.size()]));
-    };
-    // The rim runs along the cloth; along the hole it runs the other way.
-    const Surface::Halfedge_index side = surface.halfedge(vertex(1), vertex(0));
-    if (!side.is_valid() || !surface.is_border(side) || hole.vertices.size() > kMostHoleEdges) {
-        return 0;
-    }
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = 0; i < hole.vertices.size(); ++i) {
-        box.extend(toEigen(surface.point(vertex(i))));
-    }
-    std::vector<Surface::Face_index> faces;
-    std::vector<Vertex> inner;
-    processing::triangulate_and_refine_hole(
-        surface, side, std::back_inserter(faces), std::back_inserter(inner),
-        processing::parameters::use_delaunay_triangulation(false)
-            .use_2d_constrained_delaunay_triangulation(false));
-    if (!inner.empty()) {
-        fair(surface, inner, box, kFarthestPatch * hole.perimeter);
-    }
-    return faces.size();
-}
-
-/// Whether CGAL can make triangles anew in bounded time.
-bool isFeasible(const MeshArrays& mesh, const EdgeTable& table, double edgeLength) {
+/// Whether the result has a bounded number of triangles, and each step a bounded cost.
+bool canBeRemeshed(const MeshArrays& mesh, const EdgeTable& table, double edgeLength) {
     std::vector<int> around(static_cast<std::size_t>(mesh.V.rows()), 0);
     double area = 0, divisions = 0;  // long thin triangles are divided often
     for (int f = 0; f < mesh.F.rows(); ++f) {
@@ -137,103 +49,478 @@ bool isFeasible(const MeshArrays& mesh, const EdgeTable& table, double edgeLengt
     }
     for (int e = 0; e < table.edges.rows(); ++e) {
         const int a = table.edges(e, 0), b = table.edges(e, 1);
-        if (++around[a] > kMostAround || ++around[b] > kMostAround) {
+        if (++around[a] > kMaxTrianglesAtVertex || ++around[b] > kMaxTrianglesAtVertex) {
             return false;
         }
         divisions += (mesh.V.row(b) - mesh.V.row(a)).norm() / edgeLength;
     }
     const double equilateral = std::sqrt(3) / 4 * edgeLength * edgeLength;
-    return std::max(area / equilateral, divisions) < kMostTriangles;  // false for no number
+    return std::max(area / equilateral, divisions) < kMaxTriangles;  // false for NaN
 }
 
-struct Cancellation : std::exception {};
+class Remesher {
+public:
+    Remesher(const MeshArrays& input, const EdgeTable& table, double edgeLength,
+             const Progress& progress);
 
-/// Which vertices stay, as CGAL asks it; it asks so often that this is where to hear of a cancel.
-struct KeptVertices {
-    using key_type = Vertex;
-    using value_type = bool;
-    using reference = bool;
-    using category = boost::read_write_property_map_tag;
+    /// @return none if cancelled
+    std::optional<MeshArrays> run();
 
-    Surface::Property_map<Vertex, bool> isKept;
-    const Progress* progress = nullptr;
+private:
+    using Vertex = TriMesh::VertexHandle;
+    using Edge = TriMesh::EdgeHandle;
+    using Halfedge = TriMesh::HalfedgeHandle;
+    using Vector = Eigen::Vector3d;
+    /// An edge to split or collapse, and its squared length when it was found.
+    using Candidate = std::pair<double, int>;
+    enum class Role : char { Inner, Rim, Corner };
 
-    friend bool get(const KeptVertices& kept, Vertex v) {
-        if (kept.progress->isCancelled()) {
-            throw Cancellation();
+    struct Corners {
+        Vector a, b, c;
+        Vector normal() const { return (b - a).cross(c - a); }
+        /// 1 of an equilateral triangle, 0 of one without height.
+        double quality() const {
+            return 2 * std::sqrt(3) * normal().norm() /
+                   ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
         }
-        return kept.isKept[v];
+    };
+
+    // Passes: false if cancelled.
+    bool splitLongEdges();
+    bool collapseShortEdges();
+    template <class Improves>
+    bool flipEdges(Improves improves);
+    bool smooth();
+    bool fit();
+
+    void split(Edge e);
+    bool canCollapse(Halfedge h);
+    bool evensValences(Edge e) const;
+    bool raisesQuality(Edge e) const;
+    bool keepsTriangles(Vertex v, const Vector& p, Vertex gone = Vertex()) const;
+    Vector smoothed(Vertex v) const;
+    Vector smoothedOnRim(Vertex v) const;
+    MeshArrays result() const;
+
+    Vector at(Vertex v) const { return Vector::Map(mesh_.point(v).data()); }
+    void moveTo(Vertex v, const Vector& p) { mesh_.set_point(v, {p.x(), p.y(), p.z()}); }
+    Role roleOf(Vertex v) const { return roles_[v.idx()]; }
+    Vertex tail(Halfedge h) const { return mesh_.from_vertex_handle(h); }
+    Vertex head(Halfedge h) const { return mesh_.to_vertex_handle(h); }
+    Vertex apex(Halfedge h) const { return head(mesh_.next_halfedge_handle(h)); }
+    Halfedge alongOf(Edge e) const { return mesh_.halfedge_handle(e, 0); }
+    Halfedge backOf(Edge e) const { return mesh_.halfedge_handle(e, 1); }
+    Corners faceOf(Halfedge h) const { return {at(tail(h)), at(head(h)), at(apex(h))}; }
+    /// At right angles to the surface, as long as the doubled area around.
+    Vector normalAt(Vertex v) const {
+        Vector sum = Vector::Zero();
+        for (const Halfedge h : mesh_.voh_range(v)) {
+            sum += mesh_.is_boundary(h) ? Vector::Zero() : faceOf(h).normal();
+        }
+        return sum;
     }
-    friend void put(const KeptVertices& kept, Vertex v, bool value) { kept.isKept[v] = value; }
+    double squaredLength(Edge e) const {
+        return (at(head(alongOf(e))) - at(tail(alongOf(e)))).squaredNorm();
+    }
+    bool isThere(Edge e) const { return !mesh_.status(e).deleted(); }
+    bool isThere(Vertex v) const { return !mesh_.status(v).deleted(); }
+    int edgeCount() const { return static_cast<int>(mesh_.n_edges()); }
+    int vertexCount() const { return static_cast<int>(mesh_.n_vertices()); }
+    bool isCancelled() { return ++steps_ % kStepsPerCancelCheck == 0 && progress_.isCancelled(); }
+
+    const MeshArrays& input_;
+    geometry::TriangleTree<3, double> tree_;
+    TriMesh mesh_;  ///< deleted elements stay in it, so that handles do
+    double edgeLength_;
+    double maxSquare_, minSquare_;  ///< squared length of an edge
+    const Progress& progress_;
+    std::vector<Role> roles_;     ///< per vertex
+    std::vector<int> nearFaces_;  ///< per vertex: a face of the input not far off
+    std::vector<int> valences_;   ///< per vertex, during flips
+    std::size_t steps_ = 0;
 };
 
-/// Vertices of a rim between which its chords are as long as it is, nearly, and up to an edge's
-/// length: the others may go.
-void keepShape(const Points3& V, const RimLoop& rim, double edgeLength, KeptVertices& kept) {
-    const std::size_t count = rim.vertices.size();
-    std::size_t last = 0;
-    double way = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const int from = rim.vertices[last], here = rim.vertices[i];
-        const int ahead = rim.vertices[(i + 1) % count];
-        const double longer = way + (V.row(ahead) - V.row(here)).norm();
-        const double chord = (V.row(ahead) - V.row(from)).norm();
-        if (i == 0 || longer > edgeLength || longer - chord > kRimLoss * longer) {
-            put(kept, Vertex(static_cast<Surface::size_type>(here)), true);
-            last = i;
-            way = (V.row(ahead) - V.row(here)).norm();
-        } else {
-            way = longer;
+Remesher::Remesher(const MeshArrays& input, const EdgeTable& table, double edgeLength,
+                   const Progress& progress)
+    : input_(input),
+      tree_(treeOf(input)),
+      mesh_(*buildTriMesh(input, table)),
+      edgeLength_(kAim * edgeLength),
+      maxSquare_(std::pow(kMaxEdge * edgeLength_, 2)),
+      minSquare_(std::pow(kMinEdge * edgeLength_, 2)),
+      progress_(progress),
+      roles_(static_cast<std::size_t>(input.V.rows()), Role::Inner),
+      nearFaces_(static_cast<std::size_t>(input.V.rows())) {
+    mesh_.request_vertex_status();
+    mesh_.request_edge_status();
+    mesh_.request_face_status();
+    for (int side = 0; side < input.F.size(); ++side) {
+        nearFaces_[tailOf(input.F, side)] = side / 3;
+    }
+    for (const RimLoop& rim : rimsOf(input, table)) {
+        for (const int v : rim.vertices) {
+            roles_[v] = Role::Rim;
+        }
+        for (const int v : findRimCorners(input.V, rim, edgeLength_)) {
+            roles_[v] = Role::Corner;
         }
     }
+}
+
+/// Longest first.
+bool Remesher::splitLongEdges() {
+    std::priority_queue<Candidate> queue;
+    const auto consider = [&](Edge e) {
+        if (const double square = squaredLength(e); square > maxSquare_) {
+            queue.emplace(square, e.idx());
+        }
+    };
+    for (int e = 0; e < edgeCount(); ++e) {
+        if (isThere(Edge(e))) {
+            consider(Edge(e));
+        }
+    }
+    while (!queue.empty()) {
+        const Edge e(queue.top().second);
+        queue.pop();
+        if (isCancelled()) {
+            return false;
+        }
+        const int before = edgeCount();
+        split(e);
+        consider(e);
+        for (int added = before; added < edgeCount(); ++added) {
+            consider(Edge(added));
+        }
+    }
+    return true;
+}
+
+void Remesher::split(Edge e) {
+    const Halfedge h = alongOf(e);
+    const Vector middle = (at(tail(h)) + at(head(h))) / 2;
+    roles_.push_back(mesh_.is_boundary(e) ? Role::Rim : Role::Inner);
+    nearFaces_.push_back(nearFaces_[tail(h).idx()]);
+    mesh_.split_edge(e, mesh_.new_vertex({middle.x(), middle.y(), middle.z()}));
+}
+
+/// Shortest first.
+bool Remesher::collapseShortEdges() {
+    std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue;
+    const auto consider = [&](Edge e) {
+        if (const double square = squaredLength(e); square < minSquare_) {
+            queue.emplace(square, e.idx());
+        }
+    };
+    for (int e = 0; e < edgeCount(); ++e) {
+        if (isThere(Edge(e))) {
+            consider(Edge(e));
+        }
+    }
+    while (!queue.empty()) {
+        const auto [square, index] = queue.top();
+        const Edge e(index);
+        queue.pop();
+        if (isCancelled()) {
+            return false;
+        }
+        if (!isThere(e) || squaredLength(e) != square) {
+            continue;  // its length has changed, and has an entry of its own
+        }
+        const Halfedge h = canCollapse(alongOf(e)) ? alongOf(e) : backOf(e);
+        if (h == alongOf(e) || canCollapse(h)) {
+            const Vertex kept = head(h);
+            mesh_.collapse(h);
+            for (const Halfedge spoke : mesh_.voh_range(kept)) {
+                consider(mesh_.edge_handle(spoke));
+            }
+        }
+    }
+    return true;
+}
+
+/// Whether the tail of a half-edge can move into its head.
+bool Remesher::canCollapse(Halfedge h) {
+    const Vertex gone = tail(h), kept = head(h);
+    const bool isOnRim = mesh_.is_boundary(mesh_.edge_handle(h));
+    if (roleOf(gone) == Role::Corner || (roleOf(gone) == Role::Rim && !isOnRim)) {
+        return false;
+    }
+    const Vector p = at(kept);
+    for (const Halfedge spoke : mesh_.voh_range(gone)) {
+        if ((at(head(spoke)) - p).squaredNorm() > maxSquare_) {
+            return false;
+        }
+    }
+    if (!mesh_.is_collapse_ok(h)) {
+        return false;
+    }
+    // A tetrahedron would become two triangles in one place.
+    const Halfedge right = mesh_.opposite_halfedge_handle(mesh_.next_halfedge_handle(h));
+    if (!isOnRim && roleOf(apex(h)) == Role::Inner && mesh_.valence(apex(h)) == 3 &&
+        apex(right) == apex(mesh_.opposite_halfedge_handle(h))) {
+        return false;
+    }
+    return keepsTriangles(gone, p, kept);
+}
+
+/// Whether the triangles around a vertex keep their side and a height if it moves, and still reach
+/// its place if the surface is folded there.
+/// @param gone  triangles with this corner do not count
+bool Remesher::keepsTriangles(Vertex v, const Vector& p, Vertex gone) const {
+    Vector normal = Vector::Zero();
+    double area = 0, worstBefore = 1, worstAfter = 1;
+    for (const Halfedge h : mesh_.voh_range(v)) {
+        if (mesh_.is_boundary(h)) {
+            continue;
+        }
+        const Corners before = faceOf(h), after{p, before.b, before.c};
+        const Vector was = before.normal();
+        normal += was;
+        area += was.norm();
+        worstBefore = std::min(worstBefore, before.quality());
+        if (head(h) == gone || apex(h) == gone) {
+            continue;
+        }
+        const Vector is = after.normal();
+        if (!(was.dot(is) > kMinTurnCosine * was.norm() * is.norm())) {
+            return false;
+        }
+        worstAfter = std::min(worstAfter, after.quality());
+    }
+    if (worstAfter < std::min(worstBefore, kMinQuality)) {
+        return false;
+    }
+    if (roleOf(v) != Role::Inner || normal.norm() > kFoldedArea * area) {
+        return true;
+    }
+    const Vector place = at(v);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Halfedge h : mesh_.voh_range(v)) {
+        if (head(h) != gone && apex(h) != gone) {
+            const Vector b = at(head(h)), c = at(apex(h)), w = nearestInTriangle(place, p, b, c);
+            nearest = std::min(nearest, (w[0] * p + w[1] * b + w[2] * c - place).norm());
+        }
+    }
+    return nearest < kMaxFoldLoss * edgeLength_;
+}
+
+template <class Improves>
+bool Remesher::flipEdges(Improves improves) {
+    valences_.assign(mesh_.n_vertices(), 0);
+    const auto count = [this](Edge e, int change) {
+        valences_[tail(alongOf(e)).idx()] += change;
+        valences_[head(alongOf(e)).idx()] += change;
+    };
+    for (int e = 0; e < edgeCount(); ++e) {
+        if (isThere(Edge(e))) {
+            count(Edge(e), 1);
+        }
+    }
+    for (int i = 0; i < edgeCount(); ++i) {
+        if (isCancelled()) {
+            return false;
+        }
+        const Edge e(i);
+        if (!isThere(e) || mesh_.is_boundary(e) || !improves(e)) {
+            continue;
+        }
+        // The surface stays where it is: both new triangles lie as the old ones do.
+        const Corners left = faceOf(alongOf(e)), right = faceOf(backOf(e));
+        const Vector one = Corners{right.c, left.c, left.a}.normal();
+        const Vector other = Corners{left.c, right.c, left.b}.normal();
+        const Vector normal = left.normal() + right.normal();
+        const double least = kMinFlipCosine * normal.norm();
+        if (one.dot(normal) > least * one.norm() && other.dot(normal) > least * other.norm() &&
+            mesh_.is_flip_ok(e)) {
+            count(e, -1);
+            mesh_.flip(e);
+            count(e, 1);
+        }
+    }
+    return true;
+}
+
+/// Towards six edges at a vertex, or four on a rim.
+bool Remesher::evensValences(Edge e) const {
+    const auto change = [this](Vertex v, int added) {
+        const int excess = valences_[v.idx()] - (roleOf(v) == Role::Inner ? 6 : 4);
+        return (excess + added) * (excess + added) - excess * excess;
+    };
+    const Halfedge h = alongOf(e), back = backOf(e);
+    if (change(tail(h), -1) + change(head(h), -1) + change(apex(h), 1) + change(apex(back), 1) >=
+        0) {
+        return false;
+    }
+    constexpr double kGoodQuality = 0.5;
+    const Corners left = faceOf(h), right = faceOf(back);
+    const double now = std::min(Corners{right.c, left.c, left.a}.quality(),
+                                Corners{left.c, right.c, left.b}.quality());
+    return now > kGoodQuality || now > std::min(left.quality(), right.quality());
+}
+
+bool Remesher::raisesQuality(Edge e) const {
+    constexpr double kClearly = 1.0001;  // so that no edge flips to and fro
+    const Corners left = faceOf(alongOf(e)), right = faceOf(backOf(e));
+    return std::min(Corners{right.c, left.c, left.a}.quality(),
+                    Corners{left.c, right.c, left.b}.quality()) >
+           kClearly * std::min(left.quality(), right.quality());
+}
+
+bool Remesher::smooth() {
+    for (int i = 0; i < vertexCount(); ++i) {
+        if (isCancelled()) {
+            return false;
+        }
+        const Vertex v(i);
+        if (!isThere(v) || roleOf(v) == Role::Corner) {
+            continue;
+        }
+        Vector p;
+        if (roleOf(v) == Role::Rim) {
+            p = smoothedOnRim(v);
+        } else {
+            const SurfacePoint nearest = nearestOn(input_, tree_, smoothed(v), nearFaces_[i]);
+            if (doubleAreaNormal(input_, nearest.face).dot(normalAt(v)) < 0) {
+                continue;  // the other side of thin cloth
+            }
+            p = positionOf(input_, nearest);
+            nearFaces_[i] = nearest.face;
+        }
+        if (keepsTriangles(v, p)) {
+            moveTo(v, p);
+        }
+    }
+    return true;
+}
+
+/// The centre of the triangles around a vertex, weighted by area, within its tangent plane ([BK04]
+/// 4). With M the mean of n n^T over the normals around, and k = kCreaseDamping, the move times
+/// (1 - M)^k is in that plane if the place is flat, and follows the crease if it has one.
+Remesher::Vector Remesher::smoothed(Vertex v) const {
+    const Vector p = at(v);
+    Vector sum = Vector::Zero();
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
+    double weights = 0;
+    for (const Halfedge h : mesh_.voh_range(v)) {
+        const Corners face = faceOf(h);
+        const Vector normal = face.normal();
+        if (const double weight = normal.norm(); weight > 0) {
+            normals += normal * normal.transpose() / weight;
+            sum += weight * (face.b + face.c - 2 * p);
+            weights += weight;
+        }
+    }
+    if (!(weights > 0)) {
+        return p;
+    }
+    normals /= weights;
+    Vector way = sum / (2 * weights);
+    for (int i = 0; i < kCreaseDamping; ++i) {
+        way -= normals * way;
+    }
+    return p + way;
+}
+
+/// Half way between its neighbours along the rim.
+Remesher::Vector Remesher::smoothedOnRim(Vertex v) const {
+    const Halfedge ahead = mesh_.halfedge_handle(v);  // on the border
+    const Vector p = at(v);
+    Vector one = at(head(ahead)) - p, other = at(tail(mesh_.prev_halfedge_handle(ahead))) - p;
+    if (one.squaredNorm() < other.squaredNorm()) {
+        std::swap(one, other);
+    }
+    const double length = one.norm();
+    return length > 0 ? Vector(p + one * ((length - other.norm()) / (2 * length))) : p;
+}
+
+/// Moves vertices along their normals to where the middles of their edges lie on the input, on
+/// average: chords between vertices on a bent surface all lie on one side of it.
+bool Remesher::fit() {
+    std::vector<Vector> sums(mesh_.n_vertices(), Vector::Zero());
+    std::vector<double> weights(mesh_.n_vertices(), 1);  // of the vertex, which is on the input
+    for (int i = 0; i < edgeCount(); ++i) {
+        if (isCancelled()) {
+            return false;
+        }
+        const Edge e(i);
+        if (!isThere(e) || mesh_.is_boundary(e)) {
+            continue;
+        }
+        const Vertex a = tail(alongOf(e)), b = head(alongOf(e));
+        const Vector middle = (at(a) + at(b)) / 2;
+        const SurfacePoint nearest = nearestOn(input_, tree_, middle, nearFaces_[a.idx()]);
+        const Vector offset = positionOf(input_, nearest) - middle;
+        for (const Vertex v : {a, b}) {
+            sums[v.idx()] += offset / 2;
+            weights[v.idx()] += 0.5;
+        }
+    }
+    for (int i = 0; i < vertexCount(); ++i) {
+        const Vertex v(i);
+        if (!isThere(v) || roleOf(v) != Role::Inner) {
+            continue;
+        }
+        const Vector normal = normalAt(v).normalized();
+        const double move = normal.dot(sums[i]) / weights[i];
+        const double much = std::abs(move) - kSlightDistance * edgeLength_;
+        const Vector p = at(v) + normal * std::copysign(std::max(much, 0.0), move);
+        if (much > 0 && keepsTriangles(v, p)) {
+            moveTo(v, p);
+        }
+    }
+    return true;
+}
+
+std::optional<MeshArrays> Remesher::run() {
+    constexpr double kPasses = kRounds + kLastRounds + 1;
+    for (int round = 0; round < kRounds; ++round) {
+        if (progress_.isCancelled() || !splitLongEdges() || !collapseShortEdges() ||
+            !flipEdges([this](Edge e) { return evensValences(e); }) || !smooth()) {
+            return std::nullopt;
+        }
+        progress_.report((round + 1) / kPasses);
+    }
+    for (int round = 0; round < kLastRounds; ++round) {
+        if (!flipEdges([this](Edge e) { return raisesQuality(e); }) || !smooth()) {
+            return std::nullopt;
+        }
+        progress_.report((kRounds + round + 1) / kPasses);
+    }
+    return fit() ? std::optional(result()) : std::nullopt;
+}
+
+MeshArrays Remesher::result() const {
+    std::vector<int> numbers(mesh_.n_vertices(), -1);
+    MeshArrays result{Points3(mesh_.n_vertices(), 3), Triangles(mesh_.n_faces(), 3)};
+    int vertices = 0, faces = 0;
+    for (int i = 0; i < vertexCount(); ++i) {
+        if (isThere(Vertex(i))) {
+            numbers[i] = vertices;
+            result.V.row(vertices++) = at(Vertex(i)).transpose();
+        }
+    }
+    for (const TriMesh::FaceHandle f : mesh_.faces()) {  // without those that are deleted
+        Halfedge side = mesh_.halfedge_handle(f);
+        for (int k = 0; k < 3; ++k, side = mesh_.next_halfedge_handle(side)) {
+            result.F(faces, k) = numbers[tail(side).idx()];
+        }
+        ++faces;
+    }
+    result.V.conservativeResize(vertices, 3);
+    result.F.conservativeResize(faces, 3);
+    return result;
 }
 
 }  // namespace
 
-PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> holes,
-                           const Progress& progress) {
-    Surface surface = toSurface(mesh);
-    if (static_cast<Eigen::Index>(surface.number_of_faces()) != mesh.F.rows()) {
-        return {mesh, {}};  // no manifold
-    }
-    PatchedSurface patched;
-    for (std::size_t i = 0; i < holes.size() && !progress.isCancelled(); ++i) {
-        try {
-            patched.hole.resize(patched.hole.size() + closeHole(surface, holes[i]),
-                                static_cast<int>(i));
-        } catch (const std::exception&) {
-            return {mesh, {}};  // nobody knows what it has left
-        }
-        progress.report(static_cast<double>(i + 1) / static_cast<double>(holes.size()));
-    }
-    patched.mesh = toArrays(surface);
-    patched.mesh.F.topRows(mesh.F.rows()) = mesh.F;  // CGAL begins with another corner
-    return patched;
-}
-
 std::optional<MeshArrays> remeshed(const MeshArrays& mesh, double edgeLength,
                                    const Progress& progress) {
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    if (!isFeasible(mesh, table, edgeLength)) {
+    if (!canBeRemeshed(mesh, table, edgeLength) || !isValidSurface(mesh, table)) {
         return std::nullopt;
     }
-    Surface surface = toSurface(mesh);
-    if (static_cast<Eigen::Index>(surface.number_of_faces()) != mesh.F.rows()) {
-        return std::nullopt;
-    }
-    KeptVertices kept{surface.add_property_map<Vertex, bool>("v:kept", false).first, &progress};
-    for (const RimLoop& rim : rimsOf(mesh, table)) {
-        keepShape(mesh.V, rim, edgeLength, kept);
-    }
-    try {
-        processing::isotropic_remeshing(surface.faces(), edgeLength, surface,
-                                        processing::parameters::number_of_iterations(kRemeshings)
-                                            .number_of_relaxation_steps(kRelaxations)
-                                            .vertex_is_constrained_map(kept));
-    } catch (const std::exception&) {
-        return std::nullopt;
-    }
-    return toArrays(surface);
+    return Remesher(mesh, table, edgeLength, progress).run();
 }
 
 }  // namespace toile

@@ -10,6 +10,7 @@
 #include "core/mesh/weld.h"
 #include "core/prepare/debris.h"
 #include "core/prepare/file_surface.h"
+#include "core/prepare/hole_patches.h"
 #include "core/prepare/holes.h"
 #include "core/prepare/remesh.h"
 #include "core/prepare/scan_soup.h"
