@@ -41,6 +41,40 @@ TEST(HolePatches, AHoleWhosePatchWouldDoubleATriangleStaysOpen) {
     EXPECT_TRUE(none.mesh.V.allFinite());
 }
 
+TEST(HolePatches, AFlatHoleGetsAFlatPatch) {
+    const MeshArrays whole = test::planeGrid(40, 40, 5);
+    const Eigen::RowVector3d middle = whole.V.colwise().mean();
+    const MeshArrays mesh = test::part(whole, [&middle](const Eigen::RowVector3d& at) {
+        return (at - middle).cwiseAbs().maxCoeff() > 40;
+    });
+    const std::vector<RimLoop> holes = findHoles(mesh, edgesOf(mesh), 1000);
+    ASSERT_EQ(holes.size(), 1U);  // with straight sides
+    const PatchedSurface patched = withPatches(mesh, holes, Progress());
+    EXPECT_TRUE(isValidSurface(patched.mesh, edgesOf(patched.mesh)));
+    EXPECT_NEAR(test::clothArea(patched.mesh), 200 * 200, 1e-6);
+}
+
+TEST(HolePatches, APatchBelongsToItsHole) {
+    const MeshArrays mesh = test::withHole(test::withHole(test::skirt(), 0, 300, 30), 60, 120, 15);
+    const std::vector<RimLoop> holes = findHoles(mesh, edgesOf(mesh), 1000);
+    ASSERT_EQ(holes.size(), 2U);
+    const PatchedSurface patched = withPatches(mesh, holes, Progress());
+    EXPECT_TRUE(isValidSurface(patched.mesh, edgesOf(patched.mesh)));
+    for (std::size_t i = 0; i < patched.hole.size(); ++i) {
+        const auto face = mesh.F.rows() + static_cast<Eigen::Index>(i);
+        const double height = patched.mesh.V(patched.mesh.F(face, 0), 1);
+        const double rim = mesh.V(holes[static_cast<std::size_t>(patched.hole[i])].vertices[0], 1);
+        EXPECT_LT(std::abs(height - rim), 70);
+    }
+}
+
+TEST(HolePatches, HolesOfManyEdgesStayOpen) {
+    const MeshArrays mesh = test::tube(401, 1);
+    const PatchedSurface patched = withPatches(mesh, rimsOf(mesh, edgesOf(mesh)), Progress());
+    EXPECT_TRUE(patched.hole.empty());
+    EXPECT_EQ(patched.mesh.F, mesh.F);
+}
+
 TEST(HolePatches, ACancelIsHeard) {
     Progress progress;
     progress.cancel();
