@@ -4,20 +4,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <span>
-#include <utility>
 
 #include <Eigen/Geometry>
 
-#include "core/geometry/buckets.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace toile::isometric {
 namespace {
 
-using Triangle = std::array<int, 3>;
+using Vertex = TriMesh::VertexHandle;
+using Halfedge = TriMesh::HalfedgeHandle;
 
 /// Rings longer than this are left alone: their kernels are small.
 constexpr int kLongestRing = 8;
+constexpr std::size_t kMeanDegree = 6;  // of any large triangle mesh, nearly
 /// A triangle of this shape or better is good enough for a coarse piece.
 constexpr double kGoodShape = 0.3;
 /// Of the inner vertices, in a coarse piece to be solved; and of all, where it saves work.
@@ -25,6 +27,7 @@ constexpr double kKept = 0.1;
 constexpr double kTooMany = 0.5;
 /// A round that takes out less than this part of the vertices was the last.
 constexpr double kMin = 0.02;
+constexpr int kAhead = 8;  // vertices
 /// Vertices between two looks at the progress: some milliseconds.
 constexpr int kLookEvery = 1 << 14;
 
@@ -33,37 +36,48 @@ double shapeOf(double twiceArea, double squaredEdges) {
     return squaredEdges > 0 ? 2 * std::sqrt(3.0) * twiceArea / squaredEdges : 0;
 }
 
-double shape2d(const Points2& Q, int a, int b, int c) {
-    const Eigen::RowVector2d ab = Q.row(b) - Q.row(a);
-    const Eigen::RowVector2d ac = Q.row(c) - Q.row(a);
+double shapeOf(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
+               const Eigen::RowVector2d& c) {
+    const Eigen::RowVector2d ab = b - a;
+    const Eigen::RowVector2d ac = c - a;
     return shapeOf(ab.x() * ac.y() - ab.y() * ac.x(),
                    ab.squaredNorm() + ac.squaredNorm() + (ac - ab).squaredNorm());
 }
 
-double shape3d(const Points3& V, int a, int b, int c) {
-    const Eigen::RowVector3d ab = V.row(b) - V.row(a);
-    const Eigen::RowVector3d ac = V.row(c) - V.row(a);
+double shapeOf(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
+               const Eigen::RowVector3d& c) {
+    const Eigen::RowVector3d ab = b - a;
+    const Eigen::RowVector3d ac = c - a;
     return shapeOf(ab.cross(ac).norm(),
                    ab.squaredNorm() + ac.squaredNorm() + (ac - ab).squaredNorm());
 }
+
+/// The vertices around another one, anti-clockwise.
+struct Ring {
+    int degree = 0;
+    std::array<Halfedge, kLongestRing> out;  ///< from the vertex in the middle
+    std::array<int, kLongestRing> vertex;
+    std::array<Eigen::RowVector2d, kLongestRing> flat;
+    std::array<Eigen::RowVector3d, kLongestRing> solid;
+
+    int next(int k) const { return k + 1 < degree ? k + 1 : 0; }
+};
 
 }  // namespace
 
 /// Takes vertices out, in rounds of vertices with no edge between them.
 class Coarsening::Thinning {
 public:
-    Thinning(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, Coarsening& result,
-             const Progress& progress)
+    Thinning(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
+             const Points2& Q, Coarsening& result, const Progress& progress)
         : V_(mesh.V),
           Q_(Q),
           result_(result),
           progress_(progress),
-          triangles_(static_cast<std::size_t>(mesh.F.rows())),
-          stays_(static_cast<std::size_t>(mesh.V.rows()), 0),
-          gone_(static_cast<std::size_t>(mesh.V.rows()), 0) {
-        for (int f = 0; f < mesh.F.rows(); ++f) {
-            triangles_[f] = {mesh.F(f, 0), mesh.F(f, 1), mesh.F(f, 2)};
-        }
+          mesh_(buildTriMesh(mesh, table)),
+          stays_(static_cast<std::size_t>(mesh.V.rows()), 0) {
+        mesh_->request_vertex_status();
+        mesh_->request_face_status();
         for (const int v : loops.vertices()) {
             stays_[v] = 1;
         }
@@ -71,6 +85,10 @@ public:
     }
 
     void thinTo(int wanted) {
+        const auto most = static_cast<std::size_t>(std::max(interior_ - wanted, 0));
+        result_.removals_.reserve(most);
+        result_.ring_.reserve(kMeanDegree * most);
+        result_.share_.reserve(kMeanDegree * most);
         while (interior_ > wanted && !progress_.isCancelled()) {
             const int before = interior_;
             round(wanted);
@@ -80,25 +98,22 @@ public:
         }
     }
 
-    const std::vector<Triangle>& triangles() const { return triangles_; }
-    bool isGone(int v) const { return gone_[v] != 0; }
+    const TriMesh& mesh() const { return *mesh_; }
+    bool isGone(int v) const { return mesh_->status(Vertex(v)).deleted(); }
 
 private:
     void round(int wanted) {
         const auto count = static_cast<int>(V_.rows());
-        stars_ = geometry::Buckets<>(count, [this](auto add) {
-            for (std::size_t f = 0; f < triangles_.size(); ++f) {
-                for (const int v : triangles_[f]) {
-                    add(v, static_cast<int>(f));
-                }
-            }
-        });
         std::vector<char> blocked = stays_;
         for (int v = 0; v < count && interior_ > wanted; ++v) {
             if (v % kLookEvery == 0 && progress_.isCancelled()) {
                 break;
             }
-            if (blocked[v] == 0 && gone_[v] == 0 && takeOut(v)) {
+            // Half-edges lie apart once those between them are gone: memory is asked for them
+            // early.
+            const Halfedge ahead = mesh_->halfedge_handle(Vertex(std::min(v + kAhead, count - 1)));
+            __builtin_prefetch(&mesh_->halfedge(mesh_->prev_halfedge_handle(ahead)));
+            if (blocked[v] == 0 && !isGone(v) && takeOut(v)) {
                 for (int k = result_.removals_.back().first; k < result_.removals_.back().last;
                      ++k) {
                     blocked[result_.ring_[k]] = 1;
@@ -106,70 +121,89 @@ private:
                 --interior_;
             }
         }
-        std::erase_if(triangles_, [](const Triangle& t) { return t[0] < 0; });
     }
 
     bool takeOut(int v) {
-        const std::span<const int> star = std::as_const(stars_)[v];
-        const int degree = static_cast<int>(star.size());
-        if (degree > kLongestRing) {
-            return false;
+        Ring ring;
+        for (const Halfedge h : mesh_->voh_ccw_range(Vertex(v))) {
+            if (ring.degree == kLongestRing) {
+                return false;
+            }
+            ring.out[ring.degree++] = h;
         }
-        // The edges opposite v, in star order, and then head to tail.
-        std::array<int, kLongestRing> from{};
-        std::array<int, kLongestRing> to{};
-        double before2d = 1;
-        double before3d = 1;
-        for (int k = 0; k < degree; ++k) {
-            const Triangle& t = triangles_[star[k]];
-            const int at = t[0] == v ? 0 : t[1] == v ? 1 : 2;
-            from[k] = t[(at + 1) % 3];
-            to[k] = t[(at + 2) % 3];
-            before2d = std::min(before2d, shape2d(Q_, v, from[k], to[k]));
-            before3d = std::min(before3d, shape3d(V_, v, from[k], to[k]));
+        // The ring begins at the triangle that comes first in the mesh.
+        const auto out = std::span(ring.out).first(static_cast<std::size_t>(ring.degree));
+        const auto faceAt = [this](Halfedge h) { return mesh_->face_handle(h).idx(); };
+        std::ranges::rotate(out, std::ranges::min_element(out, {}, faceAt));
+        for (int k = 0; k < ring.degree; ++k) {
+            ring.vertex[k] = mesh_->to_vertex_handle(ring.out[k]).idx();
+            ring.flat[k] = Q_.row(ring.vertex[k]);
+            ring.solid[k] = V_.row(ring.vertex[k]);
         }
-        std::array<int, kLongestRing> ring{};
-        ring[0] = from[0];
-        for (int k = 0; k + 1 < degree; ++k) {
-            const auto* edge = std::find(from.begin(), from.begin() + degree, ring[k]);
-            ring[k + 1] = to[edge - from.begin()];
+        double least2d = kGoodShape;
+        double bestShape = kGoodShape;
+        const Eigen::RowVector2d flat = Q_.row(v);
+        const Eigen::RowVector3d solid = V_.row(v);
+        for (int k = 0; k < ring.degree; ++k) {
+            least2d = std::min(least2d, shapeOf(flat, ring.flat[k], ring.flat[ring.next(k)]));
+            bestShape =
+                std::min(bestShape, shapeOf(solid, ring.solid[k], ring.solid[ring.next(k)]));
         }
         int best = -1;
-        double bestShape = 0;
-        for (int w = 0; w < degree; ++w) {
-            const double shape = shapeOnto(ring, degree, w, std::min(kGoodShape, before2d),
-                                           std::min(kGoodShape, before3d));
-            if (shape > bestShape) {
-                best = ring[w];
+        for (int w = 0; w < ring.degree; ++w) {
+            const double shape = shapeOnto(ring, w, least2d, bestShape);
+            if (shape > (best < 0 ? 0 : bestShape)) {
+                best = w;
                 bestShape = shape;
             }
         }
         if (best < 0) {
             return false;
         }
-        record(v, ring, degree);
-        for (const int f : star) {
-            Triangle& t = triangles_[f];
-            if (std::find(t.begin(), t.end(), best) != t.end()) {
-                t[0] = -1;
-            } else {
-                std::replace(t.begin(), t.end(), v, best);
-            }
-        }
-        gone_[v] = 1;
+        record(v, ring);
+        collapse(v, ring, best);
         return true;
     }
 
+    /// Collapses the edge from a vertex to one of its ring. OpenMesh's own `collapse` takes three
+    /// times as long. Vertices of the border may then name half-edges inside: none is taken out.
+    void collapse(int v, const Ring& ring, int w) {
+        for (int k = 0; k < ring.degree; ++k) {
+            mesh_->set_vertex_handle(mesh_->opposite_halfedge_handle(ring.out[k]),
+                                     Vertex(ring.vertex[w]));
+        }
+        const Halfedge along = ring.out[w], back = mesh_->opposite_halfedge_handle(along);
+        closeTriangle(mesh_->prev_halfedge_handle(along), mesh_->next_halfedge_handle(along));
+        closeTriangle(mesh_->next_halfedge_handle(back), mesh_->prev_halfedge_handle(back));
+        mesh_->status(Vertex(v)).set_deleted(true);
+    }
+
+    /// One side of a collapsed triangle takes the place of the other beyond it.
+    void closeTriangle(Halfedge gone, Halfedge stays) {
+        mesh_->status(mesh_->face_handle(gone)).set_deleted(true);
+        const Halfedge beyond = mesh_->opposite_halfedge_handle(gone);
+        const auto face = mesh_->face_handle(beyond);
+        mesh_->set_next_halfedge_handle(stays, mesh_->next_halfedge_handle(beyond));
+        mesh_->set_next_halfedge_handle(mesh_->prev_halfedge_handle(beyond), stays);
+        mesh_->set_face_handle(stays, face);
+        if (mesh_->halfedge_handle(face) == beyond) {
+            mesh_->set_halfedge_handle(face, stays);
+        }
+        for (const Halfedge h : {stays, mesh_->opposite_halfedge_handle(stays)}) {
+            mesh_->set_halfedge_handle(mesh_->from_vertex_handle(h), h);
+        }
+    }
+
     /// The worst shape in 3D of the triangles from ring vertex w; 0 where one is not good enough.
-    double shapeOnto(const std::array<int, kLongestRing>& ring, int degree, int w, double least2d,
-                     double least3d) const {
+    double shapeOnto(const Ring& ring, int w, double least2d, double least3d) const {
         double worst = 2;
-        for (int k = 1; k + 1 < degree; ++k) {
-            const int a = ring[(w + k) % degree];
-            const int b = ring[(w + k + 1) % degree];
-            const double flat = shape2d(Q_, ring[w], a, b);
-            const double solid = shape3d(V_, ring[w], a, b);
-            if (!(flat > 0 && flat >= least2d && solid > 0 && solid >= least3d)) {
+        for (int k = ring.next(w), l = ring.next(k); l != w; k = l, l = ring.next(k)) {
+            const double flat = shapeOf(ring.flat[w], ring.flat[k], ring.flat[l]);
+            if (!(flat > 0 && flat >= least2d)) {
+                return 0;
+            }
+            const double solid = shapeOf(ring.solid[w], ring.solid[k], ring.solid[l]);
+            if (!(solid > 0 && solid >= least3d)) {
                 return 0;
             }
             worst = std::min(worst, solid);
@@ -177,26 +211,26 @@ private:
         return worst;
     }
 
-    void record(int v, const std::array<int, kLongestRing>& ring, int degree) {
+    void record(int v, const Ring& ring) {
         const auto first = static_cast<int>(result_.ring_.size());
-        result_.removals_.push_back({v, first, first + degree});
+        result_.removals_.push_back({v, first, first + ring.degree});
         std::array<double, kLongestRing> distance{};
         std::array<double, kLongestRing> halfTangent{};
-        for (int k = 0; k < degree; ++k) {
-            const Eigen::RowVector3d a = V_.row(ring[k]) - V_.row(v);
-            const Eigen::RowVector3d b = V_.row(ring[(k + 1) % degree]) - V_.row(v);
+        for (int k = 0; k < ring.degree; ++k) {
+            const Eigen::RowVector3d a = ring.solid[k] - V_.row(v);
+            const Eigen::RowVector3d b = ring.solid[ring.next(k)] - V_.row(v);
             distance[k] = a.norm();
             halfTangent[k] = a.cross(b).norm() / (a.norm() * b.norm() + a.dot(b));
         }
         double sum = 0;
-        for (int k = 0; k < degree; ++k) {
-            result_.ring_.push_back(ring[k]);
+        for (int k = 0; k < ring.degree; ++k) {
+            result_.ring_.push_back(ring.vertex[k]);
             const double share =
-                (halfTangent[k] + halfTangent[(k + degree - 1) % degree]) / distance[k];
+                (halfTangent[k] + halfTangent[(k + ring.degree - 1) % ring.degree]) / distance[k];
             result_.share_.push_back(share);
             sum += share;
         }
-        for (int k = first; k < first + degree; ++k) {
+        for (int k = first; k < first + ring.degree; ++k) {
             result_.share_[k] /= sum;
         }
     }
@@ -205,17 +239,15 @@ private:
     const Points2& Q_;
     Coarsening& result_;
     const Progress& progress_;
-    std::vector<Triangle> triangles_;
+    std::unique_ptr<TriMesh> mesh_;
     std::vector<char> stays_;
-    std::vector<char> gone_;
-    geometry::Buckets<> stars_;  ///< triangles at each vertex
     int interior_ = 0;
 };
 
-Coarsening::Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, int wanted,
-                       const Progress& progress)
+Coarsening::Coarsening(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
+                       const Points2& Q, int wanted, const Progress& progress)
     : loops_(loops), fineCount_(mesh.V.rows()) {
-    Thinning thinning(mesh, loops, Q, *this, progress);
+    Thinning thinning(mesh, table, loops, Q, *this, progress);
     thinning.thinTo(wanted);
     std::vector<int> coarse(static_cast<std::size_t>(fineCount_), -1);
     for (int v = 0; v < fineCount_; ++v) {
@@ -224,23 +256,20 @@ Coarsening::Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Poi
             kept_.push_back(v);
         }
     }
-    mesh_.V.resize(static_cast<Eigen::Index>(kept_.size()), 3);
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-        mesh_.V.row(static_cast<Eigen::Index>(k)) = mesh.V.row(kept_[k]);
-    }
-    const auto& triangles = thinning.triangles();
-    mesh_.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-    for (std::size_t f = 0; f < triangles.size(); ++f) {
-        for (int k = 0; k < 3; ++k) {
-            mesh_.F(static_cast<Eigen::Index>(f), k) = coarse[triangles[f][k]];
+    mesh_.V = mesh.V(kept_, Eigen::all);
+    mesh_.F.resize(mesh.F.rows() - 2 * std::ssize(removals_), 3);
+    int* corner = mesh_.F.data();
+    for (const auto f : thinning.mesh().faces()) {
+        for (const auto v : f.vertices()) {
+            *corner++ = coarse[v.idx()];
         }
     }
     loops_ = loops.renumbered(coarse);
 }
 
-Coarsening::Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
-                       const Progress& progress)
-    : Coarsening(mesh, loops, Q,
+Coarsening::Coarsening(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
+                       const Points2& Q, const Progress& progress)
+    : Coarsening(mesh, table, loops, Q,
                  static_cast<int>(kKept * (static_cast<double>(mesh.V.rows()) -
                                            static_cast<double>(loops.count()))),
                  progress) {}

@@ -6,7 +6,7 @@
 
 #include "core/base/progress.h"
 #include "core/flatten/boundary/length_constraints.h"
-#include "core/mesh/mesh_arrays.h"
+#include "core/mesh/edge_table.h"
 
 namespace toile::isometric {
 
@@ -18,17 +18,18 @@ namespace toile::isometric {
 /// Immutable. Cost: linear.
 class Coarsening {
 public:
-    /// @param mesh  a disk, holes aside  @param loops  its boundary, all of it
+    /// @param mesh  a disk, holes aside  @param table  its edges
+    /// @param loops  its boundary, all of it
     /// @param Q  its flattening, #V x 2, no flipped triangle
     /// @param wanted  number of interior vertices to stop at; more stay where none can go
     /// @param progress  looked at only; once cancelled fewer vertices are taken out
-    Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q, int wanted,
-               const Progress& progress);
+    Coarsening(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
+               const Points2& Q, int wanted, const Progress& progress);
 
     /// The same, with a tenth of the inner vertices wanted: the coarse piece that is solved before,
     /// or beside, the fine one.
-    Coarsening(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
-               const Progress& progress);
+    Coarsening(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
+               const Points2& Q, const Progress& progress);
     /// False where so many vertices had to stay that solving the coarse piece saves nothing.
     bool savesWork() const;
 

@@ -41,7 +41,8 @@ public:
           lengths_(loops.lengths(mesh.V)),
           objective_(mesh, table, loops, lengths_, options.keepOutlineSimple),
           constraints_(loops, lengths_),
-          kkt_(mesh, lengths_, constraints_, options.keepOutlineSimple, options.sizes, progress),
+          kkt_(mesh, table, lengths_, constraints_, options.keepOutlineSimple, options.sizes,
+               progress),
           multipliers_(options.multipliers.size() > 0 ? options.multipliers
                                                       : Eigen::VectorXd::Zero(lengths_.size())) {
         kkt_.adopt(options.model);

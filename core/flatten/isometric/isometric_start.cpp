@@ -29,7 +29,7 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
     if (before < kLittleStrain || !std::isfinite(before) || inner < kCoarsestVertices) {
         return unchanged;
     }
-    const Coarsening coarse(mesh, outline, Q, progress);
+    const Coarsening coarse(mesh, table, outline, Q, progress);
     if (!coarse.savesWork() || progress.isCancelled()) {
         return unchanged;
     }

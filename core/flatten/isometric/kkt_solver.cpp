@@ -20,7 +20,7 @@ constexpr double kCoarseningCost = 1;
 
 }  // namespace
 
-KktSolver::KktSolver(const MeshArrays& mesh, const Eigen::VectorXd& lengths,
+KktSolver::KktSolver(const MeshArrays& mesh, const EdgeTable& table, const Eigen::VectorXd& lengths,
                      const LengthConstraints& constraints, bool keepOutlineSimple,
                      const KktSizes& sizes, const Progress& progress)
     : constraints_(constraints),
@@ -28,7 +28,7 @@ KktSolver::KktSolver(const MeshArrays& mesh, const Eigen::VectorXd& lengths,
       large_(mesh.V.rows() >= sizes.large),
       huge_(mesh.V.rows() >= sizes.huge) {
     if (large_) {
-        twoLevel_.emplace(mesh, constraints.loops(), lengths, keepOutlineSimple, progress,
+        twoLevel_.emplace(mesh, table, constraints.loops(), lengths, keepOutlineSimple, progress,
                           sizes.accuracy);
     }
 }

@@ -22,10 +22,11 @@ public:
     /// What is left of the first guess's error in the norm of the matrix's energy.
     static constexpr double kAccuracy = 1e-2;
 
-    /// @param mesh  a disk, holes aside  @param lengths  of the loops' edges; both kept by
-    /// reference
-    TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops, const Eigen::VectorXd& lengths,
-                   bool keepOutlineSimple, const Progress& progress, double accuracy = kAccuracy);
+    /// @param mesh  a disk, holes aside  @param table  its edges
+    /// @param lengths  of the loops' edges; all three kept by reference
+    TwoLevelSolver(const MeshArrays& mesh, const EdgeTable& table, EdgeLoops loops,
+                   const Eigen::VectorXd& lengths, bool keepOutlineSimple, const Progress& progress,
+                   double accuracy = kAccuracy);
     ~TwoLevelSolver();
 
     /// Lays out the coarse level for a matrix of the fine one.
@@ -55,6 +56,7 @@ private:
     std::optional<Points2> precondition(const Points2& residual);
 
     const MeshArrays& mesh_;
+    const EdgeTable& table_;
     EdgeLoops loops_;
     const Eigen::VectorXd& lengths_;
     bool keepOutlineSimple_;
@@ -89,7 +91,7 @@ struct KktModel {
 class KktSolver {
 public:
     /// @param mesh  a disk, holes aside  @param lengths  of the edges that `constraints` keeps
-    KktSolver(const MeshArrays& mesh, const Eigen::VectorXd& lengths,
+    KktSolver(const MeshArrays& mesh, const EdgeTable& table, const Eigen::VectorXd& lengths,
               const LengthConstraints& constraints, bool keepOutlineSimple, const KktSizes& sizes,
               const Progress& progress);
 

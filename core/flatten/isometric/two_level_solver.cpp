@@ -20,9 +20,9 @@ constexpr int kMaxIterations = 200;
 
 /// The coarse piece and its matrix.
 struct TwoLevelSolver::Coarse {
-    Coarse(const MeshArrays& mesh, const EdgeLoops& loops, const Points2& Q,
+    Coarse(const MeshArrays& mesh, const EdgeTable& fine, const EdgeLoops& loops, const Points2& Q,
            const Eigen::VectorXd& lengths, bool keepOutlineSimple, const Progress& progress)
-        : piece(mesh, loops, Q, progress),
+        : piece(mesh, fine, loops, Q, progress),
           table(buildEdgeTable(piece.mesh().F, static_cast<int>(piece.mesh().V.rows()))),
           objective(piece.mesh(), table, piece.loops(), lengths, keepOutlineSimple),
           constraints(piece.loops(), lengths) {}
@@ -36,10 +36,11 @@ struct TwoLevelSolver::Coarse {
     linalg::SparseCholesky cholesky;
 };
 
-TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, EdgeLoops loops,
+TwoLevelSolver::TwoLevelSolver(const MeshArrays& mesh, const EdgeTable& table, EdgeLoops loops,
                                const Eigen::VectorXd& lengths, bool keepOutlineSimple,
                                const Progress& progress, double accuracy)
     : mesh_(mesh),
+      table_(table),
       loops_(std::move(loops)),
       lengths_(lengths),
       keepOutlineSimple_(keepOutlineSimple),
@@ -53,8 +54,8 @@ Result<void> TwoLevelSolver::renew(const linalg::BlockMatrix& K, const ModelPoin
     K_ = &K;
     coarse_.reset();
     // Made anew each time: its triangles must not be flipped at this point.
-    coarse_ =
-        std::make_unique<Coarse>(mesh_, loops_, point.Q, lengths_, keepOutlineSimple_, progress_);
+    coarse_ = std::make_unique<Coarse>(mesh_, table_, loops_, point.Q, lengths_, keepOutlineSimple_,
+                                       progress_);
     if (progress_.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }

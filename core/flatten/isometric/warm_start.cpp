@@ -179,8 +179,9 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     if (!warm || piece_.mesh.V.rows() < kFewVertices || !isSmallEdit() || progress.isCancelled()) {
         return std::nullopt;
     }
-    const Coarsening coarsening(
-        piece_.mesh, EdgeLoops(piece_.boundary).withLengths(targets_.lengths), *warm, progress);
+    const Coarsening coarsening(piece_.mesh, piece_.table,
+                                EdgeLoops(piece_.boundary).withLengths(targets_.lengths), *warm,
+                                progress);
     if (!coarsening.savesWork() || progress.isCancelled()) {
         return std::nullopt;
     }

@@ -224,7 +224,8 @@ TEST(CutSides, ArePartedByTheGapAskedFor) {
 TEST(Coarsening, CarriesDetailsAlongAffinely) {
     const PiecePointer piece = head();
     const Points2 before = *tutteOnCircle(*piece, Progress());
-    const isometric::Coarsening coarse(piece->mesh, piece->boundary, before, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->table, piece->boundary, before,
+                                       Progress());
     EXPECT_TRUE(coarse.savesWork());
     Eigen::Matrix2d turn;
     turn << 1.3, -0.4, 0.7, 0.9;

@@ -42,7 +42,8 @@ TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
     const int inner = static_cast<int>(Q.rows()) - static_cast<int>(piece->boundary.size());
-    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, inner / 5, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->table, piece->boundary, Q, inner / 5,
+                                       Progress());
     EXPECT_LT(coarse.mesh().V.rows(), Q.rows() / 2);
     ASSERT_EQ(coarse.loops().vertices().size(), piece->boundary.size());
     const Points2 flat = coarse.restricted(Q);
@@ -61,7 +62,8 @@ TEST(Coarsening, KeepsTheBoundaryAndFlipsNothing) {
 TEST(Coarsening, ComesBackWithoutFlips) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
-    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, 20, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->table, piece->boundary, Q, 20,
+                                       Progress());
     const auto back = coarse.prolonged(coarse.restricted(Q));
     ASSERT_TRUE(back);
     EXPECT_EQ(coarse.restricted(*back), coarse.restricted(Q));
@@ -72,7 +74,8 @@ TEST(Coarsening, ComesBackWithoutFlips) {
 TEST(Coarsening, RestoresAPlane) {
     const auto piece = test::asPiece(test::planeGrid(12, 9, 10));
     const Points2 Q = piece->mesh.V.leftCols<2>();
-    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q, 10, Progress());
+    const isometric::Coarsening coarse(piece->mesh, piece->table, piece->boundary, Q, 10,
+                                       Progress());
     EXPECT_LT(coarse.mesh().V.rows(), Q.rows());
     const auto back = coarse.prolonged(coarse.restricted(Q));
     ASSERT_TRUE(back);
@@ -84,7 +87,7 @@ TEST(Coarsening, RestoresAPlane) {
 TEST(Coarsening, RestrictsForcesAsItProlongsMotions) {
     const auto piece = cap();
     const Points2 Q = onCircle(*piece);
-    const isometric::Coarsening coarse(piece->mesh, piece->boundary, Q,
+    const isometric::Coarsening coarse(piece->mesh, piece->table, piece->boundary, Q,
                                        static_cast<int>(Q.rows()) / 6, Progress());
     const Eigen::Index few = coarse.mesh().V.rows();
     const Points2 motion = coarse.restricted(piece->mesh.V.rightCols<2>());

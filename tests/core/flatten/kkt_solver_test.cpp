@@ -33,7 +33,7 @@ struct Strained {
           multipliers(Eigen::VectorXd::LinSpaced(lengths.size(), -1e-3, 1e-3)) {}
 
     isometric::KktSolver solver(const isometric::KktSizes& sizes, const Progress& progress) const {
-        return {piece->mesh, lengths, constraints, false, sizes, progress};
+        return {piece->mesh, piece->table, lengths, constraints, false, sizes, progress};
     }
     isometric::ModelPoint point() const { return {Q, at, multipliers}; }
 
@@ -54,8 +54,8 @@ double innerProduct(const Points2& a, const Points2& b) {
 TEST(TwoLevelSolver, ComesNearTheSolution) {
     Strained cap(test::sphericalCap(24, 100, 2.2));
     const Progress progress;
-    isometric::TwoLevelSolver solver(cap.piece->mesh, cap.piece->boundary, cap.lengths, false,
-                                     progress);
+    isometric::TwoLevelSolver solver(cap.piece->mesh, cap.piece->table, cap.piece->boundary,
+                                     cap.lengths, false, progress);
     linalg::BlockMatrix& K = cap.objective.hessian(cap.Q, cap.at).matrix;
     isometric::addSpring(K, cap.piece->boundary.front());
     const Eigen::VectorXd stiffness = isometric::lengthStiffness(K, cap.piece->boundary);
@@ -84,8 +84,8 @@ TEST(TwoLevelSolver, ComesNearTheSolution) {
 TEST(TwoLevelSolver, HasNoCoarsePieceOfThreeTriangles) {
     Strained few(test::sphericalCap(2, 100, 1));
     const Progress progress;
-    isometric::TwoLevelSolver solver(few.piece->mesh, few.piece->boundary, few.lengths, false,
-                                     progress);
+    isometric::TwoLevelSolver solver(few.piece->mesh, few.piece->table, few.piece->boundary,
+                                     few.lengths, false, progress);
     linalg::BlockMatrix& K = few.objective.hessian(few.Q, few.at).matrix;
     const Eigen::VectorXd stiffness = isometric::lengthStiffness(K, few.piece->boundary);
     const auto ready = solver.renew(K, few.point(), stiffness, 1e-9);
