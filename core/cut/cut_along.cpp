@@ -2,11 +2,13 @@
 #include "core/cut/cut_along.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/cut/face_parts.h"
-#include "core/mesh/mesh_arrays.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace toile {
 namespace {
@@ -109,11 +111,6 @@ struct OpenedMesh {
     std::vector<ShutEdge> stillShut;
 };
 
-/// A path's edge with the sides to its left and right.
-struct Step {
-    int left, right;  ///< uses
-};
-
 /// Parts a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided into
 /// as many copies as the cuts divide the triangles around it into groups; the first keeps its
 /// number. Rim edges and edges cut by an earlier path are left out. Cost: linear.
@@ -122,13 +119,14 @@ public:
     /// @param result  with the mesh
     Opener(OpenedMesh& result, const std::vector<std::vector<int>>& paths)
         : result_(result),
-          source_(result.mesh),
-          table_(buildEdgeTable(source_.F, static_cast<int>(source_.V.rows()))),
-          links_(source_, table_),
-          isCut_(table_.edges.rows(), 0),
-          steps_(paths.size()) {
-        for (std::size_t p = 0; p < paths.size(); ++p) {
-            collect(paths[p], steps_[p]);
+          table_(buildEdgeTable(result.mesh.F, static_cast<int>(result.mesh.V.rows()))),
+          mesh_(buildTriMesh(result.mesh, table_)),
+          isTouched_(mesh_->n_vertices(), 0) {
+        for (int e = 0; e < table_.edges.rows(); ++e) {
+            isOpen_.push_back(table_.isBorder(e) ? 1 : 0);
+        }
+        for (const std::vector<int>& path : paths) {
+            steps_.push_back(collect(path));
         }
     }
 
@@ -140,62 +138,78 @@ public:
     }
 
 private:
-    int newTail(int use) const { return tailOf(result_.mesh.F, use); }
-    int newHead(int use) const { return headOf(result_.mesh.F, use); }
+    using Vertex = TriMesh::VertexHandle;
+    using Halfedge = OpenMesh::SmartHalfedgeHandle;
 
-    /// The steps of a path; {-1, -1} where it runs along a rim or an earlier cut.
-    void collect(const std::vector<int>& path, std::vector<Step>& steps) {
+    /// The half-edges along a path; invalid where it runs along a rim or an earlier cut.
+    std::vector<Halfedge> collect(const std::vector<int>& path) {
+        std::vector<Halfedge> steps;
         for (std::size_t i = 1; i < path.size(); ++i) {
             const int e = findEdge(table_.edges, path[i - 1], path[i]);
-            Step step{-1, -1};
-            if (e >= 0 && isCut_[e] == 0 && links_.twin(table_.usesOf(e)[0]) >= 0) {
-                isCut_[e] = 1;
-                const int use = table_.usesOf(e)[0];
-                const bool along = links_.tail(use) == path[i - 1];
-                step = along ? Step{use, links_.twin(use)} : Step{links_.twin(use), use};
-            }
-            steps.push_back(step);
+            const bool opens = e >= 0 && std::exchange(isOpen_[e], 1) == 0;
+            isTouched_[path[i]] |= opens ? 1 : 0;
+            isTouched_[path[i - 1]] |= opens ? 1 : 0;
+            const int along = path[i - 1] < path[i] ? 2 * e : 2 * e + 1;
+            steps.emplace_back(opens ? along : -1, mesh_.get());
         }
+        return steps;
     }
 
+    /// Afterwards the half-edges of either side of a cut point to the copies on that side.
     void partVertices() {
-        geometry::DisjointSets fans(static_cast<int>(source_.F.size()));
-        std::vector<char> isTouched(source_.V.rows(), 0);
-        for (int e = 0; e < table_.edges.rows(); ++e) {
-            const std::span<const int> uses = table_.usesOf(e);
-            if (isCut_[e] != 0) {
-                isTouched[table_.edges(e, 0)] = 1;
-                isTouched[table_.edges(e, 1)] = 1;
-            } else if (uses.size() == 2) {
-                joinCorners(source_.F, uses[0], uses[1], fans);
-            }
-        }
-        const int sourceCount = static_cast<int>(source_.V.rows());
-        result_.copyOf = divideVertices(result_.mesh.F, sourceCount, fans,
-                                        [&](int v) { return isTouched[v] != 0; });
-        const int added = static_cast<int>(result_.copyOf.size());
-        result_.mesh.V.conservativeResize(sourceCount + added, 3);
-        for (int k = 0; k < added; ++k) {
-            result_.mesh.V.row(sourceCount + k) = source_.V.row(result_.copyOf[k]);
-        }
-    }
-
-    OpenedCut follow(const std::vector<Step>& steps) {
-        OpenedCut cut;
-        bool isOpen = false;
-        for (const Step& step : steps) {
-            if (step.left < 0) {
-                isOpen = false;
+        MeshArrays& mesh = result_.mesh;
+        const auto sourceCount = static_cast<int>(mesh.V.rows());
+        std::vector<char> isTaken(isTouched_.size(), 0), isDone(mesh_->n_halfedges(), 0);
+        for (int corner = 0; corner < mesh.F.size(); ++corner) {
+            int& v = mesh.F.data()[corner];
+            if (isTouched_[v] == 0) {
                 continue;
             }
-            const int leftFrom = newTail(step.left);
-            const int leftTo = newHead(step.left);
-            const int rightFrom = newHead(step.right);
-            const int rightTo = newTail(step.right);
-            if (!isOpen || cut.runs.back().left.back() != leftFrom ||
+            const int side = previousSide(corner), e = table_.faceEdges.data()[side];
+            const Halfedge into(table_.edges(e, 1) == v ? 2 * e : 2 * e + 1, mesh_.get());
+            if (isDone[into.idx()] == 0) {
+                Vertex own(v);
+                if (std::exchange(isTaken[v], 1) != 0) {
+                    own = Vertex(sourceCount + static_cast<int>(result_.copyOf.size()));
+                    result_.copyOf.push_back(v);
+                }
+                giveFan(into, own, isDone);
+            }
+            v = into.to().idx();
+        }
+        mesh.V.conservativeResize(sourceCount + std::ssize(result_.copyOf), 3);
+        for (int k = 0; k < std::ssize(result_.copyOf); ++k) {
+            mesh.V.row(sourceCount + k) = mesh.V.row(result_.copyOf[k]);
+        }
+    }
+
+    /// Gives a vertex to a corner and to all that are joined to it by closed edges.
+    void giveFan(Halfedge corner, Vertex own, std::vector<char>& isDone) {
+        Halfedge at = corner;
+        while (isOpen_[at.edge().idx()] == 0 && at.opp().prev() != corner) {
+            at = at.opp().prev();
+        }
+        while (std::exchange(isDone[at.idx()], 1) == 0) {
+            mesh_->set_vertex_handle(at, own);
+            at = isOpen_[at.next().edge().idx()] == 0 ? at.next().opp() : at;
+        }
+    }
+
+    OpenedCut follow(const std::vector<Halfedge>& steps) {
+        OpenedCut cut;
+        bool goesOn = false;
+        for (const Halfedge left : steps) {
+            if (!left.is_valid()) {
+                goesOn = false;
+                continue;
+            }
+            const Halfedge right = left.opp();
+            const int leftFrom = left.prev().to().idx(), leftTo = left.to().idx();
+            const int rightFrom = right.to().idx(), rightTo = right.prev().to().idx();
+            if (!goesOn || cut.runs.back().left.back() != leftFrom ||
                 cut.runs.back().right.back() != rightFrom) {
                 cut.runs.push_back({{leftFrom}, {rightFrom}, 0});
-                isOpen = true;
+                goesOn = true;
             }
             CutRun& run = cut.runs.back();
             const double length =
@@ -205,19 +219,20 @@ private:
             run.length += length;
             cut.length += length;
             if (leftFrom == rightFrom && leftTo == rightTo) {
-                result_.stillShut.push_back({links_.tail(step.left), links_.head(step.left),
-                                             std::min(step.left, step.right) / 3});
+                const auto ends = table_.edges.row(left.edge().idx());
+                result_.stillShut.push_back(
+                    {ends[0], ends[1], std::min(left.face().idx(), right.face().idx())});
             }
         }
         return cut;
     }
 
     OpenedMesh& result_;
-    const MeshArrays source_;
     const EdgeTable table_;
-    const SurfaceLinks links_;
-    std::vector<char> isCut_;
-    std::vector<std::vector<Step>> steps_;
+    const std::unique_ptr<TriMesh> mesh_;
+    std::vector<char> isTouched_;  ///< per vertex: a cut ends or passes there
+    std::vector<char> isOpen_;     ///< per edge: at a rim, or cut
+    std::vector<std::vector<Halfedge>> steps_;
 };
 
 }  // namespace

@@ -97,33 +97,4 @@ inline void joinCorners(const Triangles& F, int side, int other, geometry::Disjo
     fans.join(nextSide(side), alike ? nextSide(other) : other);
 }
 
-/// Gives every fan a vertex of its own: that with the least corner keeps the vertex, others get a
-/// new one, numbered from `vertexCount` on in order of their least corners.
-/// @param divides  of a vertex: false where its fans are to stay together
-/// @return the vertex that each new one is a copy of
-template <class Divides>
-std::vector<int> divideVertices(Triangles& F, int vertexCount, geometry::DisjointSets& fans,
-                                Divides divides) {
-    const int cornerCount = static_cast<int>(F.size());
-    std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);
-    std::vector<int> vertexOf(static_cast<std::size_t>(cornerCount), -1);  // at its least corner
-    std::vector<int> copies;
-    for (int corner = 0; corner < cornerCount; ++corner) {
-        int& v = F.data()[corner];
-        if (!divides(v)) {
-            continue;
-        }
-        int& vertex = vertexOf[fans.root(corner)];
-        if (vertex < 0 && isTaken[v] == 0) {
-            isTaken[v] = 1;
-            vertex = v;
-        } else if (vertex < 0) {
-            vertex = vertexCount + static_cast<int>(copies.size());
-            copies.push_back(v);
-        }
-        v = vertex;
-    }
-    return copies;
-}
-
 }  // namespace toile

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair_steps.h"
@@ -6,14 +8,28 @@
 namespace toile {
 
 void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
-    geometry::DisjointSets fans(static_cast<int>(part.mesh.F.size()));
-    for (int side = 0; side < static_cast<int>(part.mesh.F.size()); ++side) {
+    Triangles& F = part.mesh.F;
+    geometry::DisjointSets fans(static_cast<int>(F.size()));
+    for (int side = 0; side < static_cast<int>(F.size()); ++side) {
         if (gluing.twin[side] > side) {
-            joinCorners(part.mesh.F, side, gluing.twin[side], fans);
+            joinCorners(F, side, gluing.twin[side], fans);
         }
     }
-    const std::vector<int> copies = divideVertices(
-        part.mesh.F, static_cast<int>(part.mesh.V.rows()), fans, [](int) { return true; });
+    const auto vertexCount = static_cast<int>(part.mesh.V.rows());
+    std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);
+    std::vector<int> vertexOf(static_cast<std::size_t>(F.size()), -1);  // at a fan's least corner
+    std::vector<int> copies;
+    for (int corner = 0; corner < static_cast<int>(F.size()); ++corner) {
+        int& v = F.data()[corner];
+        int& vertex = vertexOf[fans.root(corner)];
+        if (vertex < 0 && std::exchange(isTaken[v], 1) == 0) {
+            vertex = v;
+        } else if (vertex < 0) {
+            vertex = vertexCount + static_cast<int>(copies.size());
+            copies.push_back(v);
+        }
+        v = vertex;
+    }
     std::vector<char> isNoted(gluing.cutAtVertex);
     for (const int v : copies) {
         if (isNoted[v] == 0) {  // the ends of edges cut apart are part of that note
