@@ -62,16 +62,6 @@ double turning(const SurfaceLinks& links, const RimLoop& loop) {
 
 }  // namespace
 
-std::vector<RimLoop> rimLoops(const SurfaceLinks& links) {
-    std::vector<int> next(links.vertexCount(), -1);
-    for (int use = 0; use < 3 * links.faceCount(); ++use) {
-        if (links.twin(use) < 0) {
-            next[links.tail(use)] = links.head(use);
-        }
-    }
-    return followRims(std::move(next), links.mesh().V);
-}
-
 MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) {
     const int vertexCount = static_cast<int>(mesh.V.rows());
     const int faceCount = static_cast<int>(mesh.F.rows());
@@ -104,7 +94,7 @@ MeshArrays fillHoles(const MeshArrays& mesh, const std::vector<RimLoop>& holes) 
 
 SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
     SortedLoops sorted;
-    std::vector<RimLoop> loops = rimLoops(links);
+    std::vector<RimLoop> loops = rimsOf(links.mesh(), links.table());
     if (loops.empty()) {
         return sorted;
     }

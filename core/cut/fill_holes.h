@@ -7,9 +7,6 @@
 
 namespace toile {
 
-/// All loops, in order of their least vertex. Precondition: manifold and oriented. Linear.
-std::vector<RimLoop> rimLoops(const SurfaceLinks& links);
-
 /// Closes holes for the solve: the mesh's own vertices and faces first, then one new vertex per
 /// hole and the fan of triangles around it (a hole of three edges takes one triangle and no
 /// vertex); take the further faces out again to have the holes back. Caps need not lie flat: where

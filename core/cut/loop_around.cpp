@@ -56,10 +56,6 @@ private:
         for (int e = 0; e < links_.edgeCount(); ++e) {
             if (has(e)) {
                 const auto [a, b] = sidesOf(e);
-                if (b < 0) {  // on a rim that is no loop: of no surface
-                    isLeft_[static_cast<std::size_t>(e)] = 0;
-                    continue;
-                }
                 edgesAt[static_cast<std::size_t>(a)].push_back(e);
                 edgesAt[static_cast<std::size_t>(b)].push_back(e);
             }

@@ -88,34 +88,14 @@ struct Rim {
 };
 
 std::vector<Rim> rimsOf(const Piece& piece, UpAxis up) {
-    const EdgeTable& table = piece.table;
-    const auto vertexCount = static_cast<std::size_t>(piece.mesh.V.rows());
-    std::vector<int> next(vertexCount, -1);
-    std::vector<char> isDoubtful(vertexCount, 0), isSeen(vertexCount, 0);
-    std::vector<int> tails;
-    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
-        if (table.isBorder(e)) {
-            const int side = table.usesOf(e)[0];
-            const int tail = tailOf(piece.mesh.F, side);
-            isDoubtful[tail] = next[tail] >= 0 ? 1 : 0;
-            next[tail] = headOf(piece.mesh.F, side);
-            tails.push_back(tail);
-        }
-    }
     std::vector<Rim> rims;
-    for (const int first : tails) {
-        Rim rim;
-        int v = first;
-        while (v >= 0 && isSeen[v] == 0 && isDoubtful[v] == 0) {
-            isSeen[v] = 1;
+    for (RimLoop& loop : rimsOf(piece.mesh, piece.table)) {
+        Rim& rim = rims.emplace_back();
+        for (const int v : loop.vertices) {
             const Eigen::RowVector3d at = asInFile(up, piece.mesh.V.row(v));
-            rim.vertices.push_back(v);
             rim.places.push_back({at.x(), at.y(), at.z()});
-            v = next[v];
         }
-        if (v == first && !rim.vertices.empty()) {
-            rims.push_back(std::move(rim));
-        }
+        rim.vertices = std::move(loop.vertices);
     }
     return rims;
 }

@@ -45,7 +45,7 @@ Piece makePiece(std::string name, MeshArrays mesh, std::optional<EdgeTable> vali
 
 std::vector<double> loopLengths(const Piece& piece) {
     std::vector<double> lengths;
-    for (const RimLoop& loop : rimLoops(SurfaceLinks(piece.mesh, piece.table))) {
+    for (const RimLoop& loop : rimsOf(piece.mesh, piece.table)) {
         lengths.push_back(loop.perimeter);
     }
     return lengths;

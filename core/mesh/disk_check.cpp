@@ -16,6 +16,25 @@ namespace {
 
 constexpr std::size_t kNamedLoops = 4;
 
+/// The loops that rim edges make, in order of their least vertex.
+/// @param next  per vertex: the one after it on the rim, or -1
+std::vector<RimLoop> followRims(std::vector<int> next, const Points3& V) {
+    std::vector<RimLoop> loops;
+    for (int v = 0; v < static_cast<int>(next.size()); ++v) {
+        if (next[v] < 0) {
+            continue;
+        }
+        RimLoop& loop = loops.emplace_back();
+        for (int w = v; next[w] >= 0;) {
+            loop.vertices.push_back(w);
+            const int ahead = std::exchange(next[w], -1);
+            loop.perimeter += (V.row(ahead) - V.row(w)).norm();
+            w = ahead;
+        }
+    }
+    return loops;
+}
+
 /// Counts a fault over the mesh and remembers where it was seen first.
 struct Fault {
     int count = 0;

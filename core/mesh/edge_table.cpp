@@ -10,6 +10,7 @@
 #include "core/geometry/buckets.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/mesh/tri_mesh.h"
 
 namespace toile {
 namespace {
@@ -59,6 +60,28 @@ EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
     table.edges.conservativeResize(std::ssize(table.useStart), 2);
     table.useStart.push_back(sideCount);
     return table;
+}
+
+std::vector<RimLoop> rimsOf(const MeshArrays& mesh, const EdgeTable& table) {
+    const auto surface = buildTriMesh(mesh, table);
+    std::vector<char> isSeen(surface->n_halfedges(), 0);
+    std::vector<RimLoop> loops;
+    for (const auto found : surface->halfedges()) {
+        if (!found.is_boundary() || isSeen[found.idx()] != 0) {
+            continue;
+        }
+        RimLoop& loop = loops.emplace_back();
+        // Edges are sorted, so this one begins or ends at the least vertex. The half-edges of a
+        // border have the surface on their right.
+        auto at = found.from().idx() < found.to().idx() ? found : found.next();
+        while (std::exchange(isSeen[at.idx()], 1) == 0) {
+            const int v = at.from().idx();
+            at = at.prev();
+            loop.vertices.push_back(v);
+            loop.perimeter += (mesh.V.row(at.from().idx()) - mesh.V.row(v)).norm();
+        }
+    }
+    return loops;
 }
 
 std::vector<int> faceComponents(const Triangles& F, int vertexCount) {

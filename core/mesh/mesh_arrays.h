@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -67,25 +66,6 @@ struct RimLoop {
     std::vector<int> vertices;
     double perimeter = 0;
 };
-
-/// The loops that rim edges make, in order of their least vertex.
-/// @param next  per vertex: the one after it on the rim, or -1
-inline std::vector<RimLoop> followRims(std::vector<int> next, const Points3& V) {
-    std::vector<RimLoop> loops;
-    for (int v = 0; v < static_cast<int>(next.size()); ++v) {
-        if (next[v] < 0) {
-            continue;
-        }
-        RimLoop& loop = loops.emplace_back();
-        for (int w = v; next[w] >= 0;) {
-            loop.vertices.push_back(w);
-            const int ahead = std::exchange(next[w], -1);
-            loop.perimeter += (V.row(ahead) - V.row(w)).norm();
-            w = ahead;
-        }
-    }
-    return loops;
-}
 
 /// The fans of triangles around vertices, as sets of corners: side 3 * f + k begins at corner k.
 

@@ -1,25 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/holes.h"
 
-#include <utility>
-
 namespace toile {
 namespace {
 
 constexpr double kFlatness = 0.5;  // of a hole, at least
 
 }  // namespace
-
-std::vector<RimLoop> rimsOf(const MeshArrays& mesh, const EdgeTable& table) {
-    std::vector<int> next(static_cast<std::size_t>(mesh.V.rows()), -1);
-    for (int e = 0; e < table.edges.rows(); ++e) {
-        if (table.isBorder(e)) {
-            const int side = table.usesOf(e).front();
-            next[tailOf(mesh.F, side)] = headOf(mesh.F, side);
-        }
-    }
-    return followRims(std::move(next), mesh.V);
-}
 
 double flatness(const MeshArrays& mesh, const EdgeTable& table, const RimLoop& rim) {
     const auto point = [&mesh, &rim](std::size_t i) -> Eigen::Vector3d {

@@ -8,11 +8,6 @@
 
 namespace toile {
 
-/// All rims of a surface, in order of their least vertex.
-/// @param table  the edges of `mesh`, an oriented manifold (`isValidSurface`)
-/// Cost: linear. Pure.
-std::vector<RimLoop> rimsOf(const MeshArrays& mesh, const EdgeTable& table);
-
 /// The rims that are holes in the cloth, and no openings: those up to a perimeter around which the
 /// surface lies as a patch would, within 60 degrees on average. So the end of a sleeve, where cloth
 /// stands across the opening, is none however narrow it is, and no outline of a small piece is.

@@ -180,7 +180,8 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
         const bool isKnown = body && std::isfinite(body->plane.deviation);
         std::vector<AdvisedCut> cuts =
             formCuts(links, isKnown ? body->plane : findMirrorPlane({piece}, progress));
-        if (cuts.empty() && rimLoops(links).empty()) {  // closed, and darts have to begin somewhere
+        // On a closed form darts have to begin somewhere.
+        if (cuts.empty() && rimsOf(piece->mesh, piece->table).empty()) {
             for (const PathPolyline& path : opening) {
                 order.propose(openingCut(piece->mesh, path));
             }

@@ -36,7 +36,7 @@ CutOrder::CutOrder(const SurfaceLinks& links, const std::vector<PathPolyline>& o
       lengths_(edgeLengths(links.mesh(), links.table().edges)),
       lines_(links, nearest_, model_.rims()),
       hasHandles_(links.vertexCount() - links.edgeCount() + links.faceCount() +
-                      static_cast<int>(rimLoops(links).size()) <
+                      static_cast<int>(rimsOf(links.mesh(), links.table()).size()) <
                   2),
       size_(std::sqrt(std::accumulate(model_.areas().begin(), model_.areas().end(), 0.0))) {
     for (const PathPolyline& path : opening) {

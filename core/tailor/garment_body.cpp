@@ -131,9 +131,8 @@ GarmentBody bodyBeside(const Piece& piece, const MirrorPlane& plane) {
     const Eigen::VectorXd x = (V * plane.normal).array() - plane.offset;
     const double width = x.maxCoeff() - x.minCoeff();
     const double centreHeight = (V * body.up).mean();
-    const SurfaceLinks links(piece.mesh, piece.table);
     std::vector<int> middle, aside;
-    for (RimLoop& loop : rimLoops(links)) {
+    for (RimLoop& loop : rimsOf(piece.mesh, piece.table)) {
         if (loop.perimeter < kShortestOpening) {
             continue;
         }

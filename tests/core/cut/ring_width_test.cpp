@@ -32,7 +32,7 @@ MeshArrays lampshade(double turn, double inner) {
 std::vector<double> strains(const MeshArrays& mesh) {
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
     const SurfaceLinks links(mesh, table);
-    std::vector<RimLoop> rims = rimLoops(links);
+    std::vector<RimLoop> rims = rimsOf(links.mesh(), links.table());
     std::ranges::sort(rims, std::ranges::greater(), &RimLoop::perimeter);
     const RimLoop outline = rims.front();
     rims.erase(rims.begin());

@@ -128,15 +128,8 @@ INSTANTIATE_TEST_SUITE_P(All, SharedFolder, testing::Values("garments", "disks",
 /// Perimeters of the openings, ascending.
 std::vector<double> openings(const MeshArrays& mesh) {
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-    std::vector<int> next(static_cast<std::size_t>(mesh.V.rows()), -1);
-    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
-        if (table.isBorder(e)) {
-            const int side = table.usesOf(e)[0];
-            next[tailOf(mesh.F, side)] = headOf(mesh.F, side);
-        }
-    }
     std::vector<double> perimeters;
-    for (const RimLoop& loop : followRims(next, mesh.V)) {
+    for (const RimLoop& loop : rimsOf(mesh, table)) {
         perimeters.push_back(loop.perimeter);
     }
     std::sort(perimeters.begin(), perimeters.end());
