@@ -50,8 +50,8 @@ public:
     }
 
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        constexpr int kAir = 24;
-        return QStyledItemDelegate::sizeHint(option, index) + QSize(kAir, 2);
+        constexpr int kPadding = 24;
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(kPadding, 2);
     }
 };
 
