@@ -16,25 +16,6 @@ namespace {
 
 constexpr std::size_t kNamedLoops = 4;
 
-/// The loops that rim edges make, in order of their least vertex.
-/// @param next  per vertex: the one after it on the rim, or -1
-std::vector<RimLoop> followRims(std::vector<int> next, const Points3& V) {
-    std::vector<RimLoop> loops;
-    for (int v = 0; v < static_cast<int>(next.size()); ++v) {
-        if (next[v] < 0) {
-            continue;
-        }
-        RimLoop& loop = loops.emplace_back();
-        for (int w = v; next[w] >= 0;) {
-            loop.vertices.push_back(w);
-            const int ahead = std::exchange(next[w], -1);
-            loop.perimeter += (V.row(ahead) - V.row(w)).norm();
-            w = ahead;
-        }
-    }
-    return loops;
-}
-
 /// Counts a fault over the mesh and remembers where it was seen first.
 struct Fault {
     int count = 0;
@@ -180,26 +161,32 @@ private:
         return pinched.count == 0 || fail(ErrorCode::NonManifoldVertex, pinched, "vertex");
     }
 
+    /// Most pieces have one rim, which is followed here: half-edges would take a third more time.
     bool checkLoops() {
         std::vector<int> next(vertexCount(), -1);
+        std::ptrdiff_t rimEdges = 0;
+        int least = -1;
         for (int e = 0; e < edgeCount(); ++e) {
             if (table_.isBorder(e)) {
                 next[tailOf(mesh_.F, uses(e)[0])] = headOf(mesh_.F, uses(e)[0]);
+                least = ++rimEdges == 1 ? table_.edges(e, 0) : least;
             }
         }
-        std::vector<RimLoop> loops = followRims(std::move(next), mesh_.V);
-        if (loops.empty()) {
+        if (rimEdges == 0) {
             return fail(ErrorCode::ClosedSurface, countWording(faceCount(), "face"));
         }
-        result_.boundary = std::move(loops.front().vertices);
-        if (loops.size() == 1) {
+        for (int v = least; next[v] >= 0; v = std::exchange(next[v], -1)) {
+            result_.boundary.push_back(v);
+        }
+        if (std::ssize(result_.boundary) == rimEdges) {
             return hasNoHandle();
         }
+        const std::vector<RimLoop> loops = rimsOf(mesh_, table_);
         Wording places;
         for (std::size_t k = 0; k < std::min(loops.size(), kNamedLoops); ++k) {
-            const int first = k == 0 ? result_.boundary.front() : loops[k].vertices.front();
             places += k > 0 ? "; " : "";
-            places += toile::worded("%1 mm %2", {figure(loops[k].perimeter), place(first)});
+            places += toile::worded("%1 mm %2",
+                                    {figure(loops[k].perimeter), place(loops[k].vertices.front())});
         }
         return fail(ErrorCode::SeveralLoops,
                     toile::worded("%1: %2%3", {countWording(std::ssize(loops), "loop"), places,
