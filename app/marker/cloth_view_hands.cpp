@@ -14,7 +14,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kZoomPerNotch = 1.15;
+constexpr double kClothZoomPerNotch = 1.15;
 constexpr double kKeyStep = 24;    // pixels
 constexpr double kSnapRadius = 8;  // pixels
 constexpr double kDragBegins = 4;  // pixels
@@ -152,7 +152,7 @@ void ClothView::mouseDoubleClickEvent(QMouseEvent* event) {
 void ClothView::wheelEvent(QWheelEvent* event) {
     followsAll_ = false;
     camera_.zoomAt(event->position().x(), event->position().y(),
-                   std::pow(kZoomPerNotch, event->angleDelta().y() / 120.0));
+                   std::pow(kClothZoomPerNotch, event->angleDelta().y() / 120.0));
     update();
     event->accept();
 }
@@ -186,9 +186,9 @@ void ClothView::keyPressEvent(QKeyEvent* event) {
             return turnSelected(event->modifiers().testFlag(Qt::ShiftModifier));
         case Qt::Key_Plus:
         case Qt::Key_Equal:
-            return zoom(kZoomPerNotch);
+            return zoom(kClothZoomPerNotch);
         case Qt::Key_Minus:
-            return zoom(1 / kZoomPerNotch);
+            return zoom(1 / kClothZoomPerNotch);
         case Qt::Key_Left:
             return pan(kKeyStep, 0);
         case Qt::Key_Right:

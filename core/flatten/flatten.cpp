@@ -61,7 +61,8 @@ Eigen::Vector2d upDirection(const Points3& V, const Points2& Q) {
     if (slope.allFinite() && slope.norm() > kLevelSlope) {
         return slope.normalized();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(spread);
     const Eigen::Vector2d across = axes.eigenvectors().col(0);
     return across.dot(slope) < 0 ? Eigen::Vector2d(-across) : across;
 }

@@ -15,7 +15,7 @@ namespace toile {
 namespace {
 
 using Box = Eigen::AlignedBox2d;
-using Point = Eigen::Vector2d;
+using Vector2 = Eigen::Vector2d;
 
 constexpr int kDirections = 32;
 constexpr int kBisections = 8;
@@ -26,7 +26,7 @@ constexpr std::size_t kMaxPoints = 400;
 
 /// Keeps the points between `from` and `to` that lie far from the line through what is kept
 /// (Douglas and Peucker).
-void thin(const std::vector<Point>& points, std::size_t from, std::size_t to, double most,
+void thin(const std::vector<Vector2>& points, std::size_t from, std::size_t to, double most,
           std::vector<char>& kept) {
     std::vector<std::pair<std::size_t, std::size_t>> open{{from, to}};
     while (!open.empty()) {
@@ -51,7 +51,7 @@ void thin(const std::vector<Point>& points, std::size_t from, std::size_t to, do
 }
 
 struct Shape {
-    std::vector<Point> points;
+    std::vector<Vector2> points;
     Box box;
 };
 
@@ -60,13 +60,13 @@ Shape shapeOf(const Points2& outline, double most) {
     if (outline.rows() < 3 || !outline.allFinite()) {
         return shape;
     }
-    std::vector<Point> all;
+    std::vector<Vector2> all;
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
         all.emplace_back(outline.row(i).transpose());
     }
     const auto farthest = static_cast<std::size_t>(
         std::ranges::max_element(
-            all, {}, [&](const Point& p) -> double { return (p - all.front()).squaredNorm(); }) -
+            all, {}, [&](const Vector2& p) -> double { return (p - all.front()).squaredNorm(); }) -
         all.begin());
     std::vector<char> kept(all.size(), 0);
     for (std::size_t count = kMaxPoints + 1; count > kMaxPoints; most *= 2) {
@@ -85,15 +85,15 @@ Shape shapeOf(const Points2& outline, double most) {
     return shape;
 }
 
-bool segmentsCross(const Point& a, const Point& b, const Point& c, const Point& d) {
+bool segmentsCross(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d) {
     return (geometry::cross(b - a, c - a) > 0) != (geometry::cross(b - a, d - a) > 0) &&
            (geometry::cross(d - c, a - c) > 0) != (geometry::cross(d - c, b - c) > 0);
 }
 
-bool contains(const Shape& shape, const Point& p) {
+bool contains(const Shape& shape, const Vector2& p) {
     bool inside = false;
     for (std::size_t i = 0, k = shape.points.size() - 1; i < shape.points.size(); k = i++) {
-        const Point &a = shape.points[i], &b = shape.points[k];
+        const Vector2 &a = shape.points[i], &b = shape.points[k];
         if ((a.y() > p.y()) != (b.y() > p.y()) &&
             p.x() < a.x() + (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y())) {
             inside = !inside;
@@ -109,7 +109,7 @@ Box grown(Box box, double by) {
 }
 
 /// True where the shape, moved, lies on the other or comes nearer to it than `gap`.
-bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double gap) {
+bool inTheWay(const Shape& moving, const Vector2& move, const Shape& other, double gap) {
     Box box = moving.box;
     box.translate(move);
     if (!grown(box, gap).intersects(other.box)) {
@@ -121,7 +121,7 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
     }
     // Only edges near to both boxes can be near to each other.
     const Box near = grown(box.intersection(grown(other.box, gap)), gap);
-    std::vector<std::pair<Point, Point>> edges;
+    std::vector<std::pair<Vector2, Vector2>> edges;
     for (std::size_t i = 0, k = other.points.size() - 1; i < other.points.size(); k = i++) {
         Box edge(other.points[i]);
         edge.extend(other.points[k]);
@@ -130,7 +130,7 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
         }
     }
     for (std::size_t i = 0, k = moving.points.size() - 1; i < moving.points.size(); k = i++) {
-        const Point a = moving.points[k] + move, b = moving.points[i] + move;
+        const Vector2 a = moving.points[k] + move, b = moving.points[i] + move;
         Box edge(a);
         edge.extend(b);
         if (!edge.intersects(near)) {
@@ -153,12 +153,12 @@ bool inTheWay(const Shape& moving, const Point& move, const Shape& other, double
 }
 
 /// How far the shape must go along a direction to be past the other for good.
-double wayPast(const Shape& moving, const Shape& other, const Point& along, double gap) {
+double wayPast(const Shape& moving, const Shape& other, const Vector2& along, double gap) {
     double first = std::numeric_limits<double>::infinity(), last = -first;
-    for (const Point& p : moving.points) {
+    for (const Vector2& p : moving.points) {
         first = std::min(first, p.dot(along));
     }
-    for (const Point& p : other.points) {
+    for (const Vector2& p : other.points) {
         last = std::max(last, p.dot(along));
     }
     return last - first + 1.001 * gap;
@@ -175,15 +175,15 @@ public:
         }
     }
 
-    Point shortest() const {
-        Point best = Point::Zero();
+    Vector2 shortest() const {
+        Vector2 best = Vector2::Zero();
         if (moving_.points.empty() || !firstInTheWay(best)) {
             return best;
         }
         double least = std::numeric_limits<double>::infinity();
         for (int k = 0; k < kDirections; ++k) {
             const double angle = 2 * std::numbers::pi * k / kDirections;
-            const Point along(std::cos(angle), std::sin(angle));
+            const Vector2 along(std::cos(angle), std::sin(angle));
             const double way = wayAlong(along, least);
             // Ways alike but for rounding: the first of them, whatever the machine.
             if (way < (1 - 1e-6) * least) {
@@ -195,17 +195,17 @@ public:
     }
 
 private:
-    const Shape* firstInTheWay(const Point& move) const {
+    const Shape* firstInTheWay(const Vector2& move) const {
         const auto found = std::ranges::find_if(
             others_, [&](const Shape& other) { return inTheWay(moving_, move, other, gap_); });
         return found == others_.end() ? nullptr : &*found;
     }
 
     /// A way that is free; any at all where it is not shorter than `least`.
-    double wayAlong(const Point& along, double least) const {
+    double wayAlong(const Vector2& along, double least) const {
         double blocked = 0, free = 0;
         // Past one after the other: past none twice.
-        const Shape* other = firstInTheWay(Point::Zero());
+        const Shape* other = firstInTheWay(Vector2::Zero());
         for (std::size_t round = 0; other && round < others_.size(); ++round) {
             free = std::max(free, wayPast(moving_, *other, along, gap_));
             other = firstInTheWay(free * along);

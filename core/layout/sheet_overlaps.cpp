@@ -17,7 +17,7 @@ using Box = Eigen::AlignedBox2d;
 using PointRow = Eigen::RowVector2d;
 
 /// Overlaps below this are edges laid on each other, mm.
-constexpr double kTouching = 1e-3;
+constexpr double kOverlapTolerance = 1e-3;
 
 Box boxOf(const Points2& outline) {
     Box box;
@@ -57,8 +57,9 @@ bool crossWell(const geometry::Segment2& s, const geometry::Segment2& t) {
     const bool crosses =
         geometry::exactOrientation(s.a, s.b, t.a) * geometry::exactOrientation(s.a, s.b, t.b) < 0 &&
         geometry::exactOrientation(t.a, t.b, s.a) * geometry::exactOrientation(t.a, t.b, s.b) < 0;
-    return crosses && std::min(distanceToLine(t.a, s), distanceToLine(t.b, s)) > kTouching &&
-           std::min(distanceToLine(s.a, t), distanceToLine(s.b, t)) > kTouching;
+    return crosses &&
+           std::min(distanceToLine(t.a, s), distanceToLine(t.b, s)) > kOverlapTolerance &&
+           std::min(distanceToLine(s.a, t), distanceToLine(s.b, t)) > kOverlapTolerance;
 }
 
 /// By the winding number, whichever way the outline runs.
@@ -89,7 +90,7 @@ double distanceTo(const Points2& outline, const PointRow& p) {
 bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
     // A few, spread over the outline, tell: where edges cross has been looked for already.
     constexpr Eigen::Index kProbes = 16;
-    constexpr double kInside = 10 * kTouching;
+    constexpr double kInside = 10 * kOverlapTolerance;
     const Eigen::Index step = std::max<Eigen::Index>(1, inner.rows() / kProbes);
     for (Eigen::Index i = 0; i < inner.rows(); i += step) {
         const PointRow a = inner.row(i), along = next(inner, i) - a;
@@ -100,7 +101,7 @@ bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
         for (const PointRow& p :
              {PointRow(a + along / 2 + aside), PointRow(a + along / 2 - aside)}) {
             if (both.contains(Eigen::Vector2d(p.transpose())) && contains(inner, p) &&
-                contains(outer, p) && distanceTo(outer, p) > kTouching) {
+                contains(outer, p) && distanceTo(outer, p) > kOverlapTolerance) {
                 return true;
             }
         }
@@ -145,7 +146,7 @@ std::vector<std::pair<int, int>> overlappingOutlines(const std::vector<Points2>&
                 break;
             }
             const Box both = box(a).intersection(box(b));
-            const bool touch = both.isEmpty() || both.sizes().minCoeff() <= kTouching;
+            const bool touch = both.isEmpty() || both.sizes().minCoeff() <= kOverlapTolerance;
             if (!touch && overlap(outlines[static_cast<std::size_t>(a)],
                                   outlines[static_cast<std::size_t>(b)], both)) {
                 found.emplace_back(std::min(a, b), std::max(a, b));

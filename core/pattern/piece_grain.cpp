@@ -73,7 +73,8 @@ std::optional<double> verticalGrain(const Garment& garment, const PieceResult& r
     if (rise.sum.norm() > kCancelled * rise.length) {
         return angleOf(rise.sum);
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(rise.squares);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+    axes.computeDirect(rise.squares);
     // Height runs around a tube that lies, and the warp along it.
     Eigen::Vector2d way = axes.eigenvectors().col(isSewnToItself(garment, piece) ? 0 : 1);
     const double up = way.dot(rise.sum);

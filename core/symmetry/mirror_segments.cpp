@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-using Outline = std::vector<MirrorSegment>;
+using SegmentLoop = std::vector<MirrorSegment>;
 
 /// Of two lengths, as a part of the longer.
 double difference(double a, double b) {
@@ -19,7 +19,7 @@ double difference(double a, double b) {
 /// Two outlines whose segments may mirror each other; one and the same where a piece is symmetric.
 class OutlinePair {
 public:
-    OutlinePair(const Outline& from, const Outline& to, const std::vector<int>& counterpart,
+    OutlinePair(const SegmentLoop& from, const SegmentLoop& to, const std::vector<int>& counterpart,
                 const MirrorPlane& plane)
         : from_(from), to_(to), counterpart_(counterpart), plane_(plane) {}
 
@@ -88,8 +88,8 @@ private:
         return static_cast<int>(std::ranges::find_if(to_, isPartner) - to_.begin());
     }
 
-    const Outline& from_;
-    const Outline& to_;
+    const SegmentLoop& from_;
+    const SegmentLoop& to_;
     const std::vector<int>& counterpart_;
     const MirrorPlane& plane_;
 };

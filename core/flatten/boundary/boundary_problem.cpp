@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/QR>
+#include <Eigen/Eigenvalues>
 
 #include "core/base/text.h"
 #include "core/base/tolerances.h"
@@ -65,6 +65,7 @@ constexpr int kMaxPrograms = 500;
 /// Size of the gradient of the Lagrangian at which the iteration stops: angles in radians, closure
 /// relative to the perimeter.
 constexpr double kProgramTolerance = 1e-11;
+constexpr double kRankTolerance = 1e-14;  ///< of the largest eigenvalue
 
 using Constraints = Eigen::Vector3d;
 using Jacobian = Eigen::Matrix<double, 3, Eigen::Dynamic>;
@@ -113,10 +114,14 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
         if (size <= kProgramTolerance) {
             return detail::closeOutline(problem, phi, iteration);
         }
-        // Eq. (20): A A^T dlambda = A B_theta - B_lambda with B_lambda = -c. The orthogonal
-        // decomposition stands a rank of two (collinear outlines).
-        const Eigen::Matrix3d AAt = A * A.transpose();
-        const Eigen::Vector3d step = AAt.completeOrthogonalDecomposition().solve(A * gradient + c);
+        // Eq. (20): A A^T dlambda = A B_theta - B_lambda with B_lambda = -c. The pseudo-inverse
+        // allows a rank of two (collinear outlines).
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> AAt(A * A.transpose());
+        const Eigen::Vector3d inverse =
+            (AAt.eigenvalues().array() > kRankTolerance * AAt.eigenvalues()[2])
+                .select(AAt.eigenvalues().cwiseInverse(), 0);
+        const Eigen::Vector3d step = AAt.eigenvectors() * inverse.asDiagonal() *
+                                     AAt.eigenvectors().transpose() * (A * gradient + c);
         theta += gradient - A.transpose() * step;  // eq. (21)
         lambda += step;
     }
