@@ -88,22 +88,25 @@ case ${1:-} in
 esac
 [ -z "$install" ] || install_missing "${packages[@]}"
 
-# What is to be compiled, a line for each object: how many seconds it took last time, or else how large
-# its source is and what seconds that was of others, and its name.
+# The objects that are missing or older than their sources, a line for each: the seconds it took last time, or
+# an estimate by the size of its sources, and its name.
 plan() {
-    ninja -C "$build_folder" -n "${targets[@]}" 2>/dev/null | sed -n 's/^\[[0-9/]*\] Building CXX object //p' |
-        while IFS= read -r object; do
-            source=$build_folder/${object%.o}
-            if [ -f "$source" ]; then
-                xargs -a <(sed -n 's/^#include "\(.*\)"$/\1/p' "$source") cat | wc -c
-            else
-                echo 10000
-            fi | tr '\n' ' '
-            echo "$object"
-        done | awk -v log="$build_folder/.ninja_log" '
-            BEGIN { while ((getline line <log) > 0) { split(line, f, "\t"); before[f[4]] = (f[2] - f[1]) / 1000 } }
-            # A unit takes about two seconds for its headers, and one more for each 25 kB.
-            { print ($2 in before ? before[$2] : 2 + $1 / 25000), $2 }'
+    ninja -C "$build_folder" -t commands "${targets[@]}" | sed -n 's/.* -o \([^ ]*\.o\) -c \(.*\)$/\1 \2/p' |
+        while read -r object source; do
+            files=$(sed -n 's/^#include "\(\/.*\)"$/\1/p' "$source" 2>/dev/null)
+            # shellcheck disable=SC2086 # words
+            if [ -n "$(find ${files:-$source} -newer "$build_folder/$object" 2>&1 | head -n 1)" ]; then
+                echo "$object $(cat ${files:-$source} | wc -c)"
+            fi
+        done | awk -v log_file="$build_folder/.ninja_log" '
+            BEGIN {
+                while ((getline line <log_file) > 0) {
+                    split(line, field, "\t")
+                    before[field[4]] = (field[2] - field[1]) / 1000
+                }
+            }
+            # Headers take about two seconds, and the rest one for each 15 kB.
+            { printf "%d %s\n", 10 * ($1 in before ? before[$1] : 2 + $2 / 15000), $1 }'
 }
 
 # Shows how far the compiler is: one line that changes in a terminal, a line now and then elsewhere.
@@ -111,7 +114,7 @@ show_progress() {
     local line object weight elapsed percent left next=0 total=0 finished=0
     local -A weights=()
     while IFS= read -r line; do
-        if [[ $line =~ ^plan\ ([0-9]+)[.0-9]*\ (.*) ]]; then
+        if [[ $line =~ ^plan\ ([0-9]+)\ (.*) ]]; then
             weights[${BASH_REMATCH[2]}]=${BASH_REMATCH[1]}
             total=$((total + BASH_REMATCH[1]))
         fi
