@@ -134,7 +134,7 @@ private:
         // The ring begins at the triangle that comes first in the mesh.
         const auto out = std::span(ring.out).first(static_cast<std::size_t>(ring.degree));
         const auto faceAt = [this](Halfedge h) { return mesh_->face_handle(h).idx(); };
-        std::ranges::rotate(out, std::ranges::min_element(out, {}, faceAt));
+        std::rotate(out.begin(), std::ranges::min_element(out, {}, faceAt), out.end());
         for (int k = 0; k < ring.degree; ++k) {
             ring.vertex[k] = mesh_->to_vertex_handle(ring.out[k]).idx();
             ring.flat[k] = Q_.row(ring.vertex[k]);
