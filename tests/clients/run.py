@@ -44,7 +44,7 @@ def result_of(check, garment):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--toile", default=ROOT / "build/ci/app/toile", type=pathlib.Path)
+    parser.add_argument("--toile", default=ROOT / "build/release/app/toile", type=pathlib.Path)
     parser.add_argument("--work", default=ROOT / "build/clients", type=pathlib.Path)
     parser.add_argument("--only", default="", help="checks with this word in format or client")
     parser.add_argument("--write-docs", action="store_true")

@@ -6,8 +6,8 @@ The cases in cases.py cover every export format and option, every method, readin
 markers, proofs and the other commands, on small garments. Each output file, the console output and the
 exit status are compared: words exactly, numbers within a tolerance. It needs only Python and the program.
 
-    TOILE_PROGRAM=build/ci/app/toile tests/golden/golden_test.py             all cases
-    TOILE_PROGRAM=build/ci/app/toile tests/golden/golden_test.py papers      one case, or several
+    TOILE_PROGRAM=build/release/app/toile tests/golden/golden_test.py             all cases
+    TOILE_PROGRAM=build/release/app/toile tests/golden/golden_test.py papers      one case, or several
     tests/golden/golden_test.py --list                                       the names of the cases
     tests/golden/golden_test.py --shard 0/2                                  every second case
 
@@ -24,7 +24,7 @@ To change values on purpose:
 
  1. Run the test and read the differences: are all of them intended?
  2. Write the values again, only of the cases that changed:
-        TOILE_PROGRAM=build/ci/app/toile tests/golden/golden_test.py --update CASE...
+        TOILE_PROGRAM=build/release/app/toile tests/golden/golden_test.py --update CASE...
  3. Commit tests/golden/values together with the change, and list in the commit message each case that
     changed and why. The files are JSON in xz: `xz -dc tests/golden/values/CASE.xz` shows them.
 """
