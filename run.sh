@@ -28,8 +28,9 @@ packages=(
     libgl1-mesa-dri fonts-dejavu-core
 )
 
-# Installs the missing ones of the given packages, saying so.
+# Installs those of the given packages that are missing, and prints their names.
 install_missing() {
+    [ -z "${TOILE_NO_INSTALL:-}" ] || return 0
     if ! command -v apt-get >/dev/null; then
         echo "This is no Debian system; install these packages' counterparts by hand: $*"
         return
@@ -59,10 +60,10 @@ install_missing() {
 
 # One compiler for each core, but two GiB of free memory for each compiler.
 jobs=$(awk -v cores="$(nproc)" '/^MemAvailable/ { n = int($2 / 2 ^ 21); print n < 1 ? 1 : n < cores ? n : cores }' \
-    /proc/meminfo)
-install=1
+    /proc/meminfo 2>/dev/null || true)
+: "${jobs:=1}"
 if [ "${1:-}" = --no-install ]; then
-    install=
+    export TOILE_NO_INSTALL=1 # also for the scripts that call this one
     shift
 fi
 build_folder=build/release
@@ -86,10 +87,10 @@ case ${1:-} in
         build_folder=build/package
         ;;
 esac
-[ -z "$install" ] || install_missing "${packages[@]}"
+install_missing "${packages[@]}"
 
-# The objects that are missing or older than their sources, a line for each: the seconds it took last time, or
-# an estimate by the size of its sources, and its name.
+# Prints a line for each object that is missing or older than its sources: the tenths of a second that it took
+# last time, or an estimate from the size of its sources, and its name.
 plan() {
     ninja -C "$build_folder" -t commands "${targets[@]}" | sed -n 's/.* -o \([^ ]*\.o\) -c \(.*\)$/\1 \2/p' |
         while read -r object source; do
@@ -140,7 +141,8 @@ build() {
         options=(-DCMAKE_INSTALL_PREFIX=/usr -DTOILE_DEBIAN=ON -DTOILE_PYTHON=ON)
         targets=()
     fi
-    [ -f "$build_folder/build.ninja" ] ||
+    # A tree of version 0.1.0 has another option for the tests.
+    grep -qs '^BUILD_TESTING:' "$build_folder/CMakeCache.txt" ||
         cmake --preset release -B "$build_folder" "${options[@]}" || return
     plan | sed 's/^/plan /'
     # Elapsed seconds, for show_progress.

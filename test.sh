@@ -14,19 +14,15 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
-install=1
 if [ "${1:-}" = --no-install ]; then
-    install=
+    export TOILE_NO_INSTALL=1 # for run.sh, which installs what is missing
     shift
 fi
-prepare() { # PACKAGE...: installs these and what building needs
-    [ -z "$install" ] || ./run.sh --prepare "$@"
-}
 
 packages=(
     libgtest-dev xvfb clang-format clang-tidy
     python3-dev python3-numpy pybind11-dev # the Python module
-    desktop-file-utils appstream shared-mime-info libglib2.0-bin mandoc groff # what judges resources/package
+    desktop-file-utils appstream shared-mime-info libglib2.0-bin mandoc groff # check resources/package
 )
 clang_packages=(clang libclang-rt-14-dev libomp-dev libgtest-dev)
 jobs=$(./run.sh --jobs)
@@ -65,7 +61,7 @@ tests() { # BUILD CTEST-ARGUMENT...
 
 case ${1:-} in
     --quick)
-        prepare "${packages[@]}"
+        ./run.sh --prepare "${packages[@]}"
         stage "Build"
         cmake --preset release -DBUILD_TESTING=ON -DTOILE_PYTHON=ON "${werror[@]}" >/dev/null
         cmake --build build/release --parallel "$jobs"
@@ -73,7 +69,7 @@ case ${1:-} in
         tests build/release -L quick
         ;;
     --sanitize)
-        prepare "${clang_packages[@]}"
+        ./run.sh --prepare "${clang_packages[@]}"
         stage "Build by Clang with sanitizers"
         cmake --preset asan "${werror[@]}" >/dev/null
         cmake --build build/asan --parallel "$jobs" --target toile toile_core_test toile_cli_test
@@ -85,10 +81,8 @@ case ${1:-} in
         tests build/asan -L quick -R '^toile_(core|cli)_test'
         ;;
     --nightly)
-        prepare "${packages[@]}" "${clang_packages[@]}" librsvg2-bin
-        shift
-        [ -n "$install" ] || set -- --no-install "$@"
-        exec tests/nightly.sh "$@"
+        ./run.sh --prepare "${packages[@]}" "${clang_packages[@]}" librsvg2-bin
+        exec tests/nightly.sh "${@:2}"
         ;;
     "") ;;
     *)
@@ -97,9 +91,9 @@ case ${1:-} in
         ;;
 esac
 
-prepare "${packages[@]}"
+./run.sh --prepare "${packages[@]}"
 stage "Source: format, licence headers"
-git ls-files -- '*.cpp' '*.h' 2>/dev/null | xargs -r -P "$jobs" -n 200 clang-format --dry-run -Werror
+{ git ls-files -- '*.cpp' '*.h' 2>/dev/null || true; } | xargs -r -P "$jobs" -n 200 clang-format --dry-run -Werror
 tests/check_headers.sh
 
 stage "Build"

@@ -14,7 +14,7 @@
 #   docs/make_pictures.sh readme              the pictures of the README
 #   docs/make_pictures.sh window              those of the window's states, and what tests take on their way
 #   docs/make_pictures.sh compress            reduce the colours of all pictures, or of the files named
-#   IMAGES=trial docs/make_pictures.sh        write into another folder than docs/images
+#   IMAGES=trial docs/make_pictures.sh        write into another folder than docs/images (all but window)
 #   TOILE=build/dev/app/toile docs/make_pictures.sh    use another program than build/release's
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -121,13 +121,14 @@ make_readme() {
 }
 
 make_window() { # with the programs of the tests, which go to the states that the pages describe
-    local name program=build/release/tests/app/toile_window_test
+    local name status=0 program=build/release/tests/app/toile_window_test
     [ -x "$program" ] || { echo "skipped: the pictures of the window need ./test.sh --quick" && return; }
     for name in window_pictures reading_pictures whole_pattern first_steps; do
         TOILE_UPDATE_DOCS=1 TOILE_SAMPLES=4 QT_QPA_PLATFORM=xcb tests/app/own_display.sh "$program" "$name" \
-            >/dev/null || echo "$name failed" >&2
+            >/dev/null || { echo "$name failed" >&2 && status=1; }
     done
-    compress docs/images/{window,input,first-steps,pattern,marker}-*.png
+    compress docs/images/{window,input,first-steps,pattern,marker,export,print}-*.png
+    return $status
 }
 
 command -v pngquant >/dev/null || echo "pngquant is not installed: pictures keep all their colours" >&2

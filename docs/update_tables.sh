@@ -7,6 +7,8 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset release -DBUILD_TESTING=ON -DTOILE_PYTHON=ON >/dev/null
-cmake --build build/release --target toile_cli_test
-TOILE_UPDATE_DOCS=1 build/release/tests/cli/toile_cli_test --gtest_brief=1
+cmake --build build/release --parallel "$(./run.sh --jobs)" --target toile_cli_test
+status=0
+TOILE_UPDATE_DOCS=1 build/release/tests/cli/toile_cli_test --gtest_brief=1 || status=$?
 git diff --stat -- docs
+exit $status

@@ -10,7 +10,7 @@ counts as one. Exits with 1 if more than N were skipped, and names them.
 import argparse
 import re
 
-BLOCK = re.compile(r"^\d+/\d+ Test: (\S+)\n(.*?)^Test (Passed|Failed)\.", re.S | re.M)
+BLOCK = re.compile(r"^\d+/\d+ Test: (\S+)\n(.*?)^Test (Pass|Fail)(?:ed\.| Reason)", re.S | re.M)
 QT = re.compile(r"^Totals: (\d+) passed, (\d+) failed, (\d+) skipped", re.M)
 PYTHON = re.compile(r"^Ran (\d+) tests? in .*\n\n(?:OK|FAILED)(.*)", re.M)
 
@@ -48,7 +48,7 @@ def main():
         text = file.read()
     total, skipping = [0, 0, 0], []
     for name, output, result in BLOCK.findall(text):
-        counts = count(output, result == "Passed")
+        counts = count(output, result == "Pass")
         total = [a + b for a, b in zip(total, counts)]
         if counts[2]:
             skipping.append(f"{name}: {counts[2]}")

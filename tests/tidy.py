@@ -9,7 +9,8 @@ without main, and on main itself, since the last commit. Exits with 1 if there i
 
 Files of one folder are checked as one translation unit, since most of the time goes into the headers
 that they share; a header is checked through one .cpp that includes it. Nothing is built, only configured
-(in build/tidy, or $BUILD).
+(in build/tidy, or $BUILD). Errors of Clang outside the changed lines are not shown; ./test.sh --sanitize
+finds them.
 """
 import collections
 import concurrent.futures

@@ -33,9 +33,9 @@ EdgeTable buildEdgeTable(const Triangles& F, int vertexCount);
 /// The edge between two vertices, -1 where there is none. Logarithmic. Pure.
 int findEdge(const Edges& edges, int a, int b);
 
-/// The rims of a surface, in order of their least vertex. Rims of an oriented manifold
-/// (`isValidSurface`) never meet; of other triangles those at walls (`buildTriMesh`) count, too.
-/// Cost: linear, about as much as the table itself. Pure.
+/// The rims of a surface, each from its least vertex on, in order of these vertices. Rims of an
+/// oriented manifold (`isValidSurface`) never meet. Of other triangles walls (`buildTriMesh`) count
+/// as rims, in any order. Cost: linear; builds a half-edge mesh. Pure.
 std::vector<RimLoop> rimsOf(const MeshArrays& mesh, const EdgeTable& table);
 
 /// Label of the connected component (by shared vertices) of each face, numbered by first face.

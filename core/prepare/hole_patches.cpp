@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Includes CGAL, and slow to compile: half a minute.
+// Includes CGAL, and therefore is slow to compile.
 #include "core/prepare/hole_patches.h"
 
 #include <algorithm>
 #include <exception>
 #include <iterator>
 
-// Inputs are checked before, results after. The Delaunay search of hole filling needs exact
-// predicates, and compiles as long as all the rest.
+// Toile checks inputs before and results after, so CGAL's own checks are off. The Delaunay search
+// would need exact predicates and double the compile time.
 #ifndef CGAL_NDEBUG
 #define CGAL_NDEBUG
 #endif
@@ -27,8 +27,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 using Vertex = Surface::Vertex_index;
 
-constexpr std::size_t kMostHoleEdges = 400;
-constexpr double kFarthestPatch = 0.25;  // of the perimeter, from the box around a hole
+constexpr std::size_t kMaxHoleEdges = 400;
+constexpr double kMaxPatchDistance = 0.25;  // of the perimeter, from the box around a hole
 
 Eigen::Vector3d toEigen(const Kernel::Point_3& p) {
     return {p.x(), p.y(), p.z()};
@@ -68,8 +68,8 @@ MeshArrays toArrays(Surface& surface) {
     return mesh;
 }
 
-/// Bends the patch so that the surface goes on without an edge; where that throws it far out, as a
-/// ragged rim does, it stays as taut as it was.
+/// Fairs the patch so that it continues the surface smoothly. If that moves it too far, as at a
+/// ragged rim, the patch stays as it was.
 void fair(Surface& surface, const std::vector<Vertex>& inner, const Eigen::AlignedBox3d& around,
           double farthest) {
     std::vector<Kernel::Point_3> taut;
@@ -99,7 +99,7 @@ std::size_t closeHole(Surface& surface, const RimLoop& hole) {
     };
     // The rim runs along the cloth; along the hole it runs the other way.
     const Surface::Halfedge_index side = surface.halfedge(vertex(1), vertex(0));
-    if (!side.is_valid() || !surface.is_border(side) || hole.vertices.size() > kMostHoleEdges) {
+    if (!side.is_valid() || !surface.is_border(side) || hole.vertices.size() > kMaxHoleEdges) {
         return 0;
     }
     Eigen::AlignedBox3d box;
@@ -113,7 +113,7 @@ std::size_t closeHole(Surface& surface, const RimLoop& hole) {
         processing::parameters::use_delaunay_triangulation(false)
             .use_2d_constrained_delaunay_triangulation(false));
     if (!inner.empty()) {
-        fair(surface, inner, box, kFarthestPatch * hole.perimeter);
+        fair(surface, inner, box, kMaxPatchDistance * hole.perimeter);
     }
     return faces.size();
 }

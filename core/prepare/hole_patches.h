@@ -15,12 +15,12 @@ struct PatchedSurface {
     std::vector<int> hole;  ///< per new face: index of the hole that it closes
 };
 
-/// Closes holes with patches of about the density of the mesh around, which go on from it without
-/// an edge ([Lie03]). One stays open where no patch goes without two triangles in one place, or
-/// where it has more than 400 edges, as the cost grows with their third power.
+/// Closes holes with patches of about the density of the surrounding mesh, which continue it
+/// smoothly ([Lie03]). A hole stays open if every patch would put two triangles in one place, or if
+/// it has more than 400 edges, because the cost grows with their third power.
 /// @param mesh   mm, an oriented manifold (`isValidSurface`)
 /// @param holes  rims of `mesh`
-/// Cancelled between holes; what is closed by then is returned. Pure.
+/// If cancelled between holes, returns the mesh with the holes closed so far. Pure.
 PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> holes,
                            const Progress& progress);
 

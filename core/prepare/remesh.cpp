@@ -12,7 +12,6 @@
 #include "core/cut/nearest_search.h"
 #include "core/mesh/disk_check.h"
 #include "core/mesh/tri_mesh.h"
-#include "core/prepare/holes.h"
 #include "core/prepare/rim_corners.h"
 
 namespace toile {
@@ -20,7 +19,7 @@ namespace {
 
 /// Where edges are split and collapsed, of the length aimed at ([BK04] 4).
 constexpr double kMaxEdge = 4.0 / 3, kMinEdge = 4.0 / 5;
-/// Aimed at, of the wanted length: the mean comes out shorter.
+/// Target length of the passes, relative to the wanted one: the mean comes out shorter.
 constexpr double kAim = 1.02;
 constexpr int kRounds = 5, kLastRounds = 2;
 /// The least cosine between the normals of a triangle before and after a step.
@@ -130,7 +129,7 @@ private:
 
     const MeshArrays& input_;
     geometry::TriangleTree<3, double> tree_;
-    TriMesh mesh_;  ///< deleted elements stay in it, so that handles do
+    TriMesh mesh_;  ///< keeps deleted elements, so that handles stay valid
     double edgeLength_;
     double maxSquare_, minSquare_;  ///< squared length of an edge
     const Progress& progress_;
@@ -264,8 +263,8 @@ bool Remesher::canCollapse(Halfedge h) {
     return keepsTriangles(gone, p, kept);
 }
 
-/// Whether the triangles around a vertex keep their side and a height if it moves, and still reach
-/// its place if the surface is folded there.
+/// Whether the triangles around a vertex keep their orientation and quality if it moves, and still
+/// cover its place if the surface is folded there.
 /// @param gone  triangles with this corner do not count
 bool Remesher::keepsTriangles(Vertex v, const Vector& p, Vertex gone) const {
     Vector normal = Vector::Zero();

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kMaxRimLoss = 0.003;  // of length
 
-// A corner may go if an edge at it is shorter than the first share of the wanted length, the new
-// edge is not longer than the second, and the rim loses less than the third.
+// A corner may be removed if an edge at it is shorter than the first share of the wanted length,
+// the new edge is not longer than the second, and the rim loses less than the third.
 constexpr double kShortRimEdge = 0.5, kMaxRimEdge = 4.0 / 3, kMaxCornerLoss = 0.1;
 
 }  // namespace
@@ -40,7 +40,7 @@ std::vector<int> findRimCorners(const Points3& V, const RimLoop& rim, double edg
     }
     spare -= length - distance(places.back(), 0);
 
-    // What of the loss is not needed pays for corners that make short edges, cheapest first.
+    // The loss that is left pays for removing corners that make short edges, cheapest first.
     int left = static_cast<int>(places.size());
     std::vector<int> next(places.size()), previous(places.size());
     for (int k = 0; k < left; ++k) {
