@@ -397,7 +397,7 @@ bool Remesher::smooth() {
 /// 4). With M the mean of n n^T over the normals around, and k = kCreaseDamping, the move times
 /// (1 - M)^k is in that plane if the place is flat, and follows the crease if it has one.
 Remesher::Vector Remesher::smoothed(Vertex v) const {
-    const Vector p = at(v);
+    Vector p = at(v);
     Vector sum = Vector::Zero();
     Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();
     double weights = 0;
