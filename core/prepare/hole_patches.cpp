@@ -132,7 +132,7 @@ PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> hole
             patched.hole.resize(patched.hole.size() + closeHole(surface, holes[i]),
                                 static_cast<int>(i));
         } catch (const std::exception&) {
-            return {mesh, {}};  // nobody knows what it has left
+            return {mesh, {}};  // the surface may be half changed
         }
         progress.report(static_cast<double>(i + 1) / static_cast<double>(holes.size()));
     }

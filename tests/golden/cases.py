@@ -20,7 +20,7 @@ NOT_COVERED = {
 
 
 class Case:
-    """@param tolerance  in place of the usual one, with a reason beside it
+    """@param tolerance  replaces the default; give the reason in a comment
     @param needs  an ending that the program may have been built without
     @param summary  compare DXF files by the lengths and boxes of their lines"""
 

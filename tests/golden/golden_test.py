@@ -102,7 +102,7 @@ def input_files():
         for path in sorted(folder.glob("*")) if folder.is_dir() else []:
             if path.is_file() and path.suffix in (".obj", ".json", ".toile", ".svg", ".txt"):
                 data = path.read_bytes()
-                if path.suffix == ".toile":  # looks for its meshes beside itself
+                if path.suffix == ".toile":  # its meshes are read from its own folder
                     data = re.sub(rb'"(\.\./)+(resources/samples/)?', b'"', data)
                 files[path.name] = data
     return files
