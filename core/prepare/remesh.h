@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/mesh/mesh_arrays.h"
@@ -24,5 +25,13 @@ namespace toile {
 /// Cost: n log n, a quarter of a second for 60 000 triangles. Same input, same output. Pure.
 std::optional<MeshArrays> remeshed(const MeshArrays& mesh, double edgeLength,
                                    const Progress& progress);
+
+/// The vertices that a rim keeps when it gets edges of another length: its corners, and others
+/// about an edge's length apart. The polygon through them is up to 0.3 % shorter than the rim. Any
+/// vertices of the rim between them may go, or slide along it, within that bound.
+/// @param edgeLength  mm, > 0
+/// @return in order along the rim; at least its first vertex
+/// Cost: n log n. Pure.
+std::vector<int> findRimCorners(const Points3& V, const RimLoop& rim, double edgeLength);
 
 }  // namespace toile

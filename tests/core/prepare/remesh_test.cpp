@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/cut/surface_point.h"
-#include "core/prepare/rim_corners.h"
 #include "tests/core/prepare/scan_shapes.h"
 
 namespace toile {
