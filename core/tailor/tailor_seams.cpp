@@ -1,16 +1,453 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tailor/tailor_seams.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <optional>
 #include <utility>
 
-#include "core/tailor/bands.h"
-#include "core/tailor/leg_seams.h"
-#include "core/tailor/middle_seams.h"
-#include "core/tailor/scraps.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/geometry/segment.h"
 #include "core/tailor/seam_pull.h"
 #include "core/tailor/style_lines.h"
 #include "core/tailor/top_seams.h"
+
+namespace toile::tailor {
+namespace {
+
+/// The lines of trousers; each a way of vertices, of legs first the one with `across` below 0.
+struct LegSeams {
+    std::vector<int> centre;  ///< from the front of the waist between the legs to its back
+    std::array<std::vector<int>, 2> inseam;  ///< from the crotch, a vertex of `centre`, to an ankle
+    std::array<std::vector<int>, 2> side;    ///< from the waist to an ankle
+};
+
+/// Off the mirror plane by so many mm a line costs as much again as its length does anyhow.
+constexpr double kOffCentre = 15, kCentreCost = 0.1;
+/// Of a waist, the part near the plane where the centre line may end, as a part of its width.
+constexpr double kWaistMiddle = 0.15;
+
+template <class Keep>
+std::vector<int> those(const std::vector<int>& vertices, const Keep& keep) {
+    std::vector<int> kept;
+    std::ranges::copy_if(vertices, std::back_inserter(kept), keep);
+    return kept;
+}
+
+double widthOf(const BodyWays& ways, const std::vector<int>& rim) {
+    const auto [least, most] =
+        std::ranges::minmax(rim, {}, [&ways](int v) { return ways.across(v); });
+    return ways.across(most) - ways.across(least);
+}
+
+std::optional<LegSeams> legSeams(const BodyWays& ways, const SeamPull& pull) {
+    const GarmentBody& body = ways.body();
+    const BodyOpening* waist = body.find(OpeningKind::Waist);
+    const auto ankles = body.pair(OpeningKind::Ankle);
+    if (!waist || !ankles) {
+        return std::nullopt;
+    }
+    const std::vector<int>& rim = waist->loop.vertices;
+    const double reach = kWaistMiddle * widthOf(ways, rim);
+    const auto middle = [&](bool isFront) {
+        return those(rim, [&](int v) {
+            const double ahead = body.forward.dot(ways.at(v) - waist->centre);
+            return std::abs(ways.across(v)) < reach && (isFront ? ahead > 0 : ahead < 0);
+        });
+    };
+    const auto plane = ways.costs([&](int v) {
+        const double off = ways.across(v) / kOffCentre;
+        return kCentreCost + off * off;
+    });
+    LegSeams seams;
+    seams.centre = pull.pulled(ways.cheapest(plane, middle(true), middle(false)), plane,
+                               middle(true), middle(false));
+    if (seams.centre.size() < 3) {
+        return std::nullopt;
+    }
+    const int crotch =
+        *std::ranges::min_element(seams.centre, {}, [&ways](int v) { return ways.height(v); });
+    for (int k = 0; k < 2; ++k) {
+        const int side = k == 0 ? -1 : 1;
+        const BodyOpening& ankle = *(*ankles)[k];
+        const double centre = body.across(ankle.centre);
+        const auto half = [&](const std::vector<int>& vertices, double x, bool isOuter) {
+            return those(vertices, [&](int v) {
+                const double outward = side * (ways.across(v) - x);
+                return isOuter ? outward > 0 : outward < 0;
+            });
+        };
+        const std::vector<int> inner = half(ankle.loop.vertices, centre, false);
+        const std::vector<int> outer = half(ankle.loop.vertices, centre, true);
+        const std::vector<int> top = half(rim, side * reach, true);
+        const std::vector<double>& costs = ways.silhouette();
+        seams.inseam[k] =
+            pull.pulled(ways.cheapest(costs, {crotch}, inner), costs, {crotch}, inner);
+        seams.side[k] = pull.pulled(ways.cheapest(costs, top, outer), costs, top, outer);
+    }
+    return seams;
+}
+
+/// The two lines of a skirt from the waist to the hem, where it is widest.
+std::array<std::vector<int>, 2> skirtSides(const BodyWays& ways, const SeamPull& pull) {
+    const BodyOpening* waist = ways.body().find(OpeningKind::Waist);
+    const BodyOpening* hem = ways.body().find(OpeningKind::Hem);
+    std::array<std::vector<int>, 2> sides;
+    if (!waist || !hem) {
+        return sides;
+    }
+    const std::vector<double> costs = ways.envelope();
+    for (int k = 0; k < 2; ++k) {
+        const auto onSide = [&](int v) { return k == 0 ? ways.across(v) < 0 : ways.across(v) > 0; };
+        const std::vector<int> from = those(waist->loop.vertices, onSide);
+        const std::vector<int> to = those(hem->loop.vertices, onSide);
+        sides[k] = pull.pulled(ways.cheapest(costs, from, to), costs, from, to);
+    }
+    return sides;
+}
+
+/// A line this far off its plane or height, mm, costs as much again; what its length costs anyhow.
+constexpr double kOffPlane = 15, kLength = 0.1;
+constexpr double kOtherHalf = 1e4;
+/// A waist is where the garment is narrower than this part of its greatest width.
+constexpr double kNarrow = 0.9;
+constexpr int kHeights = 40;
+/// How far from there, mm, a likely line of the mesh may be the waist's.
+constexpr double kWaistReach = 50;
+/// Nor is there one where a cut crosses both sides so near to it, mm.
+constexpr double kCutAround = 120;
+
+/// Costs in one half of the garment: near a value of `off` of 0.
+std::vector<double> costsNear(const BodyWays& ways, bool isFront,
+                              const std::function<double(int)>& off) {
+    return ways.costs([&](int v) {
+        const double facing = isFront ? ways.facing(v) : -ways.facing(v);
+        const double far = off(v) / kOffPlane;
+        return facing < 0 ? kOtherHalf : kLength + far * far;
+    });
+}
+
+/// The place of a way at some height: across, and which vertex.
+int vertexAt(const BodyWays& ways, const std::vector<int>& way, double height) {
+    return *std::ranges::min_element(way, {},
+                                     [&](int v) { return std::abs(ways.height(v) - height); });
+}
+
+/// Vertices of a way that are near a height, the nearest among them.
+std::vector<int> nearHeight(const BodyWays& ways, const std::vector<int>& way, double height,
+                            std::vector<int> nearest) {
+    std::ranges::copy_if(way, std::back_inserter(nearest), [&](int v) {
+        return std::abs(ways.height(v) - height) < kWaistReach && v != nearest.front();
+    });
+    return nearest;
+}
+
+/// The line in the mirror plane from one rim to another, in the front or in the back: where the
+/// mesh has the likelier one, else in the back.
+std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
+                            const std::vector<int>& from, const std::vector<int>& to) {
+    std::vector<int> best;
+    double likeliest = -1;
+    for (const bool isFront : {false, true}) {
+        const auto costs = costsNear(ways, isFront, [&](int v) { return ways.across(v); });
+        const std::vector<int> way = pull.pulled(ways.cheapest(costs, from, to), costs, from, to);
+        const double likeliness = pull.along(way);
+        if (!way.empty() && likeliness > likeliest) {
+            likeliest = likeliness;
+            best = way;
+        }
+    }
+    return best;
+}
+
+/// The line around the narrowest height of a trunk, from one side line to the other through the
+/// front and back again; empty where the trunk is nearly as narrow everywhere, or where a person
+/// has cut around it.
+/// @param sides  from below the arms to the hem
+std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
+                           const std::array<std::vector<int>, 2>& sides) {
+    double least = -std::numeric_limits<double>::infinity(), most = -least;
+    for (const std::vector<int>& side : sides) {
+        least = std::max(least, ways.height(side.back()));
+        most = std::min(most, ways.height(side.front()));
+    }
+    double widest = 0, narrowest = std::numeric_limits<double>::infinity(), at = 0;
+    for (int k = 1; k < kHeights; ++k) {
+        const double height = least + k * (most - least) / kHeights;
+        const double width = ways.across(vertexAt(ways, sides[1], height)) -
+                             ways.across(vertexAt(ways, sides[0], height));
+        widest = std::max(widest, width);
+        if (width < narrowest) {
+            narrowest = width;
+            at = height;
+        }
+    }
+    const auto isCutAround = [&](const std::vector<int>& side) {
+        return std::ranges::any_of(side, [&](int v) {
+            return pull.isAtSure(v) && std::abs(ways.height(v) - at) < kCutAround;
+        });
+    };
+    if (least >= most || narrowest > kNarrow * widest || std::ranges::all_of(sides, isCutAround)) {
+        return {};
+    }
+    std::vector<int> left{vertexAt(ways, sides[0], at)}, right{vertexAt(ways, sides[1], at)};
+    std::vector<int> around;
+    for (const bool isFront : {true, false}) {
+        const auto costs = costsNear(ways, isFront, [&](int v) { return ways.height(v) - at; });
+        std::vector<int> half = ways.cheapest(costs, left, right);
+        // The first half says where a line of the mesh begins and ends, the second closes it.
+        std::vector<int> led = isFront
+                                   ? pull.pulled(half, costs, nearHeight(ways, sides[0], at, left),
+                                                 nearHeight(ways, sides[1], at, right))
+                                   : pull.pulled(half, costs, left, right);
+        if (!isFront || pull.along(led) > MeshLines::kLikely) {
+            half = std::move(led);
+        }
+        if (half.empty()) {
+            return {};
+        }
+        left = {half.front()};
+        right = {half.back()};
+        if (!isFront) {
+            std::ranges::reverse(half);
+        }
+        around.insert(around.end(), half.begin() + (isFront ? 0 : 1), half.end());
+    }
+    return around;
+}
+
+/// How wide a band is, mm, and how much of its rim it goes round.
+constexpr double kNarrowest = 15, kWidest = 65, kAllRound = 0.85;
+constexpr std::size_t kFewVertices = 3;
+
+/// From a vertex to a line of vertices, mm.
+double distanceToLine(const BodyWays& ways, int vertex, const std::vector<int>& line) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        least = std::min(least, geometry::distanceToSegment(ways.at(vertex), ways.at(line[k - 1]),
+                                                            ways.at(line[k])));
+    }
+    return least;
+}
+
+/// Which of some lines set bands off, as of a neck, a cuff or a waist: all of such a line runs 15
+/// to 65 mm beside the rim of an opening, and those beside one rim go nearly all round it.
+/// @param ways  of vertices
+/// @return per line
+/// Cost: for each line and opening the product of their vertices. Pure.
+std::vector<char> bandsAmong(const BodyWays& body, const std::vector<std::vector<int>>& ways) {
+    std::vector<char> isBand(ways.size(), 0);
+    for (const BodyOpening& opening : body.body().openings) {
+        std::vector<int> rim = opening.loop.vertices;
+        if (rim.empty()) {
+            continue;
+        }
+        rim.push_back(rim.front());
+        std::vector<std::size_t> beside;
+        for (std::size_t w = 0; w < ways.size(); ++w) {
+            if (std::ranges::all_of(ways[w], [&](int v) {
+                    const double far = distanceToLine(body, v, rim);
+                    return far > kNarrowest && far < kWidest;
+                })) {
+                beside.push_back(w);
+            }
+        }
+        double covered = 0;
+        for (std::size_t k = 1; k < rim.size(); ++k) {
+            const bool isCovered = std::ranges::any_of(beside, [&](std::size_t w) {
+                return distanceToLine(body, rim[k], ways[w]) < kWidest;
+            });
+            covered += isCovered ? (body.at(rim[k]) - body.at(rim[k - 1])).norm() : 0;
+        }
+        for (const std::size_t w : beside) {
+            isBand[w] = isBand[w] != 0 || covered > kAllRound * opening.loop.perimeter ? 1 : 0;
+        }
+    }
+    return isBand;
+}
+
+/// The same lines of a mesh, of which those that set bands off look like no seam: an armhole is not
+/// to be drawn to the border of a neck band. Cost: as above, for the likely ones.
+MeshLines withoutBands(const BodyWays& body, MeshLines lines) {
+    std::vector<std::size_t> likely;
+    std::vector<std::vector<int>> ways;
+    for (std::size_t line = 0; line < lines.ways.size(); ++line) {
+        if (lines.likeliness[line] > MeshLines::kLikely && lines.ways[line].size() > kFewVertices) {
+            likely.push_back(line);
+            ways.push_back(lines.ways[line]);
+        }
+    }
+    const std::vector<char> isBand = bandsAmong(body, ways);
+    for (std::size_t k = 0; k < likely.size(); ++k) {
+        lines.likeliness[likely[k]] *= isBand[k] != 0 ? 0 : 1;
+    }
+    return lines;
+}
+
+/// The stretches of a way along edges of which some are left out. @param isLeftOut  whether one of
+/// a way that goes round is, that begins anywhere then: the whole of it where none is
+template <class IsLeftOut>
+std::vector<std::vector<int>> stretchesOf(std::vector<int> way, const IsLeftOut& isLeftOut) {
+    const bool isRound = way.size() > 2 && way.front() == way.back();
+    for (std::size_t k = 1; isRound && k < way.size(); ++k) {
+        if (isLeftOut(way[k - 1], way[k])) {
+            std::vector<int> turned(way.begin() + static_cast<std::ptrdiff_t>(k), way.end());
+            turned.insert(turned.end(), way.begin() + 1,
+                          way.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+            way = std::move(turned);
+            break;
+        }
+    }
+    std::vector<std::vector<int>> stretches;
+    bool isOpen = false;
+    for (std::size_t k = 1; k < way.size(); ++k) {
+        const bool isOut = isLeftOut(way[k - 1], way[k]);
+        if (!isOut && !isOpen) {
+            stretches.push_back({way[k - 1]});
+        }
+        if (!isOut) {
+            stretches.back().push_back(way[k]);
+        }
+        isOpen = !isOut;
+    }
+    return stretches;
+}
+
+/// Parts smaller than this are scraps, mm2.
+constexpr double kScrapArea = 600;
+
+constexpr int kUncut = -1, kCutAnyhow = -2;
+
+class Scraps {
+public:
+    Scraps(const BodyWays& ways, const std::vector<TailorSeam>& seams,
+           const std::vector<std::vector<int>>& cuts)
+        : links_(ways.links()),
+          seams_(seams),
+          seamOf_(static_cast<std::size_t>(links_.edgeCount()), kUncut),
+          parts_(links_.faceCount()) {
+        for (std::size_t s = 0; s < seams.size(); ++s) {
+            mark(seams[s].way, static_cast<int>(s));
+        }
+        for (const std::vector<int>& cut : cuts) {
+            mark(cut, kCutAnyhow);
+        }
+    }
+
+    std::vector<TailorSeam> run() {
+        for (int e = 0; e < links_.edgeCount(); ++e) {
+            if (seamOf_[e] == kUncut) {
+                join(e);
+            }
+        }
+        while (joinScraps()) {
+        }
+        std::vector<TailorSeam> left;
+        for (const TailorSeam& seam : seams_) {
+            const auto isLeftOut = [this](int from, int to) {
+                return seamOf_[findEdge(links_.table().edges, from, to)] < 0;
+            };
+            for (std::vector<int>& way : stretchesOf(seam.way, isLeftOut)) {
+                left.push_back({seam.line, seam.side, std::move(way), seam.likeliness});
+            }
+        }
+        return left;
+    }
+
+private:
+    void mark(const std::vector<int>& way, int seam) {
+        for (std::size_t k = 1; k < way.size(); ++k) {
+            seamOf_[findEdge(links_.table().edges, way[k - 1], way[k])] = seam;
+        }
+    }
+
+    /// The triangles at an edge; the second -1 at a rim.
+    std::pair<int, int> facesAt(int edge) const {
+        const auto uses = links_.table().usesOf(edge);
+        return {uses[0] / 3, uses.size() == 2 ? uses[1] / 3 : -1};
+    }
+
+    void join(int edge) {
+        const auto [one, other] = facesAt(edge);
+        if (other >= 0) {
+            parts_.join(one, other);
+        }
+    }
+
+    /// The edges of a line between a part and a neighbour.
+    struct Border {
+        double length = 0;
+        std::vector<int> edges;
+    };
+
+    /// Joins each scrap to the neighbour with which it shares most of a proposed line; those that
+    /// have come to be one with another wait for the next turn. False where there is none.
+    bool joinScraps() {
+        std::vector<double> areas(static_cast<std::size_t>(links_.faceCount()), 0);
+        for (int f = 0; f < links_.faceCount(); ++f) {
+            areas[parts_.root(f)] += doubleAreaNormal(links_.mesh(), f).norm() / 2;
+        }
+        std::map<int, std::map<std::pair<int, int>, Border>> borders;  // by scrap
+        for (int e = 0; e < links_.edgeCount(); ++e) {
+            const auto [one, other] = facesAt(e);
+            if (seamOf_[e] < 0 || other < 0) {
+                continue;
+            }
+            const int a = parts_.root(one), b = parts_.root(other);
+            for (const auto& [scrap, neighbour] : {std::pair(a, b), std::pair(b, a)}) {
+                if (a != b && areas[scrap] < kScrapArea) {
+                    Border& border = borders[scrap][{neighbour, seamOf_[e]}];
+                    border.length += lengthOf(e);
+                    border.edges.push_back(e);
+                }
+            }
+        }
+        for (const auto& [scrap, around] : borders) {
+            const auto most = std::ranges::max_element(
+                around, {}, [](const auto& one) { return one.second.length; });
+            for (const int e : most->second.edges) {
+                const auto [one, other] = facesAt(e);
+                if (parts_.root(one) != parts_.root(other)) {
+                    seamOf_[e] = kUncut;
+                }
+            }
+            for (const int e : most->second.edges) {
+                if (seamOf_[e] == kUncut) {
+                    join(e);
+                }
+            }
+        }
+        return !borders.empty();
+    }
+
+    double lengthOf(int edge) const {
+        const auto ends = links_.table().edges.row(edge);
+        return (links_.mesh().V.row(ends[1]) - links_.mesh().V.row(ends[0])).norm();
+    }
+
+    const SurfaceLinks& links_;
+    const std::vector<TailorSeam>& seams_;
+    std::vector<int> seamOf_;  ///< per edge: the seam that cuts it, or what else
+    geometry::DisjointSets parts_;
+};
+
+/// What of proposed lines is not to be cut beside cuts that are made anyhow: what runs along these,
+/// and what would part a scrap of cloth from the rest, as where two lines meet a cut near its end.
+/// @param cuts  ways of vertices, as those of the seams are
+/// @return the seams that are left; one may come in several stretches
+/// Cost: linear, for each turn in which scraps are joined; one or two do. Deterministic. Pure.
+std::vector<TailorSeam> withoutScraps(const BodyWays& ways, const std::vector<TailorSeam>& seams,
+                                      const std::vector<std::vector<int>>& cuts) {
+    return Scraps(ways, seams, cuts).run();
+}
+
+}  // namespace
+}  // namespace toile::tailor
 
 namespace toile {
 namespace {

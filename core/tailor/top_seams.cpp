@@ -5,11 +5,255 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
-#include "core/tailor/armhole.h"
+#include "core/geometry/segment.h"
 
 namespace toile::tailor {
 namespace {
+
+/// By how much of its height an armhole is hollow towards the body.
+constexpr double kHollow = 0.16;
+/// A line this far off its target, mm, costs double; at most as much as at so many times that.
+constexpr double kOff = 20, kMostOff = 5, kLengthCost = 0.2;
+/// Which half of the garment a line may run through, by `facing`, and how near the middle.
+constexpr double kHalfFacing = -0.35, kNearMiddle = 20;
+constexpr double kForbidden = 1e4;
+/// How far armpit and shoulder point may go, mm, to meet a line of the mesh, and what that costs.
+constexpr double kArmpitReach = 50, kShoulderReach = 110, kShift = 0.15;
+constexpr double kArmpitStep = 25;
+/// From here on a line of the mesh is taken for the armhole seam.
+constexpr double kArmholeSure = 0.45;
+
+class ArmholeFinder {
+public:
+    ArmholeFinder(const BodyWays& ways, const SeamPull& pull, int side, TopSide& top)
+        : ways_(ways), pull_(pull), side_(side), top_(top) {}
+
+    void run() {
+        const std::vector<std::size_t> armpits =
+            within(top_.under, top_.armpit, kArmpitReach, kArmpitStep);
+        const std::vector<std::size_t> shoulders =
+            within(top_.ridge, top_.shoulder, kShoulderReach, 0);
+        using Places = std::vector<std::size_t>;
+        // By the form it is where it is, unless cuts are in the way.
+        take(bestArmhole(pull_.hasSure() ? armpits : Places{top_.armpit},
+                         pull_.hasSure() ? shoulders : Places{top_.shoulder},
+                         armholeCosts(true, false), armholeCosts(false, false)));
+        Armhole led = bestArmhole(armpits, shoulders, pull_.eased(armholeCosts(true, true)),
+                                  pull_.eased(armholeCosts(false, true)));
+        if (pull_.along(led.way) > kArmholeSure) {
+            take(std::move(led));
+        }
+    }
+
+private:
+    Eigen::Vector2d seen(int vertex) const { return ways_.seen(vertex, side_); }
+
+    /// What an armhole costs in the front or the back: near its target curve, or where lines of the
+    /// mesh may lead it, anywhere.
+    std::vector<double> armholeCosts(bool isFront, bool isLed) const {
+        const Eigen::Vector2d from = seen(top_.under[top_.armpit]);
+        const Eigen::Vector2d way = seen(top_.ridge[top_.shoulder]) - from;
+        const Eigen::Vector2d inward(-way.y(), way.x());
+        std::vector<Eigen::Vector2d> target;
+        constexpr int kParts = 24;
+        for (int k = 0; k <= kParts; ++k) {
+            const double t = static_cast<double>(k) / kParts;
+            target.push_back(from + t * way + kHollow * 4 * t * (1 - t) * inward);
+        }
+        std::vector<char> isOnRidge(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
+        for (const int v : top_.ridge) {  // of both halves, wherever it looks
+            isOnRidge[v] = 1;
+        }
+        std::vector<double> costs = ways_.costs([&](int v) {
+            const double facing = isFront ? ways_.facing(v) : -ways_.facing(v);
+            if ((facing < kHalfFacing && isOnRidge[v] == 0) ||
+                side_ * ways_.across(v) < kNearMiddle) {
+                return kForbidden;
+            }
+            double off = isLed ? 0 : kOff * kMostOff;
+            for (std::size_t k = 1; !isLed && k < target.size(); ++k) {
+                off = std::min(off, geometry::distanceToSegment(seen(v), target[k - 1], target[k]));
+            }
+            const double far = off / kOff;
+            return kLengthCost + far * far;
+        });
+        return costs;
+    }
+
+    int edgeBetween(int from, int to) const {
+        return findEdge(ways_.links().table().edges, from, to);
+    }
+
+    /// Costs with which a line does not run along those that it is to part.
+    std::vector<double> parting(std::vector<double> costs) const {
+        for (const auto* line : {&top_.under, &top_.ridge}) {
+            for (std::size_t k = 1; k < line->size(); ++k) {
+                costs[edgeBetween((*line)[k - 1], (*line)[k])] *= kForbidden;
+            }
+        }
+        return costs;
+    }
+
+    /// Half an armhole: from an armpit to each place of the ridge, straight or along a border of
+    /// the file that the ridge follows from there on, having left the shoulder's.
+    struct Half {
+        geometry::ShortestForest ways;
+        std::vector<double> straight, along;  ///< costs, by place
+        std::vector<std::size_t> meets;       ///< by place: where `along` comes to the ridge
+    };
+
+    Half halfFrom(std::size_t armpit, const std::vector<std::size_t>& shoulders,
+                  const std::vector<double>& costs) const {
+        const int low = top_.under[armpit];
+        std::vector<double> parted = parting(costs);
+        Half half;
+        half.ways = ways_.waysFrom(
+            low, pull_.hasSure() ? keptOff(std::move(parted), low, shoulders) : parted);
+        half.meets.resize(top_.ridge.size());
+        for (const int v : top_.ridge) {
+            half.straight.push_back(half.ways.distance[v]);
+        }
+        half.along = half.straight;
+        std::iota(half.meets.begin(), half.meets.end(), std::size_t{0});
+        const std::vector<int>& ridge = top_.ridge;
+        for (std::size_t k = 1; k + 1 < ridge.size(); ++k) {
+            double cost = 0;
+            const auto isAlong = [&](std::size_t next) {
+                return pull_.goesOn(ridge[next - 2], ridge[next - 1], ridge[next]) ==
+                           (next > k + 1) &&
+                       pull_.isBorder(ridge[next - 1], ridge[next]);
+            };
+            for (std::size_t meets = k + 1; meets < ridge.size() && isAlong(meets); ++meets) {
+                cost += costs[edgeBetween(ridge[meets - 1], ridge[meets])];
+                if (cost + half.straight[meets] < half.along[k]) {
+                    half.along[k] = cost + half.straight[meets];
+                    half.meets[k] = meets;
+                }
+            }
+        }
+        return half;
+    }
+
+    std::vector<int> wayOf(const Half& half, std::size_t shoulder, bool isAlong) const {
+        std::size_t k = isAlong ? half.meets[shoulder] : shoulder;
+        std::vector<int> way = half.ways.pathTo(top_.ridge[k], ways_.links().table().edges);
+        while (k > shoulder) {
+            way.push_back(top_.ridge[--k]);
+        }
+        return way;
+    }
+
+    /// The best armhole from one of some armpits to one of some shoulder points.
+    struct Armhole {
+        std::vector<int> way;
+        std::size_t armpit = 0, shoulder = 0;
+        double cost = std::numeric_limits<double>::infinity();
+    };
+
+    Armhole bestArmhole(const std::vector<std::size_t>& armpits,
+                        const std::vector<std::size_t>& shoulders, const std::vector<double>& front,
+                        const std::vector<double>& back) const {
+        Armhole best;
+        for (const std::size_t armpit : armpits) {
+            const Half ahead = halfFrom(armpit, shoulders, front);
+            const Half behind = halfFrom(armpit, shoulders, back);
+            for (const std::size_t shoulder : shoulders) {
+                for (const bool isAheadAlong : {false, true}) {  // the other half is straight then
+                    const std::size_t meets = (isAheadAlong ? ahead : behind).meets[shoulder];
+                    const double cost =
+                        (isAheadAlong ? ahead.along : ahead.straight)[shoulder] +
+                        (isAheadAlong ? behind.straight : behind.along)[shoulder] +
+                        kShift * (shiftOf(top_.under, top_.armpit, armpit) +
+                                  shiftOf(top_.ridge, top_.shoulder,
+                                          std::clamp(top_.shoulder, shoulder, meets)));
+                    if (cost < best.cost) {
+                        std::vector<int> way = wayOf(ahead, shoulder, isAheadAlong);
+                        const std::vector<int> down = wayOf(behind, shoulder, !isAheadAlong);
+                        way.insert(way.end(), down.rbegin() + 1, down.rend());
+                        best = {std::move(way), armpit, shoulder, cost};
+                    }
+                }
+            }
+            if (ways_.isCancelled()) {
+                return {};
+            }
+        }
+        return best;
+    }
+
+    /// Costs between one armpit and some shoulder points, with which a line that cuts lead does not
+    /// touch elsewhere the lines that it is to part.
+    std::vector<double> keptOff(std::vector<double> costs, int armpit,
+                                const std::vector<std::size_t>& shoulders) const {
+        std::vector<char> isOff(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
+        for (const auto* line : {&top_.under, &top_.ridge}) {
+            for (const int v : *line) {
+                isOff[v] = 1;
+            }
+        }
+        isOff[armpit] = 0;
+        for (const std::size_t shoulder : shoulders) {
+            isOff[top_.ridge[shoulder]] = 0;
+        }
+        const Edges& edges = ways_.links().table().edges;
+        for (Eigen::Index e = 0; e < edges.rows(); ++e) {
+            costs[static_cast<std::size_t>(e)] *=
+                isOff[edges(e, 0)] != 0 || isOff[edges(e, 1)] != 0 ? kForbidden : 1;
+        }
+        return costs;
+    }
+
+    void take(Armhole armhole) {
+        if (!armhole.way.empty()) {
+            top_.armhole = std::move(armhole.way);
+            top_.armpit = armhole.armpit;
+            top_.shoulder = armhole.shoulder;
+        }
+    }
+
+    double shiftOf(const std::vector<int>& way, std::size_t a, std::size_t b) const {
+        const auto first = way.begin();
+        return ways_.length({first + static_cast<std::ptrdiff_t>(std::min(a, b)),
+                             first + static_cast<std::ptrdiff_t>(std::max(a, b)) + 1});
+    }
+
+    /// Places of a way within a reach of one, a step apart, that one among them; both mm.
+    std::vector<std::size_t> within(const std::vector<int>& way, std::size_t middle, double reach,
+                                    double step) const {
+        std::vector<std::size_t> places{middle};
+        for (const int direction : {-1, 1}) {
+            double last = 0;
+            for (std::size_t k = middle; k > 1 && k + 2 < way.size();) {
+                k += static_cast<std::size_t>(direction);
+                const double shift = shiftOf(way, middle, k);
+                if (shift > reach) {
+                    break;
+                }
+                const auto before = k - static_cast<std::size_t>(direction);
+                if (pull_.isAtSure(way[k]) != pull_.isAtSure(way[before])) {
+                    places.insert(places.end(), {before, k});
+                } else if (shift - last >= step) {
+                    last = shift;
+                    places.push_back(k);
+                }
+            }
+        }
+        return places;
+    }
+
+    const BodyWays& ways_;
+    const SeamPull& pull_;
+    const int side_;
+    TopSide& top_;
+};
+
+/// Finds the armhole of a side whose other lines are known. Where cuts or lines of the mesh lead
+/// it, its armpit and shoulder point move there. It stays empty where there is no way.
+void findArmhole(const BodyWays& ways, const SeamPull& pull, int side, TopSide& top) {
+    ArmholeFinder(ways, pull, side, top).run();
+}
 
 /// Of a cuff, seen along the height, the part in which the under line and the ridge end.
 constexpr double kEndPart = 0.4;
