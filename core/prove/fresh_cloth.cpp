@@ -6,16 +6,73 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/result.h"
 #include "core/geometry/polygon.h"
+#include "core/linalg/sparse_cholesky.h"
+#include "core/mesh/cotangents.h"
 #include "core/prove/fault_words.h"
 #include "core/prove/fresh_mesh.h"
 #include "core/prove/pattern_faults.h"
-#include "core/prove/rest_place.h"
 #include "core/prove/stations.h"
 #include "core/quality/measures.h"
 
 namespace toile::prove {
 namespace {
+
+/// Where the points of a flat mesh lie in another plane in which some of them are given: each of
+/// the rest in the middle of its neighbours, by cotangent weights, so that a plane's own motion and
+/// stretch goes on between them ([DMA02]'s harmonic map).
+/// @param given  the places of the first points  Errors: FactorisationFailed, OutOfMemory.
+/// Cost: one factorisation. Pure.
+Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
+    /// So that no two triangles across a rim draw an edge apart.
+    constexpr double kLeastWeight = 1e-6;
+    const auto known = static_cast<int>(given.rows());
+    const auto count = static_cast<int>(mesh.Q.rows());
+    Points2 places(count, 2);
+    places.topRows(known) = given;
+    if (known == count) {
+        return places;
+    }
+    MeshArrays flat{Points3::Zero(count, 3), mesh.F};
+    flat.V.leftCols<2>() = mesh.Q;
+    const EdgeTable table = buildEdgeTable(mesh.F, count);
+    const Eigen::VectorXd weights = cotangentWeights(flat, table);
+    linalg::SymmetricBuilder builder(count - known);
+    Eigen::MatrixXd pull = Eigen::MatrixXd::Zero(count - known, 2);
+    std::vector<char> isUsed(static_cast<std::size_t>(count - known), 0);
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        const int a = table.edges(e, 0) - known, b = table.edges(e, 1) - known;
+        const double weight = std::max(weights[e], kLeastWeight);
+        for (const auto& [here, there] : {std::pair(a, b), std::pair(b, a)}) {
+            if (here >= 0) {
+                isUsed[here] = 1;
+                builder.add(here, here, weight);
+                if (there < 0) {
+                    pull.row(here) += weight * given.row(there + known);
+                }
+            }
+        }
+        if (a >= 0 && b >= 0) {
+            builder.add(a, b, -weight);
+        }
+    }
+    for (int k = 0; k < count - known; ++k) {
+        if (isUsed[k] == 0) {
+            builder.add(k, k, 1);
+        }
+    }
+    linalg::SparseCholesky cholesky;
+    if (const auto done = cholesky.factorise(builder.build()); !done) {
+        return done.error();
+    }
+    const auto solved = cholesky.solve(pull);
+    if (!solved) {
+        return solved.error();
+    }
+    places.bottomRows(count - known) = *solved;
+    return places;
+}
 
 constexpr double kMostEdge = 30;  // mm
 /// No edge is shorter than that of a square of which so many make the cloth: it has some 100 000

@@ -2,17 +2,314 @@
 #include "core/prove/rest_pattern.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/export/apparel_dxf.h"
+#include "core/garment/piece.h"
+#include "core/geometry/arc_lengths.h"
 #include "core/geometry/polygon.h"
 #include "core/prove/fault_words.h"
-#include "core/prove/our_loops.h"
-#include "core/prove/rest_of_file.h"
+#include "core/quality/measures.h"
+#include "core/reading/pattern_match.h"
 #include "core/reading/read_pattern.h"
 
 namespace toile::prove {
 namespace {
+
+/// A loop of a piece as we have it.
+struct OurLoop {
+    Points3 space;
+    ClosedLine drawn;  ///< measured on the garment
+};
+
+/// The outline, then the rims of the holes.
+/// @param flat  of the piece's vertices
+/// @param line  of the outline where it is no polygon of its vertices, or null
+/// Cost: linear. Pure.
+std::vector<OurLoop> ourLoops(const Piece& piece, const Points2& flat, const FlatLine* line) {
+    std::vector<OurLoop> loops;
+    const Points3& V = piece.mesh.V;
+    const auto add = [&](const std::vector<int>& loop, const FlatLine* drawn) {
+        const Points3 space = V(loop, Eigen::all);
+        loops.push_back({space, drawn != nullptr
+                                    ? ClosedLine(drawn->points, drawn->arc)
+                                    : ClosedLine(flat(loop, Eigen::all),
+                                                 geometry::arcOf(boundaryLengths3d(V, loop)))});
+    };
+    add(piece.boundary, line);
+    for (const std::vector<int>& hole : piece.holes) {
+        add(hole, nullptr);
+    }
+    return loops;
+}
+
+/// Of two fits one is clearly better: by so much, and so many mm.
+constexpr double kClearlyShare = 0.6, kClearlyLength = 0.3;
+/// From here on, mm, it is asked whether what the file has fits another piece.
+constexpr double kFitsBadly = 1;
+/// A pair's other half is looked for among shapes no farther than this share of their size.
+constexpr double kSameShape = 0.1;
+
+bool isClearlyBetter(double distance, double than) {
+    return distance < kClearlyShare * than - kClearlyLength;
+}
+
+Points2 turnedOver(const Points2& line) {
+    Points2 image = line.colwise().reverse();
+    image.col(0) *= -1;
+    return image;
+}
+
+Points2 turnedBy(const Points2& line, double angle) {
+    return angle == 0 ? line : Points2(line * Eigen::Rotation2Dd(-angle).toRotationMatrix());
+}
+
+/// The line that is sewn along.
+const Points2& sewingLine(const FilePiece& piece) {
+    return piece.sew.rows() > 2 ? piece.sew : piece.cut;
+}
+
+double directionOf(const FileChord& chord) {
+    const Eigen::Vector2d way = chord[1] - chord[0];
+    return std::atan2(way.y(), way.x());
+}
+
+/// What a piece of the file is beside one of ours.
+struct FittedPiece {
+    bool mirrored = false;
+    RoughFit fit;
+};
+
+class RestMaker {
+public:
+    RestMaker(const ExportSource& source, const PatternFile& file)
+        : source_(source),
+          garment_(source.garment()),
+          file_(file),
+          pattern_(source.laid().wholePattern) {
+        rest_.pieces.resize(garment_.pieces.size());
+    }
+
+    RestPattern made() {
+        const PatternMatch match = matchPatterns(pattern_, file_);
+        for (const PieceMatch& pair : match.pairs) {
+            fileOf_[pair.piece] = pair.filePiece;
+        }
+        for (const int piece : match.alone) {
+            if (const auto other = drawnOnce(piece, match)) {
+                fileOf_[piece] = *other;
+            }
+        }
+        for (const PieceMatch& pair : match.pairs) {
+            add(pair.piece, pair.by);
+        }
+        for (const int piece : match.alone) {
+            if (fileOf_.contains(piece)) {
+                add(piece, MatchedBy::Shape);
+            } else {
+                rest_.faults.push_back(pieceNotThere(garment_, piece));
+            }
+        }
+        for (const int alone : match.aloneInFile) {
+            if (!isFacing(file_.pieces[alone])) {
+                rest_.faults.push_back(pieceNotNeeded(file_.pieces[alone]));
+            }
+        }
+        return std::move(rest_);
+    }
+
+private:
+    const PatternPiece& ours(int k) const { return pattern_.pieces[static_cast<std::size_t>(k)]; }
+    const FilePiece& theirs(int k) const { return file_.pieces[static_cast<std::size_t>(k)]; }
+
+    /// By which a file's piece may be turned to lie as ours does: as the grain lines say, or not.
+    std::vector<double> anglesFor(int piece, const FilePiece& other, bool mirrored) const {
+        std::vector<double> angles{0};
+        if (other.grain) {
+            const double grain = directionOf(*other.grain);
+            const double their = mirrored ? std::numbers::pi - grain : grain;
+            const double turn = std::remainder(grainOf(ours(piece)) - their, std::numbers::pi);
+            const double back = turn > 0 ? turn - std::numbers::pi : turn + std::numbers::pi;
+            // A turn within the chord's rounding is none.
+            constexpr double kNoTurn = 1e-4;
+            angles.insert(
+                angles.begin(),
+                {std::abs(turn) < kNoTurn ? 0 : turn,
+                 std::abs(std::abs(back) - std::numbers::pi) < kNoTurn ? std::numbers::pi : back});
+        }
+        return angles;
+    }
+
+    RoughFit fitOf(int piece, const FilePiece& other, bool mirrored) const {
+        const Points2 line = geometry::antiClockwise(sewingLine(other));
+        return roughFit(ClosedLine(ours(piece).outline),
+                        ClosedLine(mirrored ? turnedOver(line) : line),
+                        anglesFor(piece, other, mirrored));
+    }
+
+    FittedPiece fittedTo(int piece, const FilePiece& other) const {
+        const RoughFit plain = fitOf(piece, other, false), image = fitOf(piece, other, true);
+        const bool mirrored = isClearlyBetter(image.distance, plain.distance);
+        return {mirrored, mirrored ? image : plain};
+    }
+
+    /// The file's piece of which a piece without partner is another copy, or the image.
+    std::optional<int> drawnOnce(int piece, const PatternMatch& match) const {
+        std::optional<int> best;
+        double least =
+            kSameShape * std::sqrt(std::abs(geometry::signedAreaOf(ours(piece).outline)));
+        for (const PieceMatch& pair : match.pairs) {
+            const FilePiece& other = theirs(pair.filePiece);
+            for (const bool mirrored : {true, false}) {
+                const bool isCut = mirrored ? other.mirroredQuantity > 0 : other.quantity > 1;
+                const double ratio = geometry::perimeterOf(sewingLine(other)) /
+                                     geometry::perimeterOf(ours(piece).outline);
+                if (!isCut || ratio > 1 + 2 * kSameShape || ratio < 1 - 2 * kSameShape) {
+                    continue;
+                }
+                const double distance = fitOf(piece, other, mirrored).distance;
+                if (distance < least) {
+                    least = distance;
+                    best = pair.filePiece;
+                }
+            }
+        }
+        return best;
+    }
+
+    /// Whether it is called as one of our facings, which no proof sews.
+    bool isFacing(const FilePiece& piece) const {
+        // Only so long a name may be one that its writer cut off.
+        constexpr std::size_t kCutOff = 18;
+        const std::string called = plainName(piece.name);
+        const auto isIt = [&](const std::string& facing) {
+            const std::string plain = plainName(facing);
+            return plain == called || (piece.name.size() >= kCutOff && plain.starts_with(called));
+        };
+        const auto& facings = source_.laid().wholePattern.facings;
+        return !called.empty() && std::ranges::any_of(facings, [&](const FacingPiece& facing) {
+            return isIt(facing.strip.slug) || isIt(facing.strip.name);
+        });
+    }
+
+    /// Another piece that what the file has for this one fits better than what it has for that.
+    int fitsRather(int piece, double distance) const {
+        if (distance < kFitsBadly) {
+            return -1;
+        }
+        for (const auto& [other, filePiece] : fileOf_) {
+            if (other == piece || filePiece == fileOf_.at(piece)) {
+                continue;
+            }
+            const double there = fitOf(other, theirs(fileOf_.at(piece)), false).distance;
+            const double own = fitOf(other, theirs(filePiece), false).distance;
+            if (isClearlyBetter(there, distance) && isClearlyBetter(there, own)) {
+                return other;
+            }
+        }
+        return -1;
+    }
+
+    /// Whether what is the image of this piece is another one as it is: a file without names may
+    /// have had that in mind.
+    bool hasImage(int piece, const FilePiece& other, double distance) const {
+        for (int k = 0; k < static_cast<int>(pattern_.pieces.size()); ++k) {
+            if (k != piece && ours(k).outline.rows() > 2 &&
+                !isClearlyBetter(distance, fitOf(k, other, false).distance)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    void add(int piece, MatchedBy by) {
+        const auto index = static_cast<std::size_t>(piece);
+        const FilePiece& other = theirs(fileOf_.at(piece));
+        const PieceResult& result = *source_.results()[index];
+        FittedPiece fitted = fittedTo(piece, other);
+        const bool isPair = other.mirroredQuantity > 0;
+        if (by == MatchedBy::Shape) {
+            if (fitted.mirrored && !isPair && !hasImage(piece, other, fitted.fit.distance)) {
+                rest_.faults.push_back(pieceMirrored(garment_, piece));
+            }
+        } else {
+            const double plain = fitOf(piece, other, false).distance;
+            const int rather = fitsRather(piece, plain);
+            if (rather >= 0) {
+                rest_.faults.push_back(otherPieceFits(garment_, piece, rather, other));
+                fitted = {false, fitOf(piece, other, false)};
+            } else if (fitted.mirrored && !isPair) {
+                rest_.faults.push_back(pieceMirrored(garment_, piece));
+            }
+        }
+        RestPiece& rest = rest_.pieces[index].emplace();
+        rest.flat = result.flat->Q;
+        const double grain = other.grain ? directionOf(*other.grain) : 0;
+        rest.warp = other.grain
+                        ? (fitted.mirrored ? std::numbers::pi - grain : grain) + fitted.fit.angle
+                        : grainOf(ours(piece));
+        addLoops(rest, ourLoops(*result.piece, rest.flat, result.flat->line.get()), other, fitted);
+    }
+
+    static void addLoops(RestPiece& rest, std::vector<OurLoop> loops, const FilePiece& other,
+                         const FittedPiece& fitted) {
+        const auto asLaid = [&](const Points2& line) {
+            return turnedBy(fitted.mirrored ? turnedOver(line) : line, fitted.fit.angle);
+        };
+        const auto onto = [](OurLoop& loop, const Points2& line, const RoughFit& fit) {
+            ClosedLine there(line);
+            LineMap map(ClosedLine(loop.drawn.points()), there, fit);
+            return RestLoop(std::move(loop.space), std::move(loop.drawn), std::move(there),
+                            std::move(map));
+        };
+        // At rest the piece lies as ours does, but for its place.
+        const Points2 outline = asLaid(geometry::antiClockwise(sewingLine(other)));
+        const Eigen::RowVector2d move =
+            middleOf(ClosedLine(loops[0].drawn.points())) - middleOf(ClosedLine(outline));
+        rest.loops.emplace_back(onto(loops[0], outline, fitted.fit));
+        std::vector<Points2> holes;
+        for (const Points2& hole : other.holes) {
+            if (hole.rows() < 3) {
+                continue;
+            }
+            const Points2 line = asLaid(hole);
+            holes.push_back(geometry::signedAreaOf(line) > 0 ? Points2(line.colwise().reverse())
+                                                             : line);
+        }
+        for (std::size_t k = 1; k < loops.size(); ++k) {
+            const ClosedLine rim(loops[k].drawn.points());
+            const Eigen::RowVector2d middle = middleOf(rim) - move;
+            const auto farFrom = [&](const Points2& hole) {
+                return (middleOf(ClosedLine(hole)) - middle).norm();
+            };
+            const auto found = std::ranges::min_element(holes, {}, farFrom);
+            if (found == holes.end() || farFrom(*found) > rim.length() / 4) {
+                rest.loops.emplace_back();
+                continue;
+            }
+            const RoughFit fit = roughFitAt(rim, ClosedLine(*found), 0);
+            rest.loops.emplace_back(onto(loops[k], *found, fit));
+            holes.erase(found);
+        }
+        rest.others = std::move(holes);
+    }
+
+    const ExportSource& source_;
+    const Garment& garment_;
+    const PatternFile& file_;
+    const Pattern& pattern_;
+    std::map<int, int> fileOf_;  ///< per piece of ours the file's
+    RestPattern rest_;
+};
+
+/// The pieces of a file beside ours: which is which, which way each lies, and what is wrong with
+/// them. A pair that the file draws once serves both.  Cost: that of `matchPatterns`. Pure.
+RestPattern restOfFile(const ExportSource& source, const PatternFile& file) {
+    return RestMaker(source, file).made();
+}
 
 /// The designer's panels: each line is ours.
 RestPattern referencePattern(const Garment& garment) {
