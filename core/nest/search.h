@@ -3,10 +3,52 @@
 
 #include <cstdint>
 
-#include "core/nest/separation.h"
+#include "core/base/progress.h"
+#include "core/nest/lay.h"
+#include "core/nest/random.h"
 
 // For the sources of this folder only.
 namespace toile::nest {
+
+/// How wide a copy looks, before the best places are refined by descent along one way after the
+/// other, for a better place ([GVW25]).
+struct PlaceSearch {
+    int anywhere = 50;  ///< places tried in the whole strip
+    int around = 25;    ///< and within the present box
+};
+
+/// How long an attempt goes on.
+struct Patience {
+    int passes = 200;  ///< without a smaller loss, before a strike
+    int strikes = 3;   ///< in a row that gained less than 2 %, before it fails
+};
+
+/// Takes the overlaps out of a lay by guided local search ([GVW25]), pass by pass.
+class Separation {
+public:
+    enum class Outcome { Going, Separated, Failed };
+
+    Separation(const Problem& problem, const std::vector<Pose>& poses, double length)
+        : lay_(problem, poses, length) {}
+
+    void begin(const std::vector<Pose>& poses, double length, const Patience& patience);
+    /// Every copy that collides looks once for a better place.
+    Outcome pass(Random& random, std::int64_t& evaluations, const Progress& progress);
+
+    const Lay& lay() const { return lay_; }
+    int passes() const { return passes_; }
+    /// The state with the least loss so far.
+    const std::vector<Pose>& best() const { return best_; }
+    double leastLoss() const { return leastLoss_; }
+
+private:
+    Lay lay_;
+    Patience patience_;
+    PlaceSearch search_;
+    std::vector<Pose> best_;
+    double leastLoss_ = 0, strikeLoss_ = 0;
+    int passes_ = 0, inVain_ = 0, strikes_ = 0;
+};
 
 /// A nest without overlaps.
 struct Found {
