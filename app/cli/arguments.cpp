@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parser and its refusals. CLI11 takes seconds to compile: only this and what is compiled with
-// it (CMakeLists.txt) include it.
 #include "app/cli/arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <sstream>
+#include <system_error>
+#include <utility>
 
 #include "app/cli/batch_options.h"
 #include "app/cli/check_arguments.h"
@@ -13,15 +17,106 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/exit_status.h"
-#include "app/cli/first_word.h"
 #include "app/cli/flattening_options.h"
+#include "app/cli/input.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/reading_options.h"
+#include "core/base/characters.h"
+#include "core/base/text.h"
+#include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/export/formats.h"
 
+// The parser and its refusals. CLI11 takes seconds to compile: only this and what is compiled with
+// it (CMakeLists.txt) include it.
+
 namespace toile::app {
 namespace {
+
+const std::map<std::string, ViewDirection> kLooks = {
+    {"front", kFrontView}, {"back", kBackView}, {"left", kLeftView},
+    {"right", kRightView}, {"top", kTopView},   {"bottom", kBottomView}};
+
+/// The numbers between separators, all of the text; none where it is anything else.
+std::optional<std::array<double, 2>> twoNumbers(const std::string& text, char separator) {
+    std::array<double, 2> numbers{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != separator)) {
+            return std::nullopt;
+        }
+        const auto [next, fault] = std::from_chars(at, end, numbers[i]);
+        if (fault != std::errc() || !std::isfinite(numbers[i])) {
+            return std::nullopt;
+        }
+        at = next;
+    }
+    return at == end ? std::optional(numbers) : std::nullopt;
+}
+
+/// How many letters are to be added, left out or exchanged for others to make one word the other.
+std::size_t lettersApart(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const std::size_t kept = diagonal + (lowered(a[i]) == b[k] ? 0 : 1);
+            diagonal = row[k + 1];
+            row[k + 1] = std::min({kept, diagonal + 1, row[k] + 1});
+        }
+    }
+    return row.back();
+}
+
+/// The command that is a slip or two away; empty where none is. More would be another word.
+std::string commandMeant(const std::string& word, const std::vector<std::string>& commands) {
+    constexpr std::size_t kLettersOfASlip = 3;
+    std::string meant;
+    std::size_t least = word.size() / kLettersOfASlip + 1;
+    for (const std::string& command : commands) {
+        if (const std::size_t apart = lettersApart(word, command); apart < least) {
+            least = apart;
+            meant = command;
+        }
+    }
+    return meant;
+}
+
+/// The words after the program's name, with those who ask for help as they ask of other programs
+/// led to it: `help` is `--help`, and `help flatten` is `flatten --help`.
+std::vector<std::string> wordsAfterProgram(int argc, const char* const* argv) {
+    std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    if (!words.empty() && words.front() == "help") {
+        words.erase(words.begin());
+        words.resize(std::min<std::size_t>(words.size(), 1));
+        std::erase_if(
+            words, [](const std::string& word) { return word == "help" || word.starts_with('-'); });
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
+/// What is said of a first word that is no option, no command and no garment that could be opened,
+/// by its ending or as there is such a file; with the command that is probably meant. Empty where
+/// it is one. Without a full stop. Cost: at most one look at the disk.
+std::string unknownFirstWord(const std::vector<std::string>& words,
+                             const std::vector<std::string>& commands) {
+    const std::string word = words.empty() ? "" : words.front();
+    std::error_code ignored;
+    if (word.empty() || word.starts_with('-') || looksLikeGarment(word) ||
+        std::ranges::find(commands, word) != commands.end() ||
+        std::filesystem::exists(word, ignored)) {
+        return {};
+    }
+    std::vector<std::string> known = commands;
+    known.emplace_back("help");
+    const std::string meant = commandMeant(word, known);
+    return "there is no command or file \"" + shownText(word, kMaxOfPlace) + '"' +
+           (meant.empty() ? "" : " (did you mean " + meant + "?)");
+}
 
 constexpr Word<Panel> kPanelWords[] = {
     {Panel::Pieces, "pieces"},   {Panel::Seams, "seams"}, {Panel::ProblemList, "problems"},
@@ -134,6 +229,75 @@ void refuseValuesOfFlags(CLI::App& app) {
 }
 
 }  // namespace
+
+std::string readPictureSize(const std::string& typed, PictureArguments& picture) {
+    if (typed.empty()) {
+        return {};
+    }
+    const auto size = twoNumbers(typed, 'x');
+    const auto fits = [](double side) -> bool {
+        return side >= kMinPicture && side <= kMaxPicture && side == std::floor(side);
+    };
+    if (!size || !fits((*size)[0]) || !fits((*size)[1])) {
+        return "--size must be width and height in whole pixels, such as 1600x800, each from " +
+               std::to_string(kMinPicture) + " to " + std::to_string(kMaxPicture);
+    }
+    picture.width = static_cast<int>((*size)[0]);
+    picture.height = static_cast<int>((*size)[1]);
+    return {};
+}
+
+std::string readPictureLook(const std::string& typed, PictureArguments& picture) {
+    if (const auto side = kLooks.find(typed); side != kLooks.end()) {
+        picture.direction = side->second;
+    } else if (!typed.empty()) {
+        const auto degrees = twoNumbers(typed, ',');
+        if (!degrees || std::abs((*degrees)[0]) > 360 || std::abs((*degrees)[1]) > 90) {
+            return "--look must be a side, or two angles in degrees such as 30,10: around from the "
+                   "front within 360, upwards within 90";
+        }
+        picture.direction = ViewDirection{(*degrees)[0] * kDegree, (*degrees)[1] * kDegree};
+    }
+    return {};
+}
+
+FlattenOptions StatedOptions::over(FlattenOptions options) const {
+    options.method = method.value_or(options.method);
+    options.quality = quality.value_or(options.quality);
+    options.boundarySolver = boundarySolver.value_or(options.boundarySolver);
+    options.freeBoundary = freeBoundary.value_or(options.freeBoundary);
+    options.stretchOutline = stretchOutline.value_or(options.stretchOutline);
+    options.authalic = authalic.value_or(options.authalic);
+    return options;
+}
+
+LineSettings StatedOptions::over(LineSettings lines) const {
+    if (fairing || (trueSeams && !lines.fairing)) {
+        lines.fairing = fairing.value_or(Fairing{});
+    }
+    lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
+    const bool asksForMirror = byHalf && lines.mirror == Mirror::None;
+    lines.mirror = asksForMirror ? Mirror::Mean : lines.mirror;
+    if (pattern) {
+        lines = withPattern(std::move(lines));
+    }
+    lines.mirror = mirror.value_or(lines.mirror);
+    lines.grain = grain ? grain : lines.grain;
+    lines.label.size = size.value_or(lines.label.size);
+    lines.label.date = date.value_or(lines.label.date);
+    if (allowance || hem) {
+        const AllowanceWidths before = lines.allowance.value_or(AllowanceWidths{});
+        lines.allowance = {allowance.value_or(before.seam), hem.value_or(before.hem)};
+    }
+    if (notches) {
+        lines.notches =
+            *notches ? lines.notches.value_or(NotchRules{}) : std::optional<NotchRules>();
+        if (lines.notches) {
+            lines.notches->automatic = true;
+        }
+    }
+    return lines;
+}
 
 Arguments parseArguments(int argc, const char* const* argv, unsigned taken) {
     CLI::App app{

@@ -8,16 +8,77 @@
 
 #include "app/cli/batch_arguments.h"
 #include "app/cli/marker_arguments.h"
-#include "app/cli/picture_arguments.h"
-#include "app/cli/prove_arguments.h"
-#include "app/cli/stated_options.h"
 #include "app/document/view_state.h"
+#include "core/base/units.h"
 #include "core/export/export_options.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
+#include "core/prove/proof_settings.h"
 
 namespace toile::app {
+
+/// What was typed for `toile prove`, beside the pattern's file.
+struct ProveArguments {
+    std::optional<FileUnit> patternUnit{};  ///< of the pattern's file
+    ProofPlan typed{};                      ///< as far as it was typed: see `proofPlanOf`
+    /// What of it was typed: each takes it over into what a project says.
+    std::vector<void (*)(const ProofPlan& typed, ProofPlan& plan)> stated{};
+    double scale = 1;  ///< of the pattern
+    double sewn = 1;   ///< of pictures: the garment from as designed, 0, to as sewn, 1
+    int rounds = 0;    ///< in which the pattern is improved; 0: it is not
+    std::filesystem::path report{};
+};
+
+/// What is typed for `ProofPlan::body` where it is none, whatever a project says.
+inline constexpr const char* kNoBody = "none";
+
+/// What a picture is to show, for `toile render`.
+struct PictureArguments {
+    int width = 1600, height = 800;  ///< pixels, within kMinPicture and kMaxPicture
+    ViewsShown views = ViewsShown::Both;
+    std::optional<ViewDirection> direction{};  ///< none: as the window begins
+    double morph = 0;                          ///< 0 to 1
+    bool wireframe = false, xray = false, seams = true;
+    std::optional<bool> bar{};  ///< none: where the overlay is measured
+    bool dark = false;
+    /// Pixels of a square for file managers, which wins over the size: the garment alone. 0: no
+    /// thumbnail.
+    int thumbnail = 0;
+};
+
+inline constexpr int kMinPicture = 16, kMaxPicture = 8192;
+
+/// Width and height, as in "1600x800". @return what is wrong, or nothing
+std::string readPictureSize(const std::string& typed, PictureArguments& picture);
+/// From where the garment is seen: the name of a side, or two angles in degrees, as in "30,10".
+/// @return what is wrong, or nothing
+std::string readPictureLook(const std::string& typed, PictureArguments& picture);
+
+/// What was typed of how pieces are flattened; nothing where it was not.
+struct StatedOptions {
+    std::optional<Method> method{};
+    std::optional<Quality> quality{};
+    std::optional<BoundarySolver> boundarySolver{};
+    std::optional<FreeBoundary> freeBoundary{};
+    std::optional<StretchOutline> stretchOutline{};
+    std::optional<double> authalic{};
+    std::optional<Fairing> fairing{};
+    bool trueSeams = false;
+    std::optional<Mirror> mirror{};
+    bool byHalf = false;                       ///< every piece, in files; asks for mirrored pieces
+    std::optional<double> allowance{}, hem{};  ///< AllowanceWidths; mm
+    std::optional<bool> notches{};             ///< placed by themselves, or none
+    std::optional<GrainRule> grain{};
+    bool pattern = false;                       ///< `withPattern`
+    std::optional<std::string> size{}, date{};  ///< LabelTexts
+
+    /// These options where something was typed, the given ones else.
+    FlattenOptions over(FlattenOptions options) const;
+    LineSettings over(LineSettings lines) const;
+
+    bool operator==(const StatedOptions&) const = default;
+};
 
 /// What options are about.
 enum OptionGroup : unsigned {

@@ -1,24 +1,172 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <exception>
+#include <filesystem>
 #include <map>
+#include <new>
+#include <optional>
 #include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <system_error>
 #include <tuple>
+#include <vector>
 
 #include "app/cli/arguments.h"
+#include "app/cli/batch_arguments.h"
 #include "app/cli/batch_folder.h"
-#include "app/cli/batch_garment.h"
 #include "app/cli/batch_list.h"
+#include "app/cli/batch_memory.h"
 #include "app/cli/batch_process.h"
-#include "app/cli/batch_records_file.h"
+#include "app/cli/batch_record.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
+#include "app/cli/refusal.h"
+#include "app/cli/typed_words.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
+#include "core/base/json_fields.h"
 #include "core/base/text.h"
+#include "core/export/export_file.h"
+#include "core/export/json.h"
 
 namespace toile::app {
 namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEndingOfNote = ".of";
+constexpr std::string_view kMarkOfNote = "# toile batch: the records beside this are of the list\n";
+
+/// Whether a file lies in a folder or somewhere below it; both as the disk has them.
+bool liesIn(const fs::path& file, const fs::path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
+           folder.end();
+}
+
+std::string shownRecords(const fs::path& path) {
+    return shownText(pathText(path));
+}
+
+/// The file of the records of all garments of a list: shirts.jsonl of shirts.txt; stdin.jsonl.
+fs::path recordsOf(const BatchArguments& batch) {
+    const std::string stem = batch.list == "-" ? "stdin" : pathText(batch.list.stem());
+    return batch.folder / (stem + ".jsonl");
+}
+
+/// Why a list must not have these records: they would take the place of the list itself, or of
+/// those of another of the same name that is still there. Which list they are of is put down beside
+/// them, in shirts.jsonl.of; a list that is no file has no such note, and where what has that name
+/// is none it stays. Otherwise nothing, or what `writeFile` says. Precondition: the folder is
+/// there, if it can be made.
+std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
+    std::error_code ignored;  // of what is not there
+    if (batch.list == "-" || !fs::is_regular_file(batch.list, ignored)) {
+        return std::nullopt;
+    }
+    const fs::path records = recordsOf(batch);
+    if (fs::equivalent(records, batch.list, ignored)) {
+        return Refusal(kWrongUsage, shownRecords(records) +
+                                        " is where the records would go; give the list another "
+                                        "ending, such as .txt, or another folder with -o");
+    }
+    const fs::path list = fs::weakly_canonical(batch.list, ignored);
+    const fs::path folder = fs::weakly_canonical(batch.folder, ignored);
+    const fs::path note = pathText(records) + kEndingOfNote;
+    if (fs::exists(note, ignored)) {
+        const auto written = readFile(note);
+        if (!written) {
+            return Refusal(written.error());
+        }
+        if (!written->starts_with(kMarkOfNote)) {
+            return Refusal(kWrongUsage, shownRecords(note) +
+                                            " is no note of toile batch, which would take its "
+                                            "place; give it or the list another name");
+        }
+        std::string_view said = std::string_view(*written).substr(kMarkOfNote.size());
+        said.remove_suffix(said.ends_with('\n') ? 1 : 0);
+        const fs::path other = folder / said;
+        if (fs::is_regular_file(other, ignored) && !fs::equivalent(other, list, ignored)) {
+            return Refusal(kWrongUsage,
+                           shownRecords(records) + " is of another list, " + shownRecords(other) +
+                               "; give this one another name, or another folder with -o");
+        }
+    }
+    // Seen from the folder, so that both may move together.
+    const fs::path said = liesIn(list, folder) ? list.lexically_relative(folder) : list;
+    const auto put = writeFile(note, std::string(kMarkOfNote) + said.string() + '\n');
+    return put ? std::nullopt : std::optional(Refusal(put.error()));
+}
+
+/// A garment may have thousands of things to say; nobody reads so many in a list of garments.
+constexpr std::size_t kMostNotes = 20;
+
+/// Adds what was said, a sentence a line, as the notes.
+void addNotes(OrderedJson& figures, const std::string& said) {
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line) && figures["notes"].size() < kMostNotes;) {
+        figures["notes"].push_back(text(withoutSpeaker(line)));
+    }
+}
+
+OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::string>& formats,
+                                const std::filesystem::path& folder) {
+    std::ostringstream said;
+    const Arguments arguments = withProjectOfFiles(entry.arguments, said);
+    if (arguments.isMessage()) {
+        return failedFigures(Refusal(arguments));
+    }
+    Progress progress;
+    auto read = readGarment(arguments, progress, said);
+    if (!read) {
+        return failedFigures(read.error());
+    }
+    const Garment& garment = *read;
+    const PieceResults results = flattened(arguments, garment, progress);
+    OrderedJson figures = figuresOf(garment, results);
+    printProblems(garment, said);
+    printFailures(results, said);
+    addNotes(figures, said.str());
+    const bool isFlat = std::ranges::any_of(
+        results, [](const auto& result) -> bool { return result->flat.has_value(); });
+    if (!isFlat) {  // no pattern; the report says why
+        figures["status"] = kBatchFailed;
+    }
+    const LaidOutPattern laid = laidOut(arguments, garment, results);
+    const ExportSource source(garment, results, laid, arguments.exporting, {}, arguments.lines,
+                              arguments.fabric.value_or(fabricPresets().front()));
+    for (const std::string& format : formats) {
+        if (!isFlat && format != "json") {
+            continue;
+        }
+        const auto written = exportFile(folder / ("pattern." + format), source);
+        if (!written) {
+            return failedFigures(written.error());
+        }
+        for (const std::filesystem::path& file : written->files) {
+            figures["outputs"].push_back(text(pathText(file.filename())));
+        }
+    }
+    return figures;
+}
+
+/// What a garment's own process does: flattens it and writes its files, `pattern.svg` and so on, to
+/// a folder. @return its figures (batch_record.h). Never throws.
+OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::string>& formats,
+                            const std::filesystem::path& folder) {
+    try {
+        return flattenedAndWritten(entry, formats, folder);
+    } catch (const std::bad_alloc&) {
+        liftMemoryLimit();  // to say so takes some
+        return failedFigures(Error{ErrorCode::OutOfMemory, Subject::file(entry.path)});
+    } catch (const std::exception& fault) {
+        return failedFigures(
+            {kCrashed, std::string("stopped by an unexpected fault (") + fault.what() + ")"});
+    }
+}
 
 /// How often a garment is tried whose process another one kills, as the system does where memory
 /// is short.

@@ -1,16 +1,238 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Commands that tell how good a garment or its pattern is. Includes CLI11 as `arguments.cpp` does;
 // both are compiled together.
+#include <string>
+#include <vector>
+
+#include "app/cli/arguments.h"
 #include "app/cli/choice_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/flattening_options.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/prove_options.h"
 #include "app/cli/reading_options.h"
 #include "core/garment/fabric.h"
+#include "core/pipeline/improve.h"
 
 namespace toile::app {
 namespace {
+
+constexpr double kMicro = 1e-6;
+constexpr double kLeastScale = 0.5, kMostScale = 2;
+constexpr int kMostRounds = 100;
+constexpr Word<SewnPattern> kTypedSewnWords[] = {{SewnPattern::Designer, "uv"},
+                                                 {SewnPattern::Own, "none"}};
+
+/// Notes that it was typed, with what goes with it. @param take  `ProveArguments::stated`
+void notesTyped(ProveArguments& prove, CLI::Option* option,
+                void (*take)(const ProofPlan& typed, ProofPlan& plan)) {
+    option->each([&prove, take](const std::string&) { prove.stated.push_back(take); });
+}
+
+/// @param field  of ProofSettings
+template <auto field>
+void notesSetting(ProveArguments& prove, CLI::Option* option) {
+    notesTyped(prove, option, [](const ProofPlan& typed, ProofPlan& plan) {
+        plan.settings.*field = typed.settings.*field;
+    });
+}
+
+/// @param field  of StatedStiffness
+template <auto field>
+void notesStiffness(ProveArguments& prove, CLI::Option* option) {
+    notesTyped(prove, option, [](const ProofPlan& typed, ProofPlan& plan) {
+        plan.settings.stiffness.*field = typed.settings.stiffness.*field;
+    });
+}
+
+CLI::Option* addUnit(CLI::App& command, const char* option, std::optional<FileUnit>& unit,
+                     const char* help) {
+    return command
+        .add_option_function<std::string>(
+            option, [&unit](const std::string& text) { unit = parseFileUnit(text); }, help)
+        ->type_name("mm|cm|dm|m|in|LENGTH")
+        ->check([](const std::string& text) {
+            return parseFileUnit(text)
+                       ? std::string()
+                       : text + " is no unit: mm, cm, dm, m, in, or a length such as 25.4mm";
+        });
+}
+
+/// Adds the file of a pattern that stands in the garment's own place: where another can, it
+/// excludes this. @param what  becomes of it @param otherwise  what holds where it is left out
+CLI::Option* addPatternFile(CLI::App& command, Arguments& arguments, const std::string& what,
+                            const std::string& otherwise = {}) {
+    return command
+        .add_option("--pattern", arguments.pattern,
+                    what + ": .dxf, .svg or GarmentCode's .specification.json" + otherwise)
+        ->type_name("FILE");
+}
+
+void addSewnPattern(CLI::App& command, Arguments& arguments) {
+    ProveArguments& prove = arguments.prove;
+    CLI::Option* pattern = addPatternFile(command, arguments, "Sew this pattern",
+                                          " [the garment's own, as ASTM DXF, read back]");
+    addUnit(command, "--pattern-unit", prove.patternUnit, "Unit of its coordinates")
+        ->needs(pattern);
+    CLI::Option* reference =
+        addChoice(command, "--reference", prove.typed.sewn, kTypedSewnWords,
+                  "Sew the designer's own panels, which the garment carries as its UV map; none: "
+                  "its own pattern, whatever a project says")
+            ->excludes(pattern);
+    notesTyped(prove, reference,
+               [](const ProofPlan& typed, ProofPlan& plan) { plan.sewn = typed.sewn; });
+    command
+        .add_option("--scale", prove.scale,
+                    "Sew the pattern this many times as large as it is: 0.97 as cloth that shrinks "
+                    "by 3 %")
+        ->type_name("FACTOR")
+        ->check(within(kLeastScale, kMostScale))
+        ->capture_default_str();
+    CLI::Option* body =
+        command
+            .add_option("--body", prove.typed.body,
+                        "A mesh file of what the cloth is worn on, in the garment's space; none: "
+                        "the design's own surface [what a project says, else none]")
+            ->type_name("FILE|none");
+    notesTyped(prove, body, [](const ProofPlan& typed, ProofPlan& plan) {
+        plan.body = typed.body == kNoBody ? std::filesystem::path() : typed.body;
+        plan.bodyUnit = typed.bodyUnit;
+    });
+    addUnit(command, "--body-unit", prove.typed.bodyUnit,
+            "Unit of the body's coordinates [what its file states, else as the garment's]")
+        ->needs(body);
+    notesSetting<&ProofSettings::edge>(
+        prove, command
+                   .add_option("--edge", prove.typed.settings.edge,
+                               "Length of the cloth's triangles [what a project says, else as the "
+                               "garment's own]")
+                   ->type_name("MM")
+                   ->check(within(kLeastProofEdge, kMostProofEdge)));
+}
+
+void addStiffness(CLI::App& command, ProveArguments& prove) {
+    StatedStiffness& stated = prove.typed.settings.stiffness;
+    CLI::Option* stretch =
+        command
+            .add_option_function<std::vector<double>>(
+                "--stretch",
+                [&stated](const std::vector<double>& typed) {
+                    stated.warp = typed.front();
+                    stated.weft = typed.back();
+                },
+                "How the cloth resists being stretched along warp and weft, N/m [what a project "
+                "says, else as its fabric]")
+            ->type_name("WARP[,WEFT]")
+            ->delimiter(',')
+            ->expected(1, 2)
+            ->allow_extra_args(false)
+            ->check(within(kLeastStretch, kMostStretch));
+    notesStiffness<&StatedStiffness::warp>(prove, stretch);
+    notesStiffness<&StatedStiffness::weft>(prove, stretch);
+    const auto add = [&command](const char* option, std::optional<double>& value, double unit,
+                                const char* type, double least, double most, const char* help) {
+        return command
+            .add_option_function<double>(
+                option, [&value, unit](double typed) { value = unit * typed; }, help)
+            ->type_name(type)
+            ->check(within(least, most));
+    };
+    notesStiffness<&StatedStiffness::shear>(
+        prove, add("--shear", stated.shear, 1, "N/M", kLeastShear, kMostShear,
+                   "How it resists being sheared, N/m"));
+    notesStiffness<&StatedStiffness::bending>(
+        prove, add("--bend", stated.bending, kMicro, "UNM", 0, kMostBending / kMicro,
+                   "How it resists being bent, in millionths of a newton metre"));
+    notesStiffness<&StatedStiffness::weight>(
+        prove, add("--weight", stated.weight, 1, "GSM", 0, kMostClothWeight,
+                   "What it weighs, g/m2: counts with --gravity"));
+}
+
+/// A flag that takes back what a project says. @param field  of ProofSettings
+template <auto field>
+CLI::Option* addTakingBack(CLI::App& command, ProveArguments& prove, const std::string& option,
+                           CLI::Option* flag) {
+    CLI::Option* none = command.add_flag_function(
+        option, [&prove](std::int64_t) { prove.typed.settings.*field = false; },
+        "Not so, whatever a project says");
+    notesSetting<field>(prove, none->excludes(flag));
+    return none;
+}
+
+/// Adds whether cloth keeps off itself, and how far. @param needed  asked for with it; may be null
+void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed = nullptr) {
+    ProveArguments& prove = arguments.prove;
+    ProofSettings& settings = prove.typed.settings;
+    CLI::Option* touches = command.add_flag("--self-contact", settings.touchesItself,
+                                            "Cloth keeps off itself [cloth goes through cloth]");
+    notesSetting<&ProofSettings::touchesItself>(prove, touches);
+    CLI::Option* none =
+        addTakingBack<&ProofSettings::touchesItself>(command, prove, "--no-self-contact", touches);
+    notesSetting<&ProofSettings::thickness>(
+        prove,
+        command.add_option("--cloth-thickness", settings.thickness, "How far it keeps off itself")
+            ->type_name("MM")
+            ->check(within(kLeastThickness, kMostThickness))
+            ->capture_default_str()
+            ->needs(touches));
+    if (needed != nullptr) {
+        touches->needs(needed);
+        none->needs(needed);
+    }
+}
+
+/// Adds what `toile prove` is told of pattern, body and cloth to a command.
+void addSewing(CLI::App& command, Arguments& arguments) {
+    addSewnPattern(command, arguments);
+    ProveArguments& prove = arguments.prove;
+    ProofSettings& settings = prove.typed.settings;
+    addStiffness(command, prove);
+    notesSetting<&ProofSettings::pressure>(
+        prove, command
+                   .add_option("--pressure", settings.pressure,
+                               "Pressure on the cloth towards the design or the body; below 0: "
+                               "outwards, as of a cushion's filling")
+                   ->type_name("PA")
+                   ->check(within(-kMostPressure, kMostPressure))
+                   ->capture_default_str());
+    CLI::Option* gravity =
+        command.add_flag("--gravity", settings.hasGravity, "Let the cloth's weight pull down");
+    notesSetting<&ProofSettings::hasGravity>(prove, gravity);
+    addTakingBack<&ProofSettings::hasGravity>(command, prove, "--no-gravity", gravity);
+    addSelfContact(command, arguments);
+    notesSetting<&ProofSettings::threads>(
+        prove,
+        command
+            .add_option("--threads", settings.threads, "To work with; the result is the same [all]")
+            ->type_name("N")
+            ->check(within(1, kMostThreads)));
+}
+
+/// Adds what becomes of a proof. Precondition: the options of sewing are there.
+void addProveOutput(CLI::App& command, Arguments& arguments) {
+    command
+        .add_option("--sewn", arguments.prove.sewn,
+                    "The picture's garment on its way from as designed, 0, to as sewn, 1")
+        ->type_name("SHARE")
+        ->check(within(0.0, 1.0))
+        ->capture_default_str();
+    CLI::Option* improve = command.add_flag(
+        "--prove-improve", [&arguments](std::int64_t) { arguments.prove.rounds = kImproveRounds; },
+        "Improve the pattern, round by round: as cloth that hangs by its weight sags, and comes to "
+        "lie where it was designed");
+    improve->excludes("--pattern")->excludes("--reference")->excludes("--scale");
+    command
+        .add_option_function<int>(
+            "--rounds", [&arguments](int rounds) { arguments.prove.rounds = rounds; },
+            "At most so many [" + std::to_string(kImproveRounds) + "]")
+        ->type_name("N")
+        ->check(within(1, kMostRounds))
+        ->needs(improve);
+    command
+        .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")
+        ->type_name("FILE.json")
+        ->check(jsonName());
+    command.add_flag("--json", arguments.json, "Print as JSON");
+}
 
 constexpr Word<bool> kFailOnWords[] = {{false, "fault"}, {true, "doubt"}};
 

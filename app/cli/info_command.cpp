@@ -1,23 +1,201 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <filesystem>
+#include <iosfwd>
+#include <map>
+#include <numbers>
 #include <ostream>
 
-#include "app/cli/advice_table.h"
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
-#include "app/cli/pattern_info.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/export/pattern_file_writer.h"
 #include "core/export/writers.h"
+#include "core/garment/garment.h"
+#include "core/garment/opening_cuts.h"
 #include "core/garment/slits.h"
+#include "core/geometry/polygon.h"
 #include "core/io/assimp_reader.h"
+#include "core/pipeline/solve_advice.h"
 #include "core/project/layer_materials.h"
+#include "core/reading/read_pattern.h"
 #include "core/seam/seam_measure.h"
+#include "core/tailor/file_borders.h"
 
 namespace toile::app {
 namespace {
+
+std::string percent(double part) {
+    return fixed(100 * part, part < 0.01 ? 2 : 1);
+}
+
+std::string textOf(const std::optional<DartIntake>& intake) {
+    return intake ? fixed(intake->width, 0) + " mm, " +
+                        fixed(intake->angle * 180 / std::numbers::pi, 0) + " deg"
+                  : "";
+}
+
+/// The user's cuts in a piece.
+std::vector<UserCut> ownCutsOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
+    const auto record = std::ranges::find(garment.cutRecords, piece, &CutRecord::whole);
+    return record == garment.cutRecords.end() ? std::vector<UserCut>{} : record->asked;
+}
+
+void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& own,
+              const PolygonSoup& soup, const Arguments& arguments, Progress& progress,
+              std::ostream& out) {
+    const CutAdvice advice = adviseCuts(
+        piece, own,
+        {arguments.load.isFrontSwapped, arguments.load.enoughStrain, fileBorders(*piece, soup)},
+        progress);
+    out << piece->name << ": ";
+    if (advice.cuts.empty()) {
+        out << "no cut is worth its length\n\n";
+        return;
+    }
+    const auto solvedAfter = [&](std::size_t count) {
+        const auto solved = solvedStrain(piece, own, advice, count, arguments.options, progress);
+        return solved ? percent(solved->mean) : std::string("-");
+    };
+    out << "strain " << percent(advice.before.mean) << " % foretold, " << solvedAfter(0)
+        << " % solved with the fewest cuts; less by these, the best first\n";
+    Table table(
+        {"cut", "length mm", "in all mm", "strain %", "solved %", "takes in", "enough", "because"});
+    double inAll = 0;
+    for (std::size_t k = 0; k < advice.cuts.size(); ++k) {
+        const AdvisedCut& cut = advice.cuts[k];
+        inAll += cut.length;
+        table.add({cut.what.cut.name, fixed(cut.length, 0), fixed(inAll, 0),
+                   percent(cut.predicted.mean), k < kSolvedAhead ? solvedAfter(k + 1) : "",
+                   textOf(cut.intake), cut.isNeeded ? "yes" : "", cut.evidence});
+    }
+    table.print(out);
+    out << '\n';
+}
+
+/// Prints, for each piece as it was before cuts of Toile's, the cuts that would take most strain
+/// away, and what they leave: foretold for all, solved for the best five.
+/// Cost: that of `adviseCuts`, and six flattenings of each piece.
+void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
+                 std::ostream& out) {
+    for (const auto& piece : garment.uncut) {
+        if (piece->defect && !isOpenable(*piece)) {
+            out << piece->name << ": cuts do not help, " << describe(piece->defect->code) << "\n\n";
+            continue;
+        }
+        printFor(piece, ownCutsOf(garment, piece),
+                 *garment.files[static_cast<std::size_t>(piece->file)]->soup, arguments, progress,
+                 out);
+    }
+}
+
+constexpr double kSquareMillimetresPerSquareCm = 100;
+constexpr std::size_t kSizesListed = 20;
+
+std::string outlineFigures(const Points2& line) {
+    return line.rows() == 0 ? "-" : fixed(geometry::perimeterOf(line), 1);
+}
+
+std::string quantityOf(const FilePiece& piece) {
+    return piece.mirroredQuantity > 0 ? std::to_string(piece.quantity) + " + " +
+                                            std::to_string(piece.mirroredQuantity) + " mirrored"
+                                      : std::to_string(piece.quantity);
+}
+
+void printPieces(const PatternFile& file, std::ostream& out) {
+    Table table({"piece", "size", "cut", "cut line mm", "seam line mm", "area cm2", "points",
+                 "holes", "lines", "notches", "drills", "half", "material"});
+    for (const FilePiece& piece : file.pieces) {
+        const Points2& outline = outlineOf(piece);
+        table.add({piece.name, piece.size, quantityOf(piece), outlineFigures(piece.cut),
+                   outlineFigures(piece.sew),
+                   fixed(geometry::signedAreaOf(outline) / kSquareMillimetresPerSquareCm, 1),
+                   std::to_string(outline.rows()), std::to_string(piece.holes.size()),
+                   std::to_string(piece.internals.size()), std::to_string(piece.notches.size()),
+                   std::to_string(piece.drills.size()), piece.isUnfolded ? "unfolded" : "",
+                   piece.material});
+    }
+    table.print(out);
+}
+
+void printLayers(const PatternFile& file, std::ostream& out) {
+    std::map<std::string, int> layers;
+    for (const FilePiece& piece : file.pieces) {
+        for (const auto& [layer, count] : piece.layers) {
+            layers[layer] += count;
+        }
+    }
+    if (layers.empty()) {
+        return;
+    }
+    out << "layers:";
+    const char* joint = " ";
+    for (const auto& [layer, count] : layers) {
+        out << joint << (layer.empty() ? "-" : shownText(layer)) << " ("
+            << (count == 1 ? "1 entity" : std::to_string(count) + " entities") << ")";
+        joint = ", ";
+    }
+    out << '\n';
+}
+
+void printHead(const std::filesystem::path& path, const PatternFile& file, std::ostream& out) {
+    out << shownText(path.string(), kMaxOfPlace) << ": " << file.format << ", "
+        << counted(static_cast<long long>(file.pieces.size()), "piece") << ", unit "
+        << unitText(file.unit);
+    if (!file.unitReason.empty()) {
+        out << " (" << file.unitReason << (file.unitInDoubt ? "; in doubt" : "") << ")";
+    }
+    out << '\n';
+    if (!file.style.empty()) {
+        out << "style: " << shownText(file.style) << '\n';
+    }
+    if (!file.sizes.empty()) {
+        out << counted(static_cast<long long>(file.sizes.size()), "size") << ": ";
+        for (std::size_t k = 0; k < std::min(file.sizes.size(), kSizesListed); ++k) {
+            out << (k == 0 ? "" : ", ") << shownText(file.sizes[k]);
+        }
+        out << (file.sizes.size() > kSizesListed ? ", ..." : "");
+        if (!file.sampleSize.empty()) {
+            out << "; sample size " << shownText(file.sampleSize);
+        }
+        out << '\n';
+    }
+}
+
+/// Whether the name says that a file holds a pattern and no garment.
+bool isPatternFile(const std::filesystem::path& path) {
+    return patternFileKind(path).has_value();
+}
+
+/// `toile info` of pattern files: pieces, sizes, layers, lengths, and how the unit is known.
+/// @return the exit status
+int runPatternInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+    int status = kExitDone;
+    for (const std::filesystem::path& path : arguments.inputs) {
+        const auto file = readPatternFile(path, arguments.load.unit);
+        if (!file) {
+            err << "toile: " << sentence(file.error()) << '\n';
+            status = kExitUnreadable;
+            continue;
+        }
+        if (arguments.json) {
+            out << writePatternFile(*file);
+            continue;
+        }
+        printHead(path, *file, out);
+        printLayers(*file, out);
+        out << '\n';
+        printPieces(*file, out);
+        for (const Wording& note : file->notes) {
+            err << "toile: " << shownText(path.string(), kMaxOfPlace) << ": " << note << '\n';
+        }
+    }
+    out.flush();
+    return out ? status : kExitUnreadable;
+}
 
 /// Where coordinates have passed through floats and it shows: far from the origin, or in a small
 /// unit.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <iosfwd>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -7,20 +9,140 @@
 #include "app/cli/arguments.h"
 #include "app/cli/check_arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/improve_pattern.h"
 #include "app/cli/input.h"
 #include "app/cli/marker_interruptible.h"
 #include "app/cli/proof_order.h"
 #include "app/cli/proof_picture.h"
-#include "app/cli/prove_text.h"
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/stopwatch.h"
 #include "core/base/text.h"
+#include "core/pipeline/improve.h"
+#include "core/prove/proof.h"
 
 namespace toile::app {
 namespace {
+
+/// "round 2: 0.31 mm from the design on average, 1.20 mm at the worst twentieth, 4.10 mm at most;
+/// 18 % less".
+void printRound(const ImproveRound& round, std::ostream& out) {
+    constexpr int kDecimals = 2;
+    out << (round.number == 0 ? "as it was" : "round " + std::to_string(round.number)) << ": "
+        << fixed(round.gap.mean, kDecimals) << " mm from the design on average, "
+        << fixed(round.gap.most95, kDecimals) << " mm at the worst twentieth, "
+        << fixed(round.gap.max, kDecimals) << " mm at most";
+    if (round.number > 0) {
+        out << "; " << fixed(100 * std::abs(round.gain), 1) << " % "
+            << (round.gain < 0 ? "more: not kept" : "less");
+    }
+    out << std::endl;  // a round takes its time
+}
+
+void printEnd(const Improved& improved, std::ostream& out) {
+    switch (improved.ended) {
+        case ImproveEnd::Rounds:
+            break;
+        case ImproveEnd::LittleGain:
+            out << "the last round gained less than " << fixed(100 * kLeastGain, 0) << " %\n";
+            break;
+        case ImproveEnd::GapGrows:
+            out << "further rounds only make it worse\n";
+            break;
+        case ImproveEnd::NotFlat:
+            out << "another round could not be made: " << sentence(*improved.why) << '\n';
+            break;
+    }
+    out << (improved.gain() > 0 ? "improved by " + fixed(100 * improved.gain(), 1) + " %"
+                                : "not improved: the pattern stays as it was")
+        << "\n\n";
+}
+
+/// The pattern of a garment made to fit it better, as the arguments ask; a line per round, and one
+/// on how it ended. Errors: those of `improvePattern`.
+Result<Improved> improved(const Arguments& arguments, const Garment& garment,
+                          const PieceResults& results, const ProofOrder& proof, Progress& progress,
+                          std::ostream& out) {
+    ImproveOrder order;
+    order.proof = proof;
+    order.flattening = arguments.options;
+    order.lines = arguments.lines;
+    order.fabric = arguments.fabric.value_or(order.fabric);
+    order.layOut = [&](const PieceResults& of) { return laidOut(arguments, garment, of); };
+    order.rounds = arguments.prove.rounds;
+    order.watch = [&out](const ImproveRound& round) { printRound(round, out); };
+    auto made = improvePattern(garment, results, order, progress);
+    if (made) {
+        printEnd(*made, out);
+    }
+    return made;
+}
+
+constexpr int kGapDecimals = 2, kPercentDecimals = 1;
+constexpr double kShownSlip = 0.05;  // mm: from here on it is not 0.0
+
+std::string percentText(double share) {
+    return fixed(100 * share, kPercentDecimals);
+}
+
+void printProvenPieces(const Garment& garment, const Proof& proof, std::ostream& out) {
+    Table table({"piece", "gap mm mean", "95 %", "max", "pulls %", "slack %", "free %"});
+    for (std::size_t p = 0; p < proof.pieces.size(); ++p) {
+        const ProvenPiece& piece = proof.pieces[p];
+        const std::string& name = garment.pieces[p]->name;
+        if (piece.isSewn()) {
+            const sew::SpreadFigures& gap = piece.gapFigures;
+            table.add({name, fixed(gap.mean, kGapDecimals), fixed(gap.most95, kGapDecimals),
+                       fixed(gap.max, kGapDecimals), percentText(piece.mostPull),
+                       percentText(piece.mostSlack), percentText(piece.freeShare)});
+        } else {
+            table.add({name, "-", "-", "-", "-", "-", "not sewn"});
+        }
+    }
+    table.print(out);
+}
+
+/// The worst first; nothing where all fit.
+void printSlips(const Garment& garment, const Proof& proof, std::ostream& out) {
+    std::vector<ProvenSeam> slips;
+    std::ranges::copy_if(proof.seams, std::back_inserter(slips),
+                         [](const ProvenSeam& seam) { return std::abs(seam.slip) >= kShownSlip; });
+    if (slips.empty()) {
+        return;
+    }
+    std::ranges::stable_sort(slips, std::greater(),
+                             [](const ProvenSeam& seam) { return std::abs(seam.slip); });
+    out << '\n';
+    Table table({"seam that slips", "left mm", "right mm", "slip mm", "strain %"});
+    for (const ProvenSeam& seam : slips) {
+        table.add({garment.seams.seams[static_cast<std::size_t>(seam.seam)].name,
+                   fixed(seam.left, 1), fixed(seam.right, 1), fixed(seam.slip, 1),
+                   percentText(seam.strain)});
+    }
+    table.print(out);
+}
+
+void printHow(const Proof& proof, std::ostream& out) {
+    out << "sewn from: " << shownText(proof.source, kMaxOfPlace) << "; "
+        << shownText(howHeld(proof), kMaxOfPlace) << "; " << counted(proof.triangles, "triangle")
+        << " with edges of " << fixed(proof.edge, 1) << " mm; "
+        << (proof.hasSettled ? "settled in " : "not settled after ")
+        << counted(proof.iterations, "step") << ", " << fixed(100 * restShare(proof), 3)
+        << " % of the force at seams is left; " << fixed(proof.seconds, 1) << " s\n";
+}
+
+/// The sentence, a table of the pieces, the seams whose sides do not fit each other, the faults,
+/// and how all was found.
+void printProof(const Garment& garment, const Proof& proof, std::ostream& out) {
+    out << shownText(sentence(proof, garment), kMaxOfPlace) << ".\n\n";
+    printProvenPieces(garment, proof, out);
+    printSlips(garment, proof, out);
+    out << '\n';
+    for (const ProofFault& fault : proof.faults) {
+        out << "fault: " << shownText(fault.told, kMaxOfPlace) << '\n';
+    }
+    printHow(proof, out);
+}
 
 constexpr double kBetweenSteps = 5;  // s, of the lines that say how far it is
 
