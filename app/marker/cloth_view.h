@@ -1,17 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
+#include <QString>
 #include <QWidget>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "app/marker/cloth_drag.h"
-#include "app/marker/cloth_paint.h"
 #include "app/render/camera.h"
+#include "app/views/tool.h"
+#include "core/marker/cloth_marker.h"
+
+class QPainter;
 
 namespace toile::app {
 
 class MarkerDesk;
+
+struct RenderStyle;
+
+/// A copy as it is painted.
+struct ClothShape {
+    Points2 edge, seam;  ///< as it lies; the seam line is empty where it is cut along that
+    Eigen::Vector2d label = Eigen::Vector2d::Zero();
+    Eigen::Vector2d grain = Eigen::Vector2d::UnitX();  ///< along the warp of the piece
+    QColor colour;
+    QString name;
+    bool isKept = false, isMisplaced = false, isSelected = false, isStated = false;
+};
+
+/// Where names go, found once for each piece of a pattern.
+class ClothLabels {
+public:
+    /// On the piece, as far from its edge as may be.
+    const Eigen::Vector2d& of(const std::shared_ptr<const Pattern>& pattern, int piece);
+
+private:
+    std::shared_ptr<const Pattern> pattern_;
+    std::vector<std::optional<Eigen::Vector2d>> places_;
+};
+
+/// The cloth: its edges, where it is folded, its stripes, how long it is.
+void paintCloth(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
+                const ClothMarker& marker, const MarkerSettings& settings, const QColor& ground);
+
+/// The copies; those that are selected or misplaced over the others.
+void paintCopies(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
+                 const std::vector<ClothShape>& shapes);
+
+/// As it is painted where something lies on another thing, or beyond the cloth.
+QColor misplacedColour();
 
 /// The cloth with what lies on it, and the hands on it: a copy that is dragged or turned is kept
 /// where it was put. The warp runs to the right. The wheel zooms, the middle button or Space with

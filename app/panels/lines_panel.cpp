@@ -15,9 +15,7 @@
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
-#include "app/panels/allowance_form.h"
-#include "app/panels/dart_form.h"
-#include "app/panels/label_form.h"
+#include "app/panels/line_forms.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/segment_form.h"
 #include "app/settings/length_display.h"

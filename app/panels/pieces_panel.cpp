@@ -4,11 +4,15 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelection>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QScopedValueRollback>
 #include <QScrollArea>
 #include <QSortFilterProxyModel>
+#include <QSpinBox>
 #include <QTreeView>
 #include <algorithm>
 #include <numeric>
@@ -18,16 +22,56 @@
 #include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/pieces_model.h"
-#include "app/panels/pieces_view.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/columns_model.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
-
 namespace {
+
+/// Edits how many of a piece are cut, in a table cell.
+class QuantityDelegate : public CellDelegate {
+public:
+    using CellDelegate::CellDelegate;
+
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                          const QModelIndex&) const override {
+        auto* editor = new QSpinBox(parent);
+        editor->setObjectName("quantityEditor");
+        editor->setFrame(false);
+        editor->setAlignment(Qt::AlignRight);
+        editor->setRange(1, kMaxCopies);
+        return editor;
+    }
+
+    /// Left as it was found it says nothing, of other pieces that are selected neither.
+    void setModelData(QWidget* editor, QAbstractItemModel* model,
+                      const QModelIndex& index) const override {
+        const auto* box = qobject_cast<const QSpinBox*>(editor);
+        const auto* line = box ? box->findChild<const QLineEdit*>() : nullptr;
+        if ((line && line->isModified()) ||
+            (box && box->value() != index.data(Qt::EditRole).toInt())) {
+            CellDelegate::setModelData(editor, model, index);
+        }
+    }
+};
+
+/// The box of a mirrored pair: with an outline that can be seen on dark rows, too.
+class PairDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        // Styles make the outline of the window's colour, which is near the rows'.
+        option->palette.setColor(QPalette::Window,
+                                 option->palette.color(QPalette::PlaceholderText));
+    }
+};
 
 constexpr int kMeasuredRows = 60;  ///< that columns are made wide enough for, around those in sight
 
@@ -39,6 +83,42 @@ QString row(const QString& name, const QString& value) {
 }
 
 }  // namespace
+
+PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
+    setEditTriggers(DoubleClicked | EditKeyPressed);
+    setItemDelegate(new CellDelegate(this));
+    setItemDelegateForColumn(PiecesModel::Quantity, new QuantityDelegate(this));
+    setItemDelegateForColumn(PiecesModel::Pair, new PairDelegate(this));
+}
+
+void PiecesView::openEditor(const QModelIndex& cell) {
+    setFocus();  // an open editor takes what was typed
+    edit(cell, AllEditTriggers, nullptr);
+}
+
+bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) {
+    const bool isKey = event && event->type() == QEvent::KeyPress;
+    if (trigger == EditKeyPressed) {
+        return QTreeView::edit(index.siblingAtColumn(PiecesModel::Name), trigger, event);
+    }
+    if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space) {
+        return QTreeView::edit(index.siblingAtColumn(PiecesModel::Pair), trigger, event);
+    }
+    return QTreeView::edit(index, trigger, event);
+}
+
+QItemSelectionModel::SelectionFlags PiecesView::selectionCommand(const QModelIndex& index,
+                                                                 const QEvent* event) const {
+    const bool changes = index.column() != PiecesModel::Name &&  // two pieces have no name together
+                         index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
+    if (changes && event && selectionModel()->isSelected(index) &&
+        (event->type() == QEvent::MouseButtonPress ||
+         event->type() == QEvent::MouseButtonRelease) &&
+        static_cast<const QMouseEvent*>(event)->modifiers() == Qt::NoModifier) {
+        return QItemSelectionModel::NoUpdate;
+    }
+    return QTreeView::selectionCommand(index, event);
+}
 
 PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
     : QWidget(parent),

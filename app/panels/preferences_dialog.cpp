@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/preferences_dialog.h"
 
+#include <QColorDialog>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
+#include <QMenu>
+#include <QPixmap>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QSpinBox>
@@ -14,11 +17,11 @@
 
 #include "app/settings/language.h"
 #include "app/settings/preferences.h"
-#include "app/widgets/colour_button.h"
 
 namespace toile::app {
-
 namespace {
+
+constexpr QSize kSwatch(28, 16);
 
 constexpr int kMaxTriangles = 10'000'000, kTriangleStep = 50'000;
 
@@ -40,6 +43,39 @@ int unitRow(const Choices& choices) {
 }
 
 }  // namespace
+
+ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {
+    setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    setPopupMode(QToolButton::InstantPopup);
+    setIconSize(kSwatch);
+    auto* menu = new QMenu(this);
+    menu->addAction(tr("The theme's"), this, [this] { choose({}); })->setObjectName("usualColour");
+    menu->addAction(tr("Another colour…"), this, [this] {
+        const QColor chosen = QColorDialog::getColor(colour_, this);
+        if (chosen.isValid()) {
+            choose(chosen);
+        }
+    });
+    setMenu(menu);
+    setColour({});
+}
+
+void ColourButton::setColour(const QColor& colour) {
+    colour_ = colour;
+    setText(colour.isValid() ? colour.name() : tr("The theme's"));
+    if (!colour.isValid()) {
+        setIcon({});
+        return;
+    }
+    QPixmap pixmap(kSwatch * devicePixelRatio());
+    pixmap.fill(colour);
+    setIcon(QIcon(pixmap));
+}
+
+void ColourButton::choose(const QColor& colour) {
+    setColour(colour);
+    emit colourChosen(colour);
+}
 
 PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     : QDialog(parent), preferences_(preferences), before_(preferences.choices()) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QDialog>
+#include <QToolButton>
 
 #include "app/settings/choices.h"
 
@@ -12,8 +14,28 @@ class QSpinBox;
 
 namespace toile::app {
 
-class ColourButton;
 class Preferences;
+
+/// Shows a colour; a click chooses another, or the usual one again.
+class ColourButton : public QToolButton {
+    Q_OBJECT
+
+public:
+    explicit ColourButton(QWidget* parent = nullptr);
+
+    /// Invalid: the usual one.
+    QColor colour() const { return colour_; }
+    void setColour(const QColor& colour);
+
+signals:
+    /// By the person; not by setColour.
+    void colourChosen(const QColor& colour);
+
+private:
+    void choose(const QColor& colour);
+
+    QColor colour_;
+};
 
 /// What a person can choose about the program. Every change holds at once; Cancel puts back what
 /// was before the dialog opened, Reset takes what a new person has.

@@ -4,7 +4,11 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
 #include <QMimeData>
+#include <QPushButton>
 #include <QScreen>
 #include <QStatusBar>
 #include <QUrl>
@@ -24,7 +28,6 @@
 #include "app/views/view_area.h"
 #include "app/widgets/banner.h"
 #include "app/widgets/garment_card.h"
-#include "app/window/outdated_bar.h"
 #include "app/window/window_context_menus.h"
 #include "app/window/window_dialogs.h"
 #include "app/window/window_menus.h"
@@ -32,8 +35,9 @@
 #include "core/reading/read_pattern.h"
 
 namespace toile::app {
-
 namespace {
+
+constexpr int kBarAir = 8, kBelowCaption = 40;
 
 constexpr double kPartOfTheScreen = 0.92;
 /// Of the docks and their arrangement: what another version has kept is left alone.
@@ -58,6 +62,55 @@ QString patternFile(const QMimeData& data) {
 }
 
 }  // namespace
+
+OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QWidget& view)
+    : QWidget(&view),
+      workspace_(workspace),
+      actions_(actions),
+      exportTip_(actions[ActionId::ExportPattern].toolTip()),
+      printTip_(actions[ActionId::PrintPattern].toolTip()) {
+    setObjectName("outdatedBar");
+    setAutoFillBackground(true);
+    auto* label = new QLabel(tr("The pattern is out of date"), this);
+    auto* button = new QPushButton(tr("Flatten now"), this);
+    button->setObjectName("flattenNow");
+    button->setToolTip(tr("Flatten what edits have changed"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(kBarAir, kBarAir / 2, kBarAir / 2, kBarAir / 2);
+    row->addWidget(label);
+    row->addWidget(button);
+    hide();
+    view.installEventFilter(this);
+    connect(button, &QPushButton::clicked, this,
+            [this] { actions_[ActionId::FlattenAgain].trigger(); });
+    connect(&workspace_, &Workspace::patternAged, this, &OutdatedBar::follow);
+}
+
+void OutdatedBar::follow(PatternAge age) {
+    const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
+    // What has begun is told by the status bar; only what waits is told here.
+    const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
+    const QString why = tr("The pattern is out of date: flatten it first");
+    actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);
+    actions_[ActionId::PrintPattern].setToolTip(isOutdated ? why : printTip_);
+    setVisible(isWaiting);
+    if (isWaiting) {
+        placeIt();
+    }
+}
+
+bool OutdatedBar::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == parentWidget() && event->type() == QEvent::Resize && isVisible()) {
+        placeIt();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void OutdatedBar::placeIt() {
+    adjustSize();
+    move((parentWidget()->width() - width()) / 2, kBelowCaption);
+    raise();
+}
 
 MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     : QMainWindow(parent),

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/help_page.h"
+#include "app/panels/help_pages.h"
 
+#include <QDialogButtonBox>
 #include <QEvent>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QTextBrowser>
+#include <QUrl>
 #include <QVBoxLayout>
 
 namespace toile::app {
-
 namespace {
 
 /// Fainter than text, without the alpha that rich text does not know.
@@ -38,6 +40,26 @@ QString htmlRow(const HelpRow& row, const QString& faint) {
 }
 
 }  // namespace
+
+DocumentPage::DocumentPage(QWidget* parent) : QDialog(parent), text_(new QTextBrowser(this)) {
+    setObjectName("documentPage");
+    setWindowTitle(tr("Documentation"));
+    resize(760, 720);
+    text_->setOpenExternalLinks(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
+    back->setEnabled(false);
+    connect(back, &QPushButton::clicked, text_, &QTextBrowser::backward);
+    connect(text_, &QTextBrowser::backwardAvailable, back, &QPushButton::setEnabled);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(text_, 1);
+    layout->addWidget(buttons);
+}
+
+void DocumentPage::read(const QString& path) {
+    text_->setSource(QUrl::fromLocalFile(path), QTextDocument::MarkdownResource);
+}
 
 HelpPage::HelpPage(std::vector<HelpGroup> groups, QWidget* parent)
     : QDialog(parent),
