@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kMostNumber = 1e7;
+constexpr double kMaxNumber = 1e7;
 constexpr int kMaxCopiesOfItem = 100'000;
 
 /// A list of points; the last one may repeat the first.
@@ -97,7 +97,7 @@ Result<NestInstance> parseNestInstance(std::string_view text, const std::string&
         JsonFields fields(*json, "", faults);
         fields.read("name", instance.name);
         fields.need("strip_height");
-        fields.read("strip_height", instance.width, 1e-6, kMostNumber);
+        fields.read("strip_height", instance.width, 1e-6, kMaxNumber);
         fields.need("items");
         fields.readObjects(
             "items", [&instance](JsonFields& item) { instance.items.push_back(readItem(item)); });

@@ -126,9 +126,7 @@ private:
         return (at(head(alongOf(e))) - at(tail(alongOf(e)))).squaredNorm();
     }
     bool isThere(Edge e) const { return !mesh_.status(e).deleted(); }
-    bool isThere(Vertex v) const { return !mesh_.status(v).deleted(); }
     int edgeCount() const { return static_cast<int>(mesh_.n_edges()); }
-    int vertexCount() const { return static_cast<int>(mesh_.n_vertices()); }
     bool isCancelled() { return ++steps_ % kStepsPerCancelCheck == 0 && progress_.isCancelled(); }
 
     const MeshArrays& input_;
@@ -178,10 +176,8 @@ bool Remesher::splitLongEdges() {
             queue.emplace(square, e.idx());
         }
     };
-    for (int e = 0; e < edgeCount(); ++e) {
-        if (isThere(Edge(e))) {
-            consider(Edge(e));
-        }
+    for (const Edge e : mesh_.edges()) {
+        consider(e);
     }
     while (!queue.empty()) {
         const Edge e(queue.top().second);
@@ -215,10 +211,8 @@ bool Remesher::collapseShortEdges() {
             queue.emplace(square, e.idx());
         }
     };
-    for (int e = 0; e < edgeCount(); ++e) {
-        if (isThere(Edge(e))) {
-            consider(Edge(e));
-        }
+    for (const Edge e : mesh_.edges()) {
+        consider(e);
     }
     while (!queue.empty()) {
         const auto [square, index] = queue.top();
@@ -315,17 +309,14 @@ bool Remesher::flipEdges(Improves improves) {
         valences_[tail(alongOf(e)).idx()] += change;
         valences_[head(alongOf(e)).idx()] += change;
     };
-    for (int e = 0; e < edgeCount(); ++e) {
-        if (isThere(Edge(e))) {
-            count(Edge(e), 1);
-        }
+    for (const Edge e : mesh_.edges()) {
+        count(e, 1);
     }
-    for (int i = 0; i < edgeCount(); ++i) {
+    for (const Edge e : mesh_.edges()) {
         if (isCancelled()) {
             return false;
         }
-        const Edge e(i);
-        if (!isThere(e) || mesh_.is_boundary(e) || !improves(e)) {
+        if (mesh_.is_boundary(e) || !improves(e)) {
             continue;
         }
         // The surface stays where it is: both new triangles lie as the old ones do.
@@ -371,24 +362,23 @@ bool Remesher::raisesQuality(Edge e) const {
 }
 
 bool Remesher::smooth() {
-    for (int i = 0; i < vertexCount(); ++i) {
+    for (const Vertex v : mesh_.vertices()) {
         if (isCancelled()) {
             return false;
         }
-        const Vertex v(i);
-        if (!isThere(v) || roleOf(v) == Role::Corner) {
+        if (roleOf(v) == Role::Corner) {
             continue;
         }
         Vector p;
         if (roleOf(v) == Role::Rim) {
             p = smoothedOnRim(v);
         } else {
-            const SurfacePoint nearest = nearestOn(input_, tree_, smoothed(v), nearFaces_[i]);
+            const SurfacePoint nearest = nearestOn(input_, tree_, smoothed(v), nearFaces_[v.idx()]);
             if (doubleAreaNormal(input_, nearest.face).dot(normalAt(v)) < 0) {
                 continue;  // the other side of thin cloth
             }
             p = positionOf(input_, nearest);
-            nearFaces_[i] = nearest.face;
+            nearFaces_[v.idx()] = nearest.face;
         }
         if (keepsTriangles(v, p)) {
             moveTo(v, p);
@@ -442,12 +432,11 @@ Remesher::Vector Remesher::smoothedOnRim(Vertex v) const {
 bool Remesher::fit() {
     std::vector<Vector> sums(mesh_.n_vertices(), Vector::Zero());
     std::vector<double> weights(mesh_.n_vertices(), 1);  // of the vertex, which is on the input
-    for (int i = 0; i < edgeCount(); ++i) {
+    for (const Edge e : mesh_.edges()) {
         if (isCancelled()) {
             return false;
         }
-        const Edge e(i);
-        if (!isThere(e) || mesh_.is_boundary(e)) {
+        if (mesh_.is_boundary(e)) {
             continue;
         }
         const Vertex a = tail(alongOf(e)), b = head(alongOf(e));
@@ -459,13 +448,12 @@ bool Remesher::fit() {
             weights[v.idx()] += 0.5;
         }
     }
-    for (int i = 0; i < vertexCount(); ++i) {
-        const Vertex v(i);
-        if (!isThere(v) || roleOf(v) != Role::Inner) {
+    for (const Vertex v : mesh_.vertices()) {
+        if (roleOf(v) != Role::Inner) {
             continue;
         }
         const Vector normal = normalAt(v).normalized();
-        const double move = normal.dot(sums[i]) / weights[i];
+        const double move = normal.dot(sums[v.idx()]) / weights[v.idx()];
         const double much = std::abs(move) - kSlightDistance * edgeLength_;
         const Vector p = at(v) + normal * std::copysign(std::max(much, 0.0), move);
         if (much > 0 && keepsTriangles(v, p)) {
@@ -497,13 +485,11 @@ MeshArrays Remesher::result() const {
     std::vector<int> numbers(mesh_.n_vertices(), -1);
     MeshArrays result{Points3(mesh_.n_vertices(), 3), Triangles(mesh_.n_faces(), 3)};
     int vertices = 0, faces = 0;
-    for (int i = 0; i < vertexCount(); ++i) {
-        if (isThere(Vertex(i))) {
-            numbers[i] = vertices;
-            result.V.row(vertices++) = at(Vertex(i)).transpose();
-        }
+    for (const Vertex v : mesh_.vertices()) {  // without those that are deleted
+        numbers[v.idx()] = vertices;
+        result.V.row(vertices++) = at(v).transpose();
     }
-    for (const TriMesh::FaceHandle f : mesh_.faces()) {  // without those that are deleted
+    for (const TriMesh::FaceHandle f : mesh_.faces()) {
         Halfedge side = mesh_.halfedge_handle(f);
         for (int k = 0; k < 3; ++k, side = mesh_.next_halfedge_handle(side)) {
             result.F(faces, k) = numbers[tail(side).idx()];

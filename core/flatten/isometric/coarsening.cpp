@@ -18,18 +18,18 @@ using Vertex = TriMesh::VertexHandle;
 using Halfedge = TriMesh::HalfedgeHandle;
 
 /// Rings longer than this are left alone: their kernels are small.
-constexpr int kLongestRing = 8;
+constexpr int kMaxRingVertices = 8;
 constexpr std::size_t kMeanDegree = 6;  // of any large triangle mesh, nearly
 /// A triangle of this shape or better is good enough for a coarse piece.
 constexpr double kGoodShape = 0.3;
-/// Of the inner vertices, in a coarse piece to be solved; and of all, where it saves work.
-constexpr double kKept = 0.1;
-constexpr double kTooMany = 0.5;
-/// A round that takes out less than this part of the vertices was the last.
-constexpr double kMin = 0.02;
+/// Share of the inner vertices that a coarse piece keeps.
+constexpr double kCoarseShare = 0.1;
+/// Solving the coarse piece saves work if it keeps at most this share of all vertices.
+constexpr double kMaxKeptShare = 0.5;
+/// A round that removes less than this share of the inner vertices is the last one.
+constexpr double kMinRemovedShare = 0.02;
 constexpr int kAhead = 8;  // vertices
-/// Vertices between two looks at the progress: some milliseconds.
-constexpr int kLookEvery = 1 << 14;
+constexpr int kStepsPerCancelCheck = 1 << 14;
 
 /// Area over squared edges, 1 where equilateral; negative where flipped.
 double shapeOf(double twiceArea, double squaredEdges) {
@@ -55,10 +55,10 @@ double shapeOf(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b,
 /// The vertices around another one, anti-clockwise.
 struct Ring {
     int degree = 0;
-    std::array<Halfedge, kLongestRing> out;  ///< from the vertex in the middle
-    std::array<int, kLongestRing> vertex;
-    std::array<Eigen::RowVector2d, kLongestRing> flat;
-    std::array<Eigen::RowVector3d, kLongestRing> solid;
+    std::array<Halfedge, kMaxRingVertices> out;  ///< from the vertex in the middle
+    std::array<int, kMaxRingVertices> vertex;
+    std::array<Eigen::RowVector2d, kMaxRingVertices> flat;
+    std::array<Eigen::RowVector3d, kMaxRingVertices> solid;
 
     int next(int k) const { return k + 1 < degree ? k + 1 : 0; }
 };
@@ -92,7 +92,7 @@ public:
         while (interior_ > wanted && !progress_.isCancelled()) {
             const int before = interior_;
             round(wanted);
-            if (before - interior_ <= kMin * before) {
+            if (before - interior_ <= kMinRemovedShare * before) {
                 break;
             }
         }
@@ -106,7 +106,7 @@ private:
         const auto count = static_cast<int>(V_.rows());
         std::vector<char> blocked = stays_;
         for (int v = 0; v < count && interior_ > wanted; ++v) {
-            if (v % kLookEvery == 0 && progress_.isCancelled()) {
+            if (v % kStepsPerCancelCheck == 0 && progress_.isCancelled()) {
                 break;
             }
             // Half-edges lie apart once those between them are gone: memory is asked for them
@@ -126,7 +126,7 @@ private:
     bool takeOut(int v) {
         Ring ring;
         for (const Halfedge h : mesh_->voh_ccw_range(Vertex(v))) {
-            if (ring.degree == kLongestRing) {
+            if (ring.degree == kMaxRingVertices) {
                 return false;
             }
             ring.out[ring.degree++] = h;
@@ -214,8 +214,8 @@ private:
     void record(int v, const Ring& ring) {
         const auto first = static_cast<int>(result_.ring_.size());
         result_.removals_.push_back({v, first, first + ring.degree});
-        std::array<double, kLongestRing> distance{};
-        std::array<double, kLongestRing> halfTangent{};
+        std::array<double, kMaxRingVertices> distance{};
+        std::array<double, kMaxRingVertices> halfTangent{};
         for (int k = 0; k < ring.degree; ++k) {
             const Eigen::RowVector3d a = ring.solid[k] - V_.row(v);
             const Eigen::RowVector3d b = ring.solid[ring.next(k)] - V_.row(v);
@@ -270,12 +270,12 @@ Coarsening::Coarsening(const MeshArrays& mesh, const EdgeTable& table, const Edg
 Coarsening::Coarsening(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
                        const Points2& Q, const Progress& progress)
     : Coarsening(mesh, table, loops, Q,
-                 static_cast<int>(kKept * (static_cast<double>(mesh.V.rows()) -
-                                           static_cast<double>(loops.count()))),
+                 static_cast<int>(kCoarseShare * (static_cast<double>(mesh.V.rows()) -
+                                                  static_cast<double>(loops.count()))),
                  progress) {}
 
 bool Coarsening::savesWork() const {
-    return static_cast<double>(kept_.size()) <= kTooMany * static_cast<double>(fineCount_);
+    return static_cast<double>(kept_.size()) <= kMaxKeptShare * static_cast<double>(fineCount_);
 }
 
 }  // namespace toile::isometric
