@@ -226,7 +226,7 @@ def compare_numbers(name, expected, output, tolerance):
     ending = next((e for e in OF_ENDING if name.endswith(e)), "")
     absolute, relative = OF_ENDING.get(ending, (ABSOLUTE, RELATIVE))
     absolute = max(absolute, tolerance or 0)
-    isPlot = name.endswith((".plt", ".hpgl"))
+    is_plot = name.endswith((".plt", ".hpgl"))
     wrong, rounded, largest = [], [], 0.0
     for k, (a, b) in enumerate(zip(numbers, output.numbers)):
         difference = abs(a - b)
@@ -235,8 +235,8 @@ def compare_numbers(name, expected, output, tolerance):
         largest = max(largest, difference)
         places = max(decimals[k], output.decimals[k])  # formats may leave out zeros at the end
         unit = 10.0 ** -places
-        mayRound = places > 0 or isPlot
-        (rounded if mayRound and difference <= 1.001 * unit else wrong).append(k)
+        may_round = places > 0 or is_plot
+        (rounded if may_round and difference <= 1.001 * unit else wrong).append(k)
     if len(rounded) > ROUNDED_COUNT + ROUNDED_SHARE * len(numbers):
         wrong = sorted(wrong + rounded)
     told = []
@@ -266,7 +266,7 @@ def compare_case(case, outputs, stored):
 
 
 def uncovered(program):
-    """Formats, methods and words of options that no case uses."""
+    """Formats, methods and words of options that no case uses, and values that belong to no case."""
     words = {word for case in table.CASES for command in case.commands for word in command}
     known, _ = program.endings()
     missing = [f"no case writes the format {ending}" for ending in known
@@ -286,19 +286,20 @@ def uncovered(program):
         for value in values.partition("=")[0].split("|") if "|" in values else []:
             if value not in used and value not in table.NOT_COVERED.get(option, []):
                 missing.append(f"no case uses {option} {value}")
+    names = {case.name for case in table.CASES}
+    missing += [f"{path.name} belongs to no case" for path in sorted(VALUES.glob("*")) if path.stem not in names]
     return missing
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("cases", nargs="*", metavar="CASE")
-    parser.add_argument("--only", action="append", default=[], metavar="CASE", help="the same as CASE")
     parser.add_argument("--update", action="store_true", help="write the values of the cases again")
     parser.add_argument("--shard", default="0/1", metavar="K/N", help="cases K, K + N, ... alone")
     parser.add_argument("--list", action="store_true", help="print the names of the cases")
     parser.add_argument("--keep", metavar="FOLDER", help="keep what the program wrote, in a new folder")
     asked = parser.parse_args()
-    names = asked.cases + asked.only
+    names = asked.cases
     unknown = set(names) - {case.name for case in table.CASES}
     if unknown:
         parser.error(f"no such case: {', '.join(sorted(unknown))}")
@@ -325,7 +326,12 @@ def main():
                 print(f"skipped {case.name}: this build does not write {case.needs}")
                 continue
             started = time.monotonic()
-            outputs = run_case(case, program, inputs, folder / case.name)
+            try:
+                outputs = run_case(case, program, inputs, folder / case.name)
+            except (RuntimeError, subprocess.TimeoutExpired) as trouble:
+                failed += 1
+                print(f"FAILED {case.name}: {trouble}", flush=True)
+                continue
             seconds = time.monotonic() - started
             if asked.update:
                 write_values(case, outputs)
