@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -86,6 +87,26 @@ AssimpUnit unitOf(const aiScene& scene, std::string_view ending) {
     return equalsIgnoringCase(ending, ".fbx") ? unitOfFbx(scene) : AssimpUnit{};
 }
 
+/// The up axis of the coordinates that assimp gives for a file with this ending. Assimp turns
+/// Collada files so that y is up, and leaves the others as they are written.
+std::optional<StatedUp> upOf(const aiScene& scene, std::string_view ending) {
+    if (equalsIgnoringCase(ending, ".glb") || equalsIgnoringCase(ending, ".gltf")) {
+        return StatedUp{UpAxis::Y, worded("glTF files have y up")};
+    }
+    if (equalsIgnoringCase(ending, ".dae")) {
+        return StatedUp{UpAxis::Y, worded("Collada files state their up axis; read as y")};
+    }
+    if (equalsIgnoringCase(ending, ".3mf")) {
+        return StatedUp{UpAxis::Z, worded("3MF files have z up")};
+    }
+    std::int32_t axis = -1;  // of FBX: 0 is x
+    if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UpAxis", axis) || axis < 1 ||
+        axis > 2) {
+        return std::nullopt;
+    }
+    return StatedUp{axis == 2 ? UpAxis::Z : UpAxis::Y, worded("stated in the FBX file")};
+}
+
 /// Positions and texture coordinates of one object, equal ones merged.
 class ObjectCorners {
 public:
@@ -123,9 +144,11 @@ private:
 
 class SceneReader {
 public:
-    SceneReader(const aiScene& scene, const std::string& name, AssimpUnit unit)
+    SceneReader(const aiScene& scene, const std::string& name, AssimpUnit unit,
+                std::optional<StatedUp> up)
         : scene_(scene), builder_(name, "face"), soup_(builder_.soup()), scale_(unit.scale) {
         soup_.statedUnit = std::move(unit.stated);
+        soup_.statedUp = std::move(up);
     }
 
     Result<PolygonSoup> read(const Progress& progress) {
@@ -255,6 +278,9 @@ private:
 const aiScene* importFile(Assimp::Importer& importer, const std::filesystem::path& path) {
     importer.SetIOHandler(new FilesByUri);  // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
+#ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION  // newer versions turn FBX files to y up
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true);
+#endif
     return importer.ReadFile(path.string(), 0);
 }
 
@@ -305,7 +331,8 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std:
                              readableName(importer.GetErrorString())}
                      : bytes.error();
     }
-    return SceneReader(*scene, name, unitOf(*scene, path.extension().string())).read(progress);
+    const std::string ending = path.extension().string();
+    return SceneReader(*scene, name, unitOf(*scene, ending), upOf(*scene, ending)).read(progress);
 }
 
 }  // namespace toile

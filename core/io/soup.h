@@ -61,7 +61,7 @@ struct PolygonSoup {
     std::optional<std::uint64_t> contentHash{};
 
     std::optional<StatedUnit> statedUnit;  ///< of the positions; OBJ, OFF, PLY and STL have none
-    std::optional<StatedUp> statedUp;      ///< USD has one
+    std::optional<StatedUp> statedUp;      ///< likewise; FBX where the file names y or z
 
     Problems problems;
 

@@ -57,11 +57,11 @@ constexpr const char* kCollada = R"(<?xml version="1.0" encoding="utf-8"?>
 <translate>0 100 0</translate><instance_geometry url="#g"/></node></visual_scene>
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 
-std::string fbxWithUnit(const std::string& centimetres) {
+std::string fbxWithUnit(const std::string& centimetres, const std::string& more = "") {
     return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n FBXHeaderVersion: 1003\n"
            " FBXVersion: 7400\n}\nGlobalSettings:  {\n Version: 1000\n Properties70:  {\n"
            "  P: \"UnitScaleFactor\", \"double\", \"Number\", \"\"," +
-           centimetres +
+           centimetres + more +
            "\n }\n}\nObjects:  {\n Geometry: 1001, \"Geometry::\", \"Mesh\" {\n  Vertices: *12 {\n"
            "   a: 0,0,0,10,0,0,10,10,0,0,10,0\n  }\n  PolygonVertexIndex: *4 {\n   a: 0,1,2,-4\n"
            "  }\n  GeometryVersion: 124\n }\n Model: 1002, \"Model::yoke\", \"Mesh\" {\n"
@@ -87,6 +87,22 @@ TEST_F(AssimpReader, MakesAnObjectOfEveryNodeThatHasAMesh) {
     EXPECT_EQ(soup.value().materials, std::vector<std::string>{"denim"});
     EXPECT_EQ(soup.value().faceMaterial, (std::vector<int>{0, 0, -1, -1, 0, 0}));
     EXPECT_TRUE(soup.value().problems.empty());
+}
+
+TEST_F(AssimpReader, SaysWhichAxisIsUp) {
+    const auto up = [this](const std::string& fileName, const std::string& text) {
+        const Result<PolygonSoup> soup = readAs(fileName, text);
+        return soup ? soup->statedUp : std::nullopt;
+    };
+    const auto property = [](int axis) {
+        return "\n  P: \"UpAxis\", \"int\", \"Integer\", \"\"," + std::to_string(axis);
+    };
+    EXPECT_EQ(up("a.gltf", kGltf)->axis, UpAxis::Y);
+    EXPECT_EQ(up("a.dae", kCollada)->axis, UpAxis::Y);
+    EXPECT_EQ(up("y.fbx", fbxWithUnit("1", property(1)))->axis, UpAxis::Y);
+    EXPECT_EQ(up("z.fbx", fbxWithUnit("1", property(2)))->axis, UpAxis::Z);
+    EXPECT_EQ(up("z.fbx", fbxWithUnit("1", property(2)))->reason, "stated in the FBX file");
+    EXPECT_FALSE(up("x.fbx", fbxWithUnit("1", property(0))));  // it is not read as one of these
 }
 
 TEST_F(AssimpReader, MergesPositionsWithinAnObjectAndNeverAcross) {
