@@ -273,14 +273,14 @@ ActionWork cutsAsTailors() {
             ActionGroup::Toggle};
 }
 
-ActionWork completesHalf() {
-    return {[](GarmentActions& on, bool isOn) {
+ActionWork prepares(bool Preparation::*field) {
+    return {[field](GarmentActions& on, bool isOn) {
                 Preparation preparing = on.workspace().loading().preparing;
-                preparing.isHalf = isOn;
+                preparing.*field = isOn;
                 on.workspace().setPreparing(preparing);
             },
             {},
-            [](Workspace& on) { return on.loading().preparing.isHalf; },
+            [field](Workspace& on) { return on.loading().preparing.*field; },
             ActionGroup::Toggle};
 }
 
@@ -694,7 +694,11 @@ std::vector<ActionSpec> makeActions() {
          TR("Cut open every piece that cannot lie flat as it is"),
          reads(&LoadOptions::autoCut, &Workspace::setAutoCut)},
         {ActionId::CompleteHalf, "completeHalf", TR("Complete &half a garment"), "",
-         TR("Add the mirror image of a garment of which the file has one half"), completesHalf()},
+         TR("Add the mirror image of a garment of which the file has one half"),
+         prepares(&Preparation::isHalf)},
+        {ActionId::TurnOver, "turnOver", TR("Turn i&nside out"), "",
+         TR("Turn all faces of the garment over: the other side of the cloth is the right one"),
+         prepares(&Preparation::isTurned)},
         {ActionId::TailorCuts, "tailorCuts", TR("Cut as &tailors do"), "",
          TR("Cut a garment of one skin open along armholes, sides and shoulders, where it is seen "
             "how it is worn"),

@@ -122,6 +122,7 @@ enum class ActionId {
     TailorCuts,
     ProposeCuts,
     CompleteHalf,
+    TurnOver,
     Weld,
     CloseSlits,
     SeamsFromFile,

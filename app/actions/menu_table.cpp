@@ -124,7 +124,7 @@ std::vector<MenuSpec> makeTable() {
          {Reload, kLine,
           GoToFabric, kLine,
           Submenu{"unitMenu"}, Submenu{"upMenu"}, Submenu{"readAsMenu"}, Submenu{"divideMenu"}, kLine,
-          ProposeCuts, AutoCut, TailorCuts, CompleteHalf, Weld, CloseSlits, kLine,
+          ProposeCuts, AutoCut, TailorCuts, CompleteHalf, TurnOver, Weld, CloseSlits, kLine,
           SeamsFromFile, SeamsToFile}},
         {"unitMenu", TR("&Unit"),
          {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},

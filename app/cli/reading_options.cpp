@@ -42,6 +42,8 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
               "Of a soup: join vertices up to this distance; 0: a thousandth of an edge");
     command.add_flag("--complete-half", preparing.isHalf,
                      "The files hold half a garment: add its mirror image");
+    command.add_flag("--turn-over", preparing.isTurned,
+                     "Turn all faces over: the garment is inside out");
     command.parse_complete_callback([&command, &preparing] {
         static constexpr std::pair<const char*, FileKind> kGoesWith[] = {
             {"--keep-debris", FileKind::Scan}, {"--close-holes", FileKind::Scan},

@@ -61,6 +61,8 @@ constexpr Words kWords[] = {
                        "Choose the unit of the file's numbers, or type how tall the garment is")},
     {Remedy::SetUpAxis, QT_TRANSLATE_NOOP("Remedy", "Set axis…"),
      QT_TRANSLATE_NOOP("Remedy", "Choose the axis of the file that points up")},
+    {Remedy::TurnOver, QT_TRANSLATE_NOOP("Remedy", "Turn inside out"),
+     QT_TRANSLATE_NOOP("Remedy", "Turn all faces of the garment over")},
     {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "State ease…"),
      QT_TRANSLATE_NOOP("Remedy", "Type how much longer one side of the seam is meant to be")},
     {Remedy::BestGrain, QT_TRANSLATE_NOOP("Remedy", "Best grain"),
@@ -122,6 +124,8 @@ std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
             return {Remedy::SetUnit};
         case FindingKind::UpAxisInDoubt:
             return {Remedy::SetUpAxis};
+        case FindingKind::InsideOut:
+            return {Remedy::TurnOver};
         case FindingKind::GrainMissing:
             return {Remedy::BestGrain};
         default:
@@ -152,6 +156,8 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
                     ActionId::UnitMetre, ActionId::UnitInch};
         case Remedy::SetUpAxis:
             return {ActionId::UpY, ActionId::UpZ};
+        case Remedy::TurnOver:
+            return {ActionId::TurnOver};
         case Remedy::StateEase:
             return {ActionId::StateEase};
         case Remedy::BestGrain:

@@ -17,6 +17,7 @@ enum class Remedy {
     ProposeCuts,  ///< shows tailors' cuts, to be made or not
     SetUnit,
     SetUpAxis,
+    TurnOver,
     StateEase,
     BestGrain,
     PutDart,  ///< from the nearest edge to the worst place, as a proposal

@@ -307,7 +307,7 @@ void WindowDocks::help(Remedy remedy) {
     }
     if (ids.size() == 1) {
         QAction& action = actions_[ids.front()];
-        if (!action.isCheckable() || !action.isChecked()) {
+        if (remedy == Remedy::TurnOver || !action.isCheckable() || !action.isChecked()) {
             action.trigger();
         }
         const auto spot = views_.shownSpot();

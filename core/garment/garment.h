@@ -17,6 +17,7 @@
 #include "core/garment/split.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
+#include "core/prepare/orientation.h"
 #include "core/prepare/prepare_file.h"
 
 namespace toile {
@@ -40,6 +41,7 @@ struct SourceFile {
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
     Wording upReason;       ///< why this axis, where it was not stated; else empty
     bool upInDoubt = false;
+    ClothSide side;  ///< which way the faces look, as seen or as turned
     /// As read, welded and prepared; never null.
     std::shared_ptr<const PolygonSoup> soup = std::make_shared<const PolygonSoup>();
     FileReading reading;  ///< as what it was read; `soup` is what came of that

@@ -12,6 +12,8 @@
 #include "core/io/soup.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
+#include "core/prepare/file_surface.h"
+#include "core/prepare/orientation.h"
 #include "core/prepare/take_half.h"
 
 namespace toile {
@@ -23,14 +25,14 @@ namespace fs = std::filesystem;
 /// and seams.
 constexpr double kReadingShare = 0.35, kDividingShare = 0.55;
 
-Eigen::Vector3d extentsOf(const PolygonSoup& soup) {
+double largestExtentOf(const PolygonSoup& soup) {
     Eigen::AlignedBox3d box;
     for (const int corner : soup.corners) {
         if (soup.positions[corner].allFinite()) {
             box.extend(soup.positions[corner]);
         }
     }
-    return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
+    return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
 void chooseUnit(SourceFile& file, const std::optional<FileUnit>& stated, double largestExtent) {
@@ -53,8 +55,8 @@ void chooseUnit(SourceFile& file, const std::optional<FileUnit>& stated, double 
     }
 }
 
-void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated,
-                  const Eigen::Vector3d& extents) {
+/// @param mesh  what the file holds once it is prepared, in its own axes
+void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated, const MeshArrays& mesh) {
     if (stated) {
         file.up = *stated;
         return;
@@ -64,7 +66,7 @@ void chooseUpAxis(SourceFile& file, const std::optional<UpAxis>& stated,
         file.upReason = file.soup->statedUp->reason;
         return;
     }
-    UpGuess guess = guessUpAxis(extents);
+    UpGuess guess = guessUpAxis(mesh);
     file.up = guess.axis;
     file.upReason = std::move(guess.reason);
     file.upInDoubt = guess.inDoubt;
@@ -113,6 +115,26 @@ struct TakenFile {
     std::vector<std::shared_ptr<Piece>> pieces;
 };
 
+/// All pieces as one mesh, each with vertices of its own.
+MeshArrays joinedMesh(const std::vector<std::shared_ptr<Piece>>& pieces) {
+    Eigen::Index vertices = 0, faces = 0;
+    for (const auto& piece : pieces) {
+        vertices += piece->mesh.V.rows();
+        faces += piece->mesh.F.rows();
+    }
+    MeshArrays joined{Points3(vertices, 3), Triangles(faces, 3)};
+    vertices = faces = 0;
+    for (const auto& piece : pieces) {
+        const MeshArrays& mesh = piece->mesh;
+        joined.V.middleRows(vertices, mesh.V.rows()) = mesh.V;
+        joined.F.middleRows(faces, mesh.F.rows()) =
+            (mesh.F.array() + static_cast<int>(vertices)).matrix();
+        vertices += mesh.V.rows();
+        faces += mesh.F.rows();
+    }
+    return joined;
+}
+
 std::optional<DivisionCount> betterThan(const DividedFile& divided, const PolygonSoup& soup,
                                         const Progress& progress) {
     const auto flat =
@@ -132,9 +154,7 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     file->path = read.path;
     file->soup = read.soup;
     file->problems = read.soup->problems;
-    const Eigen::Vector3d extents = extentsOf(*read.soup);
-    chooseUnit(*file, options.unit, extents.maxCoeff());
-    chooseUpAxis(*file, options.up, extents);
+    chooseUnit(*file, options.unit, largestExtentOf(*read.soup));
     noteUnusedVertices(*file);
     const auto take = [&file](const Problems& problems) {
         file->problems.insert(file->problems.end(), problems.begin(), problems.end());
@@ -149,11 +169,18 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     if (!prepared) {
         return prepared.error();
     }
+    if (options.preparing.isTurned) {
+        prepared->soup = std::make_shared<const PolygonSoup>(turnedOver(*prepared->soup));
+    }
+    MeshArrays surface = surfaceOf(*prepared->soup, millimetres).mesh;
+    surface.F = weldedFaces(surface);
+    chooseUpAxis(*file, options.up, surface);
     takeHalf(*prepared, options.preparing, file->up, millimetres, name);
     file->soup = std::move(prepared->soup);
     file->reading = std::move(prepared->reading);
     take(prepared->problems);
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
+    file->side = sideOfFaces(joinedMesh(divided.pieces));
     if (options.closeSlits) {
         closeSlits(divided.pieces);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prepare/file_surface.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/io/triangulate.h"
@@ -55,6 +56,17 @@ PolygonSoup withFaces(const PolygonSoup& soup, const std::vector<int>& faces) {
         kept.faceStart.push_back(static_cast<int>(kept.corners.size()));
     }
     return kept;
+}
+
+PolygonSoup turnedOver(PolygonSoup soup) {
+    for (int face = 0; face < soup.faceCount(); ++face) {
+        const auto from = soup.faceStart[face], to = soup.faceStart[face + 1];
+        std::reverse(soup.corners.begin() + from, soup.corners.begin() + to);
+        if (!soup.cornerUvs.empty()) {
+            std::reverse(soup.cornerUvs.begin() + from, soup.cornerUvs.begin() + to);
+        }
+    }
+    return soup;
 }
 
 }  // namespace toile

@@ -26,4 +26,7 @@ Triangles weldedFaces(const MeshArrays& mesh);
 /// @param faces  of the soup, ascending  Cost: linear. Pure.
 PolygonSoup withFaces(const PolygonSoup& soup, const std::vector<int>& faces);
 
+/// The soup with every face turned over: its corners in the opposite order. Cost: linear. Pure.
+PolygonSoup turnedOver(PolygonSoup soup);
+
 }  // namespace toile

@@ -51,8 +51,9 @@ struct Preparation {
     ScanSteps scan{};
     /// Within which vertices of a soup become one, mm; 0: a thousandth of the median edge.
     double weldDistance = 0;
-    int onlyLayer = 0;    ///< of layers, which alone is taken, from the outermost, 1; 0: all
-    bool isHalf = false;  ///< half a garment: its mirror image is added
+    int onlyLayer = 0;      ///< of layers, which alone is taken, from the outermost, 1; 0: all
+    bool isHalf = false;    ///< half a garment: its mirror image is added
+    bool isTurned = false;  ///< turn all faces: the other side of the cloth is the right one
 
     bool operator==(const Preparation&) const = default;
 };

@@ -36,6 +36,9 @@ inline constexpr auto kPreparation = [](auto& at, auto& preparation) {
     at.field("weldDistance", preparation.weldDistance, 0, kMaxPreparedLength);
     at.field("onlyLayer", preparation.onlyLayer, 0, INT_MAX);
     at.field("isHalf", preparation.isHalf);
+    if (at.kReads || preparation.isTurned) {
+        at.field("isTurned", preparation.isTurned);
+    }
 };
 
 inline constexpr auto kReading = [](auto& at, auto& loading) {
