@@ -126,7 +126,9 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
     }
     const Garment& garment = *read;
     const PieceResults results = flattened(arguments, garment, progress);
-    OrderedJson figures = figuresOf(garment, results);
+    const LaidOutPattern laid = laidOut(arguments, garment, results);
+    const Fabric fabric = arguments.fabric.value_or(fabricPresets().front());
+    OrderedJson figures = figuresOf(garment, results, fabricsOf(laid.pattern, fabric));
     printProblems(garment, said);
     printFailures(results, said);
     addNotes(figures, said.str());
@@ -135,9 +137,8 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
     if (!isFlat) {  // no pattern; the report says why
         figures["status"] = kBatchFailed;
     }
-    const LaidOutPattern laid = laidOut(arguments, garment, results);
     const ExportSource source(garment, results, laid, arguments.exporting, {}, arguments.lines,
-                              arguments.fabric.value_or(fabricPresets().front()));
+                              fabric);
     for (const std::string& format : formats) {
         if (!isFlat && format != "json") {
             continue;

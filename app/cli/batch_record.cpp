@@ -71,7 +71,8 @@ OrderedJson failedFigures(const Refusal& why) {
     return figures;
 }
 
-OrderedJson figuresOf(const Garment& garment, const PieceResults& results) {
+OrderedJson figuresOf(const Garment& garment, const PieceResults& results,
+                      const std::vector<Fabric>& fabrics) {
     OrderedJson figures = noFigures(kBatchDone);
     long long triangles = 0;
     int failed = 0;
@@ -105,8 +106,19 @@ OrderedJson figuresOf(const Garment& garment, const PieceResults& results) {
     }
     addStrain(figures, results);
     figures["fingerprint"] = fingerprintOf(results);
-    for (const Doubt& doubt : findDoubts(garment, results)) {
+    const auto doubts = findDoubts(garment, results, fabrics);
+    for (const Doubt& doubt : doubts) {
         figures["doubts"].push_back(doubtWords(doubt.kind).name);
+        if (doubt.isFault) {
+            fail({doubtWords(doubt.kind).name, sentence(doubt), doubt.subject.name});
+        }
+    }
+    if (hasFaults(garment, results, doubts) && figures["error"].is_null()) {
+        const bool crosses = std::ranges::any_of(results, [](const auto& result) {
+            return result->quality && result->quality->outlineCrossings > 0;
+        });
+        const ErrorCode code = crosses ? ErrorCode::OutlineCrosses : ErrorCode::TrianglesFlipped;
+        fail({std::string(name(code)), std::string(describe(code))});
     }
     return figures;
 }

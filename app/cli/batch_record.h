@@ -16,7 +16,7 @@ struct BatchEntry;
 /// How a garment came out, for docs/batch.md.
 inline constexpr const char* kBatchDone = "done";  ///< every piece, every file
 inline constexpr const char* kBatchSomeFailed =
-    "some-failed";                                     ///< pieces failed, the rest is there
+    "some-failed";  ///< pieces failed, or cloth cut by the pattern would be wasted (`hasFaults`)
 inline constexpr const char* kBatchFailed = "failed";  ///< there is nothing
 
 /// What a garment took of the machine: all of a record that is another at every run.
@@ -28,7 +28,9 @@ struct BatchCost {
 OrderedJson failedFigures(const Refusal& why);
 /// Those of one that has been flattened; the first piece that failed is its error. Status done or
 /// some-failed; no outputs yet.
-OrderedJson figuresOf(const Garment& garment, const PieceResults& results);
+/// @param fabrics  as `findDoubts` takes them
+OrderedJson figuresOf(const Garment& garment, const PieceResults& results,
+                      const std::vector<Fabric>& fabrics);
 
 /// The whole record, one line with its end.
 std::string recordLine(const BatchEntry& entry, const OrderedJson& figures, const BatchCost& cost);

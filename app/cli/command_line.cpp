@@ -234,11 +234,8 @@ LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
                        const PieceResults& results) {
     LaidOutPattern laid = laidOutAsStated(arguments, garment, results);
     if (arguments.lines.grain) {
-        const Fabric own = arguments.fabric.value_or(fabricPresets().front());
-        std::vector<Fabric> fabrics;
-        for (const PatternPiece& piece : laid.pattern.pieces) {
-            fabrics.push_back(fabricOf(piece.material, laid.pattern.materials, own));
-        }
+        const auto fabrics =
+            fabricsOf(laid.pattern, arguments.fabric.value_or(fabricPresets().front()));
         const auto grains =
             grainsByRule(arguments, garment, results, fabrics, laid.pattern.symmetry.get());
         for (std::size_t p = 0; p < grains.size(); ++p) {

@@ -87,20 +87,22 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
         out << '\n';
         printTable(ledgerTable(*garment, results), out);
     }
-    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
-    if (printFailures(results, err)) {
-        const bool lacksMemory = std::ranges::any_of(results, [](const auto& result) -> bool {
-            return result->error && result->error->code == ErrorCode::OutOfMemory;
-        });
-        status = lacksMemory ? kExitUnreadable : kExitSomeFailed;
-    }
-    for (const Doubt& doubt : findDoubts(*garment, results)) {
-        err << "toile: doubt: " << sentence(doubt) << '\n';
-        status = arguments.failOnDoubt ? std::max<int>(status, kExitSomeFailed) : status;
-    }
+    printProblems(*garment, err);
+    printFailures(results, err);
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
+    const Fabric fabric = arguments.fabric.value_or(fabricPresets().front());
+    const auto doubts = findDoubts(*garment, results, fabricsOf(laid.pattern, fabric));
+    for (const Doubt& doubt : doubts) {
+        err << "toile: " << (doubt.isFault ? "fault: " : "doubt: ") << sentence(doubt) << '\n';
+    }
+    const bool lacksMemory = std::ranges::any_of(results, [](const auto& result) -> bool {
+        return result->error && result->error->code == ErrorCode::OutOfMemory;
+    });
+    const bool isRefused =
+        hasFaults(*garment, results, doubts) || (arguments.failOnDoubt && !doubts.empty());
+    int status = lacksMemory ? kExitUnreadable : isRefused ? kExitSomeFailed : kExitDone;
     const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
-                              arguments.fabric.value_or(fabricPresets().front()));
+                              fabric);
     if (!writePatterns(arguments.outputs, source, out, err)) {
         status = kExitUnreadable;
     }

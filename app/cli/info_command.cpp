@@ -12,6 +12,7 @@
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/diagnose/doubt.h"
 #include "core/export/pattern_file_writer.h"
 #include "core/export/writers.h"
 #include "core/garment/garment.h"
@@ -238,6 +239,18 @@ void printReading(const FileReading& reading, std::ostream& out) {
     out << '\n';
 }
 
+/// Which way the faces look: what they look to is the right side of the cloth.
+void printSide(const ClothSide& side, std::ostream& out) {
+    out << "right side: "
+        << (side.way == ClothSide::Way::Inwards    ? "inwards, so pieces come out mirrored"
+            : side.way == ClothSide::Way::Outwards ? "outwards"
+                                                   : "as the faces are wound");
+    if (!side.evidence.empty()) {
+        out << " (" << side.evidence << ")";
+    }
+    out << (side.way == ClothSide::Way::Inwards ? "; --turn-over turns it\n" : "\n");
+}
+
 /// How many pieces each layer of a file has.
 void printLayers(const Garment& garment, int file, std::ostream& out) {
     const std::vector<int> layers = layersOf(garment);
@@ -259,11 +272,9 @@ void printFile(const SourceFile& file, std::ostream& out) {
     if (!file.unitReason.empty()) {
         out << " (" << file.unitReason << ")";
     }
-    if (file.up != UpAxis::Y || file.upInDoubt) {
-        out << ", up " << name(file.up);
-        if (!file.upReason.empty()) {
-            out << " (" << file.upReason << ")";
-        }
+    out << ", up " << name(file.up);
+    if (!file.upReason.empty()) {
+        out << " (" << file.upReason << ")";
     }
     out << ", divided by " << name(file.split.mode);
     if (!file.split.reason.empty()) {
@@ -271,6 +282,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
     }
     out << '\n';
     printReading(file.reading, out);
+    printSide(file.side, out);
     printPrecision(file, out);
     if (const auto& better = file.betterSplit) {
         out << better->flat << " of " << counted(better->pieces, "piece")
@@ -345,6 +357,44 @@ void printSeams(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
+/// Whether the file names something so, or by what comes before a number.
+bool isNamedInFile(const Piece& piece, const Garment& garment) {
+    const PolygonSoup& soup = *garment.files[static_cast<std::size_t>(piece.file)]->soup;
+    const std::string_view name = piece.name;
+    const auto isOf = [name](const std::string& known) {
+        return !known.empty() && name.find(known) != std::string_view::npos;
+    };
+    return std::ranges::any_of(soup.objects, isOf) || std::ranges::any_of(soup.groups, isOf) ||
+           std::ranges::any_of(soup.materials, isOf);
+}
+
+/// What Toile assumes about the pieces unless told otherwise, and what that rests on
+/// (docs/guesses.md).
+void printAssumptions(const Garment& garment, std::ostream& out) {
+    constexpr double kShared = 1e-6;  // mm: the sides of the seam have the same vertices
+    int shared = 0, near = 0, free = 0;
+    double widest = 0;
+    for (const Seam& seam : garment.seams.seams) {
+        const bool isFree = seam.kind == SeamKind::Free;
+        free += isFree ? 1 : 0;
+        shared += !isFree && seam.gap <= kShared ? 1 : 0;
+        near += !isFree && seam.gap > kShared ? 1 : 0;
+        widest = std::max(widest, seam.gap);
+    }
+    const auto named = std::ranges::count_if(
+        garment.pieces, [&garment](const auto& piece) { return isNamedInFile(*piece, garment); });
+    out << "\nassumed, unless you say otherwise (docs/guesses.md):\n"
+        << "seams: " << shared << " along common vertices, " << near << " by nearness";
+    if (near > 0) {
+        out << ", up to " << fixed(widest, 2) << " mm apart on average";
+    }
+    out << "\nedges: " << free << " sewn to nothing, taken for hems where allowances are drawn\n"
+        << "grain: up the garment\n"
+        << "names: " << named << " of " << garment.pieces.size()
+        << " after the file, the others made up\n"
+        << "left and right: as in the file, but for --mirror and --pattern\n";
+}
+
 }  // namespace
 
 int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
@@ -368,12 +418,16 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         printPieces(*garment, out);
         printSlits(arguments, *garment, out);
         printSeams(*garment, out);
+        printAssumptions(*garment, out);
         if (arguments.advice) {
             out << '\n';
             printAdvice(arguments, *garment, progress, out);
         }
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
+    for (const Doubt& doubt : findDoubts(*garment, {})) {
+        err << "toile: doubt: " << sentence(doubt) << '\n';
+    }
     for (const auto& piece : garment->pieces) {
         if (piece->defect) {
             err << "toile: " << sentence(*piece->defect) << '\n';

@@ -223,6 +223,12 @@ Problems flatProblemsOf(const PyFlat& flat) {
     return problems;
 }
 
+std::vector<Doubt> doubtsOf(const PyFlat& flat) {
+    const HeldFlat& held = *flat.held;
+    const Fabric fabric = held.arguments.fabric.value_or(fabricPresets().front());
+    return findDoubts(held.garment(), held.results, fabricsOf(held.laid().pattern, fabric));
+}
+
 std::string nameOfResult(const std::shared_ptr<const PieceResult>& result) {
     return result->piece->name;
 }
@@ -268,12 +274,18 @@ FlatPiece.error. Raises UsageError.)");
             "doubts",
             [](const PyFlat& self) {
                 std::vector<std::string> doubts;
-                for (const Doubt& doubt : findDoubts(self.held->garment(), self.held->results)) {
+                for (const Doubt& doubt : doubtsOf(self)) {
                     doubts.push_back(sentence(doubt));
                 }
                 return doubts;
             },
             "List of sentences: why the pattern is most likely none that one could sew.")
+        .def_property_readonly(
+            "usable",
+            [](const PyFlat& self) {
+                return !hasFaults(self.held->garment(), self.held->results, doubtsOf(self));
+            },
+            "False where `toile flatten` would end with exit status 1.")
         .def(
             "__len__", [](const PyFlat& self) { return self.held->results.size(); },
             "Number of pieces.")

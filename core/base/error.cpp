@@ -117,7 +117,7 @@ constexpr Words kWords[] = {
      TR("the surface's curvature asks for corners that no flat outline has"),
      TR("Cut the piece where it curves most if the pattern looks folded there"), true},
     {EndedEarly, "ended-early", TR("the method ended before it reached its goal"),
-     TR("The pattern can be used as it is; look for slivers in the piece, or cut it "
+     TR("Look at its strain before you cut cloth; look for slivers in the piece, or cut it "
         "where it curves most"),
      true},
     {RimsNotKept, "rims-not-kept", TR("the rims of holes are not as long as on the garment"),

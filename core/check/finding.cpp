@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/finding.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/base/characters.h"
@@ -22,10 +24,9 @@ namespace {
 constexpr Word<Severity> kSeverities[] = {
     {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
 
-/// What is the matter is told by the doubt itself.
 constexpr FindingWords doubtRow(DoubtKind kind) {
     const DoubtWords& words = kDoubtWords[static_cast<std::size_t>(kind)];
-    return {words.name, words.title, "%0", words.advice};
+    return {words.name, words.title, words.describe, words.advice};
 }
 
 constexpr FindingWords kWords[] = {
@@ -38,6 +39,7 @@ constexpr FindingWords kWords[] = {
      TR("Choose another method, or cut the piece where it curves most")},
     {"proof-fault", TR("Faults found by sewing"), "%0",
      TR("Look at it in the pattern, put it right, and prove again")},
+    doubtRow(DoubtKind::InsideOut),
     doubtRow(DoubtKind::StrainBeyondCloth),
     doubtRow(DoubtKind::ManyScraps),
     doubtRow(DoubtKind::LongCuts),
@@ -77,9 +79,7 @@ constexpr FindingWords kWords[] = {
     {"unit-in-doubt", TR("Unit in doubt"),
      TR("the file states no unit, and its size leaves doubt (%0)"),
      TR("State the unit, or keep it if the size is right")},
-    {"up-axis-in-doubt", TR("Up axis in doubt"),
-     TR("the file does not say which axis points up (%0)"),
-     TR("State the axis, or keep it if the garment stands upright")},
+    doubtRow(DoubtKind::UpAxisInDoubt),
     {"grain-missing", TR("Grain not set"), TR("no grain is set: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
     {"message", TR("Messages"), "", ""},
@@ -110,6 +110,13 @@ std::string written(const Figure& figure) {
             return fixed(figure.value, 0);
     }
     return {};
+}
+
+/// What to type against a doubt.
+std::string_view optionOf(FindingKind kind) {
+    const std::string_view wanted = findingWords(kind).name;
+    const auto* const found = std::ranges::find(kDoubtWords, wanted, &DoubtWords::name);
+    return found == std::end(kDoubtWords) ? std::string_view() : found->option;
 }
 
 }  // namespace
@@ -166,7 +173,8 @@ std::string sentence(const Finding& finding) {
         help.front() = lowered(help.front());
         text += "; " + help;
     }
-    const auto option = finding.error ? commandLineOption(finding.error->code) : std::string_view();
+    const auto option =
+        finding.error ? commandLineOption(finding.error->code) : optionOf(finding.kind);
     if (!option.empty()) {
         text += " (" + std::string(option) + ")";
     }

@@ -27,7 +27,8 @@ enum class FindingKind {
     OutlineCrosses,     ///< a flat outline crosses itself
     FlippedTriangles,   ///< cloth is flipped in the pattern
     ProofFault,         ///< what is to be sewn together is no such pattern (core/prove/proof.h)
-    StrainBeyondCloth,  ///< no fabric takes the strain (core/diagnose/doubt.h),
+    InsideOut,          ///< the faces of a file look inwards (core/diagnose/doubt.h)
+    StrainBeyondCloth,  ///< no fabric takes the strain,
     ManyScraps,         ///< there are more scraps than pieces,
     LongCuts,           ///< cuts found by Toile are longer than the outline
     SeamLengths,        ///< two flat sides of a seam do not fit, the ease taken out

@@ -92,11 +92,6 @@ private:
                 finding.reason = file->unitReason;
                 found_.add(finding);
             }
-            if (file->upInDoubt && !plan_.guessesKept) {
-                finding.kind = FindingKind::UpAxisInDoubt;
-                finding.reason = file->upReason;
-                found_.add(finding);
-            }
             for (const Error& problem : file->problems) {
                 if (problem.code != ErrorCode::UnitGuessed) {  // said above
                     found_.add(problem, piecesOf(problem.subject));
@@ -159,10 +154,18 @@ private:
     }
 
     void checkDoubts() {
-        for (const Doubt& doubt : findDoubts(garment_, plan_.results)) {
+        std::vector<Fabric> fabrics;
+        for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
+            fabrics.push_back(
+                fabricOf(settingsOf(static_cast<int>(i)).material, plan_.materials, plan_.fabric));
+        }
+        for (const Doubt& doubt : findDoubts(garment_, plan_.results, fabrics)) {
+            if (doubt.kind == DoubtKind::UpAxisInDoubt && plan_.guessesKept) {
+                continue;
+            }
             Finding finding;
             finding.kind = kindOf(doubt.kind);
-            finding.severity = Severity::Doubt;
+            finding.severity = doubt.isFault ? Severity::Fault : Severity::Doubt;
             finding.subject = doubt.subject;
             finding.reason = doubt.what;
             finding.pieces = piecesOf(doubt.subject);
@@ -176,6 +179,10 @@ private:
 
     static FindingKind kindOf(DoubtKind kind) {
         switch (kind) {
+            case DoubtKind::UpAxisInDoubt:
+                return FindingKind::UpAxisInDoubt;
+            case DoubtKind::InsideOut:
+                return FindingKind::InsideOut;
             case DoubtKind::StrainBeyondCloth:
                 return FindingKind::StrainBeyondCloth;
             case DoubtKind::ManyScraps:

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <utility>
 
 #include "core/base/characters.h"
+#include "core/base/file.h"
 #include "core/base/text.h"
+#include "core/garment/identify.h"
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
 
@@ -17,36 +21,102 @@ namespace toile {
 namespace {
 
 constexpr double kPercent = 100;
+constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 
-/// The strain of the direction that is worst off: 0.3 stretched, -0.3 shrunk by 30 %.
-double worstStrain(const MetricTensor& metric) {
-    const PrincipalStretch stretch = principalStretch(metric);
-    const double stretched = stretch.largest - 1, shrunk = stretch.least - 1;
-    return stretched >= -shrunk ? stretched : shrunk;
-}
+/// The size of the strain over a piece, weighted by area. Without a sign: 0.3 is 30 %.
+struct StrainSizes {
+    double mean = 0;    ///< of both principal directions; a triangle counts kMostCounted at most
+    double beyond = 0;  ///< share of the area beyond kStrainBeyondCloth in its worst direction
+    double high = 0;    ///< exceeded on kStrainFaultArea of the area only
+    int worst = -1;     ///< triangle
+};
 
-std::optional<Doubt> strainDoubt(const PieceResult& result, int index) {
-    const Piece& piece = *result.piece;
-    const auto metrics = wornFaceMetrics(piece.mesh, result.flat->Q);
-    const Eigen::VectorXd areas = triangleAreas3d(piece.mesh);  // flat cloth may have none left
-    double total = 0, beyond = 0, worst = 0;
-    Doubt doubt{DoubtKind::StrainBeyondCloth, subjectOf(piece), index};
+/// Single triangles, however far they are stretched, do not decide the mean.
+constexpr double kMostCounted = 1;
+
+StrainSizes strainSizes(const PieceResult& result) {
+    const auto metrics = wornFaceMetrics(result.piece->mesh, result.flat->Q);
+    // Flat cloth may have no area left.
+    const Eigen::VectorXd areas = triangleAreas3d(result.piece->mesh);
+    StrainSizes sizes;
+    std::vector<std::pair<double, double>> sizeAndArea;
+    double total = 0, worst = 0;
     for (Eigen::Index f = 0; f < areas.size(); ++f) {
-        const double strain = worstStrain(metrics[static_cast<std::size_t>(f)]);
+        const PrincipalStretch stretch = principalStretch(metrics[static_cast<std::size_t>(f)]);
+        const double one = std::abs(stretch.largest - 1), other = std::abs(stretch.least - 1);
+        const double size = std::max(one, other);
+        sizeAndArea.emplace_back(size, areas[f]);
         total += areas[f];
-        beyond += std::abs(strain) > kStrainBeyondCloth ? areas[f] : 0;
-        if (std::abs(strain) > std::abs(worst)) {
-            worst = strain;
-            doubt.face = static_cast<int>(f);
+        sizes.mean += areas[f] * std::min((one + other) / 2, kMostCounted);
+        sizes.beyond += size > kStrainBeyondCloth ? areas[f] : 0;
+        if (size > worst) {
+            worst = size;
+            sizes.worst = static_cast<int>(f);
         }
     }
-    if (!(beyond > kStrainBeyondClothShare * total)) {
+    if (!(total > 0)) {
+        return {};
+    }
+    sizes.mean /= total;
+    sizes.beyond /= total;
+    std::ranges::sort(sizeAndArea, std::greater<>());
+    double passed = 0;
+    for (const auto& [size, area] : sizeAndArea) {
+        passed += area;
+        if (passed > kStrainFaultArea * total) {
+            sizes.high = size;
+            break;
+        }
+    }
+    return sizes;
+}
+
+/// No flat outline of a length encloses more than a circle does. A piece with more area is nearly
+/// closed, as a hat or a sock; this share of its area tells.
+constexpr double kNearlyClosed = 0.8;
+
+Wording closedWords(const Piece& piece, const PieceQuality* quality) {
+    const bool isNearlyClosed =
+        quality != nullptr && quality->perimeter3d * quality->perimeter3d <
+                                  kNearlyClosed * 4 * std::numbers::pi * quality->area3d;
+    return isNearlyClosed && piece.holes.empty()
+               ? worded(
+                     "; the piece is nearly closed: its outline of %1 mm cannot lie flat around "
+                     "its %2 cm²",
+                     {figure(quality->perimeter3d),
+                      figure(quality->area3d / kSquareMillimetresPerSquareCentimetre)})
+               : Wording();
+}
+
+/// The most that a fabric stretches or shrinks in any direction.
+double largestLimit(const Fabric& fabric) {
+    double largest = 0;
+    for (const StrainLimits& limits : {fabric.warp, fabric.weft, fabric.bias}) {
+        largest = std::max({largest, limits.most, -limits.least});
+    }
+    return largest;
+}
+
+std::optional<Doubt> strainDoubt(const PieceResult& result, int index, const Fabric& fabric) {
+    const Piece& piece = *result.piece;
+    const StrainSizes sizes = strainSizes(result);
+    const bool isFault = hasLimits(fabric)
+                             ? sizes.high > std::max(kStrainBeyondCloth, largestLimit(fabric))
+                             : sizes.high > kStrainBeyondCloth || sizes.mean > kMeanStrainFault;
+    const bool isBeyond = sizes.beyond > kStrainBeyondClothShare;
+    if (!isBeyond && !isFault) {
         return std::nullopt;
     }
-    doubt.badness = beyond / total;
+    Doubt doubt{DoubtKind::StrainBeyondCloth, subjectOf(piece), index, sizes.worst};
+    doubt.isFault = isFault;
+    doubt.badness = std::max(sizes.beyond, sizes.mean);
+    const Wording mean = figure(kPercent * sizes.mean, 1);
     doubt.what =
-        worded("strain is beyond %1 % on %2 % of the area, which no cloth takes",
-               {figure(kPercent * kStrainBeyondCloth), figure(kPercent * doubt.badness, 1)});
+        isBeyond
+            ? worded("strain is beyond %1 % on %2 % of the area, which no cloth takes",
+                     {figure(kPercent * kStrainBeyondCloth), figure(kPercent * sizes.beyond, 1)})
+            : worded("strain is %1 % on average, which only cloth that stretches takes", {mean});
+    doubt.what += closedWords(piece, result.quality ? &*result.quality : nullptr);
     return doubt;
 }
 
@@ -99,6 +169,20 @@ std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>&
     return doubt;
 }
 
+void addFileDoubts(const Garment& garment, std::vector<Doubt>& doubts) {
+    const std::vector<FileId> ids = fileIds(garment.files);
+    for (std::size_t f = 0; f < ids.size(); ++f) {
+        const SourceFile& file = *garment.files[f];
+        const Subject subject = Subject::file(pathText(file.path.filename()), ids[f]);
+        if (file.upInDoubt) {
+            doubts.push_back({DoubtKind::UpAxisInDoubt, subject, -1, -1, 0, file.upReason});
+        }
+        if (file.side.way == ClothSide::Way::Inwards) {
+            doubts.push_back({DoubtKind::InsideOut, subject, -1, -1, 0, file.side.evidence});
+        }
+    }
+}
+
 }  // namespace
 
 const DoubtWords& doubtWords(DoubtKind kind) {
@@ -108,13 +192,21 @@ const DoubtWords& doubtWords(DoubtKind kind) {
 std::string sentence(const Doubt& doubt) {
     std::string text =
         doubt.subject.name.empty() ? "" : shownText(doubt.subject.name, kMaxOfPlace) + ": ";
-    std::string advice = doubtWords(doubt.kind).advice;
+    const DoubtWords& words = doubtWords(doubt.kind);
+    const std::string_view describe = words.describe;
+    const std::size_t place = describe.find("%0");
+    text += std::string(describe.substr(0, place)) + doubt.what;
+    text += describe.substr(place + 2);
+    std::string advice = words.advice;
     advice.front() = lowered(advice.front());
-    return text + doubt.what + "; " + advice + ".";
+    text += "; " + advice;
+    return *words.option == '\0' ? text + "." : text + " (" + words.option + ").";
 }
 
-std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results) {
+std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results,
+                              const std::vector<Fabric>& fabrics) {
     std::vector<Doubt> doubts;
+    addFileDoubts(garment, doubts);
     const auto add = [&doubts](std::optional<Doubt> doubt) {
         if (doubt) {
             doubts.push_back(std::move(*doubt));
@@ -123,7 +215,8 @@ std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& result
     for (std::size_t i = 0; i < std::min(results.size(), garment.pieces.size()); ++i) {
         const PieceResult* result = results[i].get();
         if (result && result->flat && result->piece == garment.pieces[i]) {
-            add(strainDoubt(*result, static_cast<int>(i)));
+            add(strainDoubt(*result, static_cast<int>(i),
+                            i < fabrics.size() ? fabrics[i] : fabricPresets().front()));
         }
     }
     add(scrapsDoubt(garment, results));
@@ -132,6 +225,20 @@ std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& result
         add(cutsDoubt(record, leftOut));
     }
     return doubts;
+}
+
+bool hasFaults(const Garment& garment, const PieceResults& results,
+               const std::vector<Doubt>& doubts) {
+    const auto isFaulty = [](const auto& result) {
+        const bool isBad =
+            result && result->quality &&
+            (result->quality->flippedTriangles > 0 || result->quality->outlineCrossings > 0);
+        return isBad || (result && result->error && !isLeftOut(*result));
+    };
+    return std::ranges::any_of(results, isFaulty) ||
+           std::ranges::any_of(doubts, [](const Doubt& doubt) { return doubt.isFault; }) ||
+           std::ranges::any_of(garment.problems,
+                               [](const Error& problem) { return !isNote(problem.code); });
 }
 
 }  // namespace toile

@@ -7,12 +7,15 @@
 
 #include "core/base/error.h"
 #include "core/flatten/base/piece_result.h"
+#include "core/garment/fabric.h"
 #include "core/garment/garment.h"
 
 namespace toile {
 
-/// Why a pattern is most likely none that anybody could sew, though all of it came out flat.
+/// What makes a pattern doubtful although all of it came out flat.
 enum class DoubtKind {
+    UpAxisInDoubt,      ///< of a file: the axis was guessed, and another is as likely
+    InsideOut,          ///< of a file: its faces look inwards, so pieces come out mirrored
     StrainBeyondCloth,  ///< of one piece
     ManyScraps,         ///< of the garment: debris, not pieces
     LongCuts,           ///< of a piece as divided: cut to ribbons
@@ -20,50 +23,76 @@ enum class DoubtKind {
 
 /// No cloth takes this strain, and fewer than so much of a piece's area are single triangles.
 inline constexpr double kStrainBeyondCloth = 0.25, kStrainBeyondClothShare = 0.02;
+/// The pattern is useless, unless the chosen fabric stretches more, where the mean strain is more
+/// than this, or kStrainBeyondCloth is exceeded on so much of the area. Both weighted by area.
+inline constexpr double kMeanStrainFault = 0.06, kStrainFaultArea = 0.05;
 /// More scraps than this, each smaller than so much worn cloth, mm2, are debris.
 inline constexpr int kManyScraps = 20;
 inline constexpr double kScrapArea = 100;
 /// Cuts that Toile found itself and that are longer than all rims of a piece together.
 inline constexpr double kLongCuts = 1;
 
-/// How a kind of doubt is told; `advice` is a sentence without a full stop.
+/// How a kind of doubt is told.
 struct DoubtWords {
     const char* name;  ///< kebab-case, as in files
     const char* title;
-    const char* advice;
+    const char* describe;  ///< %0: `Doubt::what`
+    const char* advice;    ///< a sentence without a full stop
+    const char* option;    ///< what to type on the command line, or empty
 };
 
 inline constexpr DoubtWords kDoubtWords[] = {
-    {"strain-beyond-cloth", translatable("Strain beyond any cloth"),
-     translatable("Cut the piece where it curves most; if the file is a thick shell or a scan, "
-                  "make one sheet of it first")},
-    {"many-scraps", translatable("Scraps instead of pieces"),
+    {"up-axis-in-doubt", translatable("Up axis in doubt"),
+     translatable("the file does not say which axis points up (%0)"),
+     translatable("State the axis, or keep it if the garment stands upright"), "--up y or --up z"},
+    {"inside-out", translatable("Inside out"),
+     translatable("faces of the garment look inwards (%0): their pieces come out mirrored, wrong "
+                  "side up"),
+     translatable("Turn the garment; if only parts of it look inwards, make the normals consistent "
+                  "in the modelling program"),
+     "--turn-over"},
+    {"strain-beyond-cloth", translatable("Strain beyond any cloth"), "%0",
+     translatable("Cut the piece open or put darts where it curves most; if the file is a thick "
+                  "shell or a scan, make one sheet of it first"),
+     "--auto-cut --enough 5"},
+    {"many-scraps", translatable("Scraps instead of pieces"), "%0",
      translatable(
          "State the unit if the garment is too small; else leave the scraps out, or divide "
-         "the file by something else; if it is a scan, make one sheet of it first")},
-    {"long-cuts", translatable("Cuts longer than the outline"),
+         "the file by something else; if it is a scan, make one sheet of it first"),
+     ""},
+    {"long-cuts", translatable("Cuts longer than the outline"), "%0",
      translatable("Divide the garment by its own seams, or draw the cuts where seams are to be; "
-                  "if the file is a thick shell or a scan, make one sheet of it first")},
+                  "if the file is a thick shell or a scan, make one sheet of it first"),
+     ""},
 };
 
-/// Something that is to be looked at before anybody trusts the pattern.
+/// Something to look at before anybody trusts the pattern.
 struct Doubt {
     DoubtKind kind;
-    Subject subject{};  ///< the piece by its name; None of the whole garment
+    Subject subject{};  ///< the piece or the file by its name; None of the whole garment
     int piece = -1;     ///< index into the garment's pieces, or -1
     int face = -1;      ///< of the piece: the worst strained triangle, or -1
     double badness = 0;
-    Wording what{};  ///< what is the matter, in millimetres
+    Wording what{};        ///< the particulars, in millimetres
+    bool isFault = false;  ///< cloth cut by the pattern would be wasted
 };
 
 const DoubtWords& doubtWords(DoubtKind kind);
-/// "front: strain beyond 25 % on 40.0 % of the area ...; cut the piece ...".
+/// "front: strain is beyond 25 % on 40.0 % of the area ...; cut the piece ... (--auto-cut)."
 std::string sentence(const Doubt& doubt);
 
-/// Looks at what came out, as no method does. Pieces that are left out do not count, nor does what
-/// a person has cut; a closed piece has no rim that a cut could be compared with.
+/// Looks at the files and at what came out. Pieces that are left out do not count, nor does what a
+/// person has cut; a closed piece has no rim that a cut could be compared with.
 /// @param results  one per piece of the garment; null or of another shape: not looked at for strain
-/// Cost: linear in the triangles. Pure, thread-safe.
-std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results);
+/// @param fabrics  one per piece, as chosen; left out: none is chosen
+/// Cost: n log n in the triangles. Pure, thread-safe.
+std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results,
+                              const std::vector<Fabric>& fabrics = {});
+
+/// Whether cloth would be wasted: a piece that is not flat, crosses itself or has flipped
+/// triangles, a cut or a join that could not be made, or a doubt that is a fault. The rule behind
+/// exit status 1 (docs/report.md). @param doubts  of the same garment and results
+bool hasFaults(const Garment& garment, const PieceResults& results,
+               const std::vector<Doubt>& doubts);
 
 }  // namespace toile

@@ -77,7 +77,8 @@ Result<ReadBack> readPngFile(const ExportedFiles& files, const ExportSource& sou
 }
 
 Result<ExportedFiles> makeReport(const ExportSource& source) {
-    return oneFile(writeReport(source.garment(), source.results(), source.laid().pattern));
+    return oneFile(
+        writeReport(source.garment(), source.results(), source.laid().pattern, source.fabric()));
 }
 
 Result<ReadBack> readReportBack(const ExportedFiles& files, const ExportSource& source) {

@@ -178,11 +178,14 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
     return json;
 }
 
-Json doubtsJson(const Garment& garment, const PieceResults& results) {
+Json doubtsJson(const Garment& garment, const PieceResults& results,
+                const std::vector<Fabric>& fabrics) {
     Json doubts = Json::array();
-    for (const Doubt& doubt : findDoubts(garment, results)) {
+    for (const Doubt& doubt : findDoubts(garment, results, fabrics)) {
+        const bool isOfPiece = doubt.subject.kind == Subject::Kind::Piece;
         doubts.push_back({{"code", text(doubtWords(doubt.kind).name)},
-                          {"piece", textOrNull(doubt.subject.name)},
+                          {"piece", textOrNull(isOfPiece ? doubt.subject.name : "")},
+                          {"fault", doubt.isFault},
                           {"message", sentence(doubt)}});
     }
     return doubts;
@@ -190,8 +193,8 @@ Json doubtsJson(const Garment& garment, const PieceResults& results) {
 
 }  // namespace
 
-std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const Pattern& pattern) {
+std::string writeReport(const Garment& garment, const PieceResults& results, const Pattern& pattern,
+                        const Fabric& own) {
     Json report{{"version", kReportVersion}, {"toile", text(version())}};
     report["files"] = filesJson(garment, results);
     addStated(report, pattern);
@@ -211,7 +214,7 @@ std::string writeReport(const Garment& garment, const PieceResults& results,
         report["symmetry"] = symmetryJson(garment, results, *pattern.symmetry);
     }
     report["problems"] = problemsJson(garment);
-    report["doubts"] = doubtsJson(garment, results);
+    report["doubts"] = doubtsJson(garment, results, fabricsOf(pattern, own));
     return jsonText(report);
 }
 
@@ -249,6 +252,7 @@ std::string writeInfo(const Garment& garment) {
     info["cuts"] = cutsJson(garment);
     info["seams"] = seamsJson(garment, {});
     info["problems"] = problemsJson(garment);
+    info["doubts"] = doubtsJson(garment, {}, {});
     return jsonText(info);
 }
 

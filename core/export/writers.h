@@ -53,8 +53,9 @@ std::string writeObj(const Garment& garment, const PieceResults& results, const 
 std::string writeObjLines(const Drawing& drawing, double unit);
 /// The JSON report of docs/report.md. Never NaN or Infinity: null.
 /// @param pattern   as it is cut (`asCut`): says how, and how often; without pieces: once
+/// @param own       the garment's fabric
 std::string writeReport(const Garment& garment, const PieceResults& results,
-                        const Pattern& pattern = {});
+                        const Pattern& pattern = {}, const Fabric& own = fabricPresets().front());
 
 /// Compares a report with the lengths it was made from: of each outline and each side of a seam.
 /// Errors: NotReadBack. Cost: linear. Pure.

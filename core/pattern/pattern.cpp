@@ -243,4 +243,13 @@ std::vector<Points2> flatLoops(const Piece& piece, const FlatPiece& flat) {
     return loops;
 }
 
+std::vector<Fabric> fabricsOf(const Pattern& pattern, const Fabric& own) {
+    std::vector<Fabric> fabrics;
+    fabrics.reserve(pattern.pieces.size());
+    for (const PatternPiece& piece : pattern.pieces) {
+        fabrics.push_back(fabricOf(piece.material, pattern.materials, own));
+    }
+    return fabrics;
+}
+
 }  // namespace toile

@@ -174,6 +174,9 @@ struct Pattern {
     std::shared_ptr<const Symmetry> symmetry{};
 };
 
+/// What each piece is cut from. @param own  the garment's fabric
+std::vector<Fabric> fabricsOf(const Pattern& pattern, const Fabric& own);
+
 /// Everything of a garment that is flat, in its own coordinates. Pieces whose names give the same
 /// slug get "-2", "-3" in order.
 /// @param results  one per piece; null where there is none

@@ -722,6 +722,14 @@ veraltet</translation>
         <translation>Die Achse der Datei wählen, die nach oben zeigt</translation>
     </message>
     <message>
+        <source>Turn inside out</source>
+        <translation>Wenden</translation>
+    </message>
+    <message>
+        <source>Turn all faces of the garment over</source>
+        <translation>Alle Flächen des Kleidungsstücks wenden</translation>
+    </message>
+    <message>
         <source>State ease…</source>
         <translation>Einhalteweite angeben…</translation>
     </message>
@@ -1172,8 +1180,8 @@ veraltet</translation>
         <translation>das Verfahren endete, bevor es sein Ziel erreichte</translation>
     </message>
     <message>
-        <source>The pattern can be used as it is; look for slivers in the piece, or cut it where it curves most</source>
-        <translation>Das Schnittmuster ist so verwendbar; suchen Sie nach Splittern im Schnittteil oder schneiden Sie es dort ein, wo es sich am meisten krümmt</translation>
+        <source>Look at its strain before you cut cloth; look for slivers in the piece, or cut it where it curves most</source>
+        <translation>Sehen Sie seine Dehnung an, bevor Sie Stoff schneiden; suchen Sie nach Splittern im Schnittteil oder schneiden Sie es dort ein, wo es sich am meisten krümmt</translation>
     </message>
     <message>
         <source>the piece is closed and has no outline</source>
@@ -1418,6 +1426,18 @@ veraltet</translation>
     <message>
         <source>State the axis, or keep it if the garment stands upright</source>
         <translation>Geben Sie die Achse an, oder behalten Sie sie, wenn das Kleidungsstück aufrecht steht</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>Innen nach außen</translation>
+    </message>
+    <message>
+        <source>faces of the garment look inwards (%0): their pieces come out mirrored, wrong side up</source>
+        <translation>Flächen des Kleidungsstücks zeigen nach innen (%0): ihre Teile sind gespiegelt, mit der linken Seite nach oben</translation>
+    </message>
+    <message>
+        <source>Turn the garment; if only parts of it look inwards, make the normals consistent in the modelling program</source>
+        <translation>Wenden Sie das Kleidungsstück; zeigen nur Teile nach innen, richten Sie die Normalen im Modellierprogramm einheitlich aus</translation>
     </message>
     <message>
         <source>Grain not set</source>
@@ -1796,6 +1816,18 @@ veraltet</translation>
         <translation>glTF-Dateien sind in Metern</translation>
     </message>
     <message>
+        <source>glTF files have y up</source>
+        <translation>in glTF-Dateien zeigt y nach oben</translation>
+    </message>
+    <message>
+        <source>Collada files state their up axis; read as y</source>
+        <translation>Collada-Dateien nennen ihre Hochachse; als y gelesen</translation>
+    </message>
+    <message>
+        <source>3MF files have z up</source>
+        <translation>in 3MF-Dateien zeigt z nach oben</translation>
+    </message>
+    <message>
         <source>Collada files state their unit; read as metres</source>
         <translation>Collada-Dateien nennen ihre Einheit; als Meter gelesen</translation>
     </message>
@@ -1822,6 +1854,42 @@ veraltet</translation>
     <message>
         <source>flatter along y than along z: z may be up</source>
         <translation>flacher entlang y als entlang z: z könnte nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>the openings lie one above the other along z: z is up</source>
+        <translation>die Öffnungen liegen entlang z übereinander: z zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>the openings lie one above the other along y: y is up</source>
+        <translation>die Öffnungen liegen entlang y übereinander: y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>the openings lie as far apart along y as along z: z may be up</source>
+        <translation>die Öffnungen liegen entlang y so weit auseinander wie entlang z: z könnte nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>the openings lie beside each other along x: neither y nor z is seen to be up</source>
+        <translation>die Öffnungen liegen entlang x nebeneinander: weder y noch z ist als oben zu erkennen</translation>
+    </message>
+    <message>
+        <source>the only opening faces along y: y is up</source>
+        <translation>die einzige Öffnung zeigt entlang y: y zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>the only opening faces along z: z may be up</source>
+        <translation>die einzige Öffnung zeigt entlang z: z könnte nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>an open sheet, which does not show its right side: as its faces are wound</source>
+        <translation>eine offene Lage, der man die rechte Seite nicht ansieht: wie ihre Flächen umlaufen</translation>
+    </message>
+    <message>
+        <source>%1 % of its cloth that has an inside looks there</source>
+        <translation>%1 % seines Stoffs, der eine Innenseite hat, zeigen dorthin</translation>
+    </message>
+    <message>
+        <source>%1 % of its cloth that has an inside looks away from it</source>
+        <translation>%1 % seines Stoffs, der eine Innenseite hat, zeigen von ihr weg</translation>
     </message>
     <message>
         <source>y is up, as in most files</source>
@@ -2608,6 +2676,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>auf %2 % der Fläche liegt die Dehnung über %1 %, was kein Stoff mitmacht</translation>
     </message>
     <message>
+        <source>strain is %1 % on average, which only cloth that stretches takes</source>
+        <translation>die Dehnung liegt im Mittel bei %1 %, was nur dehnbarer Stoff mitmacht</translation>
+    </message>
+    <message>
+        <source>; the piece is nearly closed: its outline of %1 mm cannot lie flat around its %2 cm²</source>
+        <translation>; das Teil ist fast geschlossen: sein Umriss von %1 mm kann nicht flach um seine %2 cm² liegen</translation>
+    </message>
+    <message>
         <source>%1 of %2 pieces are smaller than 1 cm²</source>
         <translation>%1 von %2 Teilen sind kleiner als 1 cm²</translation>
     </message>
@@ -2620,8 +2696,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Dehnung, die kein Stoff mitmacht</translation>
     </message>
     <message>
-        <source>Cut the piece where it curves most; if the file is a thick shell or a scan, make one sheet of it first</source>
-        <translation>Schneiden Sie das Teil dort, wo es am stärksten gewölbt ist; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
+        <source>Cut the piece open or put darts where it curves most; if the file is a thick shell or a scan, make one sheet of it first</source>
+        <translation>Schneiden Sie das Teil auf oder setzen Sie Abnäher, wo es am stärksten gewölbt ist; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
     </message>
     <message>
         <source>Scraps instead of pieces</source>
@@ -5692,6 +5768,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Add the mirror image of a garment of which the file has one half</source>
         <translation>Das Spiegelbild eines Kleidungsstücks hinzufügen, von dem die Datei eine Hälfte hat</translation>
+    </message>
+    <message>
+        <source>Turn i&amp;nside out</source>
+        <translation>&amp;Wenden</translation>
+    </message>
+    <message>
+        <source>Turn all faces of the garment over: the other side of the cloth is the right one</source>
+        <translation>Alle Flächen des Kleidungsstücks wenden: die andere Seite des Stoffs ist die rechte</translation>
     </message>
     <message>
         <source>The file is a form that is to be covered: %1. Cuts make pieces of it; they are yours to take back.</source>

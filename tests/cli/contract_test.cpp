@@ -176,9 +176,8 @@ TEST(Contract, ABrokenPromiseIsStatusOneAndNoPlainFlat) {
     EXPECT_EQ(compared.status, 1);
     EXPECT_NE(compared.err.find("isometric: finger: triangles are"), std::string::npos)
         << compared.err;
-    // The others promise nothing, and say so.
     const auto other = test::toileRun({"flatten", input, "--unit", "mm", "--method", "curvature"});
-    EXPECT_EQ(other.status, 0);
+    EXPECT_EQ(other.status, 1);
     EXPECT_NE(other.err.find("triangles are flipped"), std::string::npos) << other.err;
 }
 

@@ -67,8 +67,84 @@ TEST(Doubt, StrainBeyondClothIsOneWhereItIsOfMoreThanSingleTriangles) {
 
 TEST(Doubt, StrainThatClothTakesIsNone) {
     FlatGarment flat;
-    widenFirstCells(*flat.add(test::planeGrid(10, 1, 50), "strip"), 10, 1 / 1.2);
+    widenFirstCells(*flat.add(test::planeGrid(10, 1, 50), "strip"), 2, 1 / 1.2);
     EXPECT_TRUE(flat.doubts().empty());
+    EXPECT_FALSE(hasFaults(flat.garment, flat.results, flat.doubts()));
+}
+
+TEST(Doubt, StrainIsAFaultByItsMeanOrWhereMuchOfItIsHigh) {
+    struct Case {
+        int cells;
+        double strain;
+        bool isDoubt, isFault;
+    };
+    for (const Case& known : {Case{10, 0.11, false, false}, Case{10, 0.13, true, true},
+                              Case{2, 0.24, false, false}, Case{2, 0.35, true, true}}) {
+        FlatGarment flat;
+        widenFirstCells(*flat.add(test::planeGrid(10, 1, 50), "strip"), known.cells,
+                        1 / (1 + known.strain));
+        const auto doubts = flat.doubts();
+        EXPECT_EQ(!doubts.empty(), known.isDoubt) << known.cells << " of " << known.strain;
+        EXPECT_EQ(!doubts.empty() && doubts[0].isFault, known.isFault) << known.strain;
+        EXPECT_EQ(hasFaults(flat.garment, flat.results, doubts), known.isFault);
+        if (known.isDoubt) {
+            EXPECT_NE(sentence(doubts[0]).find("(--auto-cut --enough 5)"), std::string::npos);
+        }
+    }
+}
+
+TEST(Doubt, AChosenFabricThatStretchesTakesMore) {
+    FlatGarment flat;
+    widenFirstCells(*flat.add(test::planeGrid(10, 1, 50), "strip"), 10, 1 / 1.3);
+    const auto isFault = [&flat](const char* fabric) {
+        const auto doubts = findDoubts(flat.garment, flat.results, {*fabricPreset(fabric)});
+        return hasFaults(flat.garment, flat.results, doubts);
+    };
+    EXPECT_TRUE(isFault("unstated"));
+    EXPECT_TRUE(isFault("denim"));
+    EXPECT_FALSE(isFault("spandex"));
+}
+
+TEST(Doubt, WhatWastesClothIsAFault) {
+    FlatGarment flat;
+    const auto result = flat.add(test::planeGrid(2, 2, 50), "panel");
+    const auto isFaulty = [&flat] { return hasFaults(flat.garment, flat.results, {}); };
+    result->quality.emplace();
+    EXPECT_FALSE(isFaulty());
+    result->quality->outlineCrossings = 1;
+    EXPECT_TRUE(isFaulty());
+    *result->quality = {};
+    result->quality->flippedTriangles = 1;
+    EXPECT_TRUE(isFaulty());
+    *result->quality = {};
+    result->error = Error{ErrorCode::LeftOut};
+    EXPECT_FALSE(isFaulty());
+    result->error = Error{ErrorCode::SeveralLoops};
+    EXPECT_TRUE(isFaulty());
+    result->error.reset();
+    flat.garment.problems = {{ErrorCode::NoBodySeen}};
+    EXPECT_FALSE(isFaulty());
+    flat.garment.problems = {{ErrorCode::CutImpossible}};
+    EXPECT_TRUE(isFaulty());
+}
+
+TEST(Doubt, FilesAreInDoubtByTheirAxisAndTheirSide) {
+    Garment garment;
+    const auto file = std::make_shared<SourceFile>();
+    file->path = "skirt.obj";
+    garment.files = {file};
+    EXPECT_TRUE(findDoubts(garment, {}).empty());
+    file->upInDoubt = true;
+    file->upReason = "z may be up";
+    file->side = {ClothSide::Way::Inwards, "99 %"};
+    const auto doubts = findDoubts(garment, {});
+    ASSERT_EQ(doubts.size(), 2U);
+    EXPECT_EQ(sentence(doubts[0]),
+              "skirt.obj: the file does not say which axis points up (z may be up); state the "
+              "axis, or keep it if the garment stands upright (--up y or --up z).");
+    EXPECT_EQ(doubts[1].kind, DoubtKind::InsideOut);
+    EXPECT_NE(sentence(doubts[1]).find("(--turn-over)."), std::string::npos);
+    EXPECT_FALSE(hasFaults(garment, {}, doubts));
 }
 
 TEST(Doubt, AFewTrianglesAreNone) {
