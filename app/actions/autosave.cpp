@@ -13,6 +13,7 @@
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
+#include "app/document/project_state.h"
 #include "app/jobs/file_jobs.h"
 #include "app/widgets/banner.h"
 #include "core/project/project_file.h"
@@ -118,6 +119,15 @@ void Autosave::noteChange() {
     timer_.start(static_cast<int>(std::max<qint64>(wait, 0)));
 }
 
+void Autosave::noteDocument() {
+    ProjectView view = savedView(document_.view());
+    if (!(document_.state() == noted_) || !(view == notedView_)) {
+        noted_ = document_.state();
+        notedView_ = std::move(view);
+        noteChange();
+    }
+}
+
 void Autosave::writeNow() {
     timer_.stop();
     if (!times_ || !session_.isModified() || !document_.garment()) {
@@ -183,12 +193,7 @@ Recovery::Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& 
            [&session = project.session()] { return session.path(); }},
           folder, times) {
     connect(&project.session(), &ProjectSession::changed, &autosave_, &Autosave::noteChange);
-    connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Loading |
-                    DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings)) {
-            autosave_.noteChange();
-        }
-    });
+    connect(&workspace.document(), &Document::changed, &autosave_, &Autosave::noteDocument);
     connect(&card, &RecoveryCard::restoreWanted, this, &Recovery::restore);
     connect(&card, &RecoveryCard::discardWanted, this, &Recovery::discard);
     // Whatever came of a restoring, what is still offered may be asked for again.

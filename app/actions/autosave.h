@@ -12,7 +12,9 @@
 #include <optional>
 #include <vector>
 
+#include "app/document/document_state.h"
 #include "app/jobs/job_runner.h"
+#include "core/project/project.h"
 
 namespace toile::app {
 
@@ -68,8 +70,11 @@ public:
 
     /// From now on; without times the recovery file goes, and none is written.
     void setTimes(std::optional<AutosaveTimes> times);
-    /// To be called whenever the document or the session's answers are others.
+    /// To be called when the session's answers are others.
     void noteChange();
+    /// To be called on every change of the document: notes it if what is saved differs from what
+    /// was noted last.
+    void noteDocument();
     /// The file is this session's from now on.
     void adopt(RecoveryFile file);
     /// Writes now what there is to write.
@@ -87,6 +92,8 @@ private:
     bool prepare();
 
     const Document& document_;
+    DocumentState noted_{};
+    ProjectView notedView_{};
     Session session_;
     QString folder_;
     std::optional<AutosaveTimes> times_;

@@ -26,16 +26,20 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     if (const auto& path = state.reference.path; !path.empty()) {
         project.reference = FileReference{.path = path};
     }
-    project.view = {std::string(wordOf(kOverlayWords, view.overlay)),
-                    view.wireframe,
-                    view.referencePanels,
-                    view.exactOutline,
-                    view.cuttingLine,
-                    view.notches,
-                    view.internalLines,
-                    view.grain,
-                    view.labels};
+    project.view = savedView(view);
     return project;
+}
+
+ProjectView savedView(const ViewState& view) {
+    return {std::string(wordOf(kOverlayWords, view.overlay)),
+            view.wireframe,
+            view.referencePanels,
+            view.exactOutline,
+            view.cuttingLine,
+            view.notches,
+            view.internalLines,
+            view.grain,
+            view.labels};
 }
 
 ViewState viewOf(const ProjectView& saved, ViewState view) {

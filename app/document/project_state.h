@@ -10,6 +10,9 @@ namespace toile::app {
 /// What is saved of the open document. Requires a garment. Linear in the outlines; thread-safe.
 Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view);
 
+/// What is saved of how the document is shown.
+ProjectView savedView(const ViewState& view);
+
 /// How the project was shown; what it does not say is as before.
 ViewState viewOf(const ProjectView& saved, ViewState before);
 

@@ -5,10 +5,16 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTimer>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
 
 #include "app/actions/autosave.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
+#include "core/base/json_fields.h"
+#include "core/marker/marker_plan.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/project_bench.h"
@@ -81,6 +87,87 @@ private slots:
         QVERIFY(!QFile::exists(left));
         const auto read = readProject(file("dress.toile"));
         QVERIFY(read && !read->project.recoveryOf);
+    }
+
+    void everySavedSettingWakesTheAutosave() {
+        using Change = std::function<void(DocumentState&)>;
+        const auto kept = [this](const QString& from) -> OrderedJson {
+            const auto text = readFile(std::filesystem::path(from.toStdU16String()));
+            return text ? OrderedJson::parse(*text) : OrderedJson();
+        };
+        QVERIFY(writeFile(file("other.dxf"), "0\nEOF\n"));
+        const std::map<std::string, Change> changes{
+            {"reading", [](DocumentState& to) { to.inputs.loading.strict = true; }},
+            {"seams",
+             [](DocumentState& to) {
+                 UserCut cut{"waist", UserCut::Kind::Path, {{0, 210, 0}, {300, 210, 0}}, false};
+                 to.inputs.loading.seams.cuts.push_back(std::move(cut));
+             }},
+            {"flattening", [](DocumentState& to) { to.options.quality = Quality::Fine; }},
+            {"lines", [](DocumentState& to) { to.lines.trueBelow = 0.1; }},
+            {"fabric", [](DocumentState& to) { to.fabric = *fabricPreset("jersey"); }},
+            {"materials",
+             [](DocumentState& to) {
+                 to.materials.push_back({"lining", fabricPresets().front()});
+             }},
+            {"pieces", [](DocumentState& to) { to.settings.begin()->second.quantity = 7; }},
+            {"labels", [](DocumentState& to) { to.labels.begin()->second.name = "Other"; }},
+            {"markers",
+             [](DocumentState& to) {
+                 MarkerPlan plan;
+                 plan.settings.gap = 7;
+                 to.markers = to.markers.with({}, std::move(plan));
+             }},
+            {"proof", [](DocumentState& to) { to.proof.body = "/body.obj"; }},
+            {"reference", [this](DocumentState& to) {
+                 to.reference = {file("other.dxf"), std::make_shared<const PatternFile>()};
+             }}};
+        Recovery& recovery =
+            window().keepRecoveryFiles(path("recovery"), AutosaveTimes{10, 10, 10});
+        Autosave& autosave = recovery.autosave();
+        const auto isAtRest = [&] {
+            return waitUntilFlat() &&
+                   QTest::qWaitFor([&] { return !autosave.findChild<QTimer*>()->isActive(); });
+        };
+        edit();
+        QVERIFY(isAtRest());
+        waitUntilKept(autosave);
+        std::set<std::string> lost;
+        for (const auto& member : kept(autosave.file()).items()) {
+            lost.insert(member.key());
+        }
+        // They follow from the files, or say what the file is.
+        for (const char* other :
+             {"format", "version", "program", "files", "division", "recoveryOf"}) {
+            QCOMPARE(lost.erase(other), std::size_t(1));
+        }
+        const auto expectKept = [&](const std::string& key, const std::function<void()>& change) {
+            const OrderedJson before = kept(autosave.file());
+            QSignalSpy written(&autosave, &Autosave::written);
+            change();
+            QVERIFY2(QTest::qWaitFor([&] { return written.count() > 0; }, test::kPatience),
+                     key.c_str());
+            QVERIFY(isAtRest());
+            waitUntilKept(autosave);
+            const OrderedJson after = kept(autosave.file());
+            QVERIFY2(after.value(key, OrderedJson()) != before.value(key, OrderedJson()),
+                     key.c_str());
+            const auto read = readProject(std::filesystem::path(autosave.file().toStdU16String()));
+            QVERIFY(read);
+            const OrderedJson again =
+                OrderedJson::parse(projectText(read->project, file("recovery")));
+            QVERIFY2(again.at(key) == after.at(key), key.c_str());
+            lost.erase(key);
+        };
+        for (const auto& [key, change] : changes) {
+            expectKept(key, [&, change = change] {
+                DocumentState next = document().state();
+                change(next);
+                document().edit("Change", std::move(next));
+            });
+        }
+        expectKept("view", [this] { document().setView(&ViewState::wireframe, true); });
+        QVERIFY2(lost.empty(), lost.empty() ? "" : lost.begin()->c_str());
     }
 
     void whatACrashLeavesCanBeDiscarded() {
