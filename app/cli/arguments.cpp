@@ -277,7 +277,7 @@ LineSettings StatedOptions::over(LineSettings lines) const {
     }
     lines.trueBelow = trueSeams ? kProposedTrueing : lines.trueBelow;
     const bool asksForMirror = byHalf && lines.mirror == Mirror::None;
-    lines.mirror = asksForMirror ? Mirror::Mean : lines.mirror;
+    lines.mirror = asksForMirror ? Mirror::Close : lines.mirror;
     if (pattern) {
         lines = withPattern(std::move(lines));
     }

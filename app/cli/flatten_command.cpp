@@ -14,6 +14,7 @@
 #include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 namespace {
@@ -37,23 +38,24 @@ std::vector<std::string> rowOf(const PieceResult& result) {
     const Piece& piece = *result.piece;
     std::vector<std::string> row{piece.name, std::to_string(piece.mesh.F.rows())};
     if (!result.quality) {
-        row.insert(row.end(), {"-", "-", "-", "-", "-", "-", "-", "-",
+        row.insert(row.end(), {"-", "-", "-", "-", "-", "-", "-", "-", "-",
                                isLeftOut(result) ? "left out" : "failed"});
         return row;
     }
     const PieceQuality& q = *result.quality;
+    const std::string changes = changeWords(changesOf(result));
     row.insert(row.end(), {fixed(q.area2d / kSquareMillimetresPerSquareCentimetre, 1),
                            fixed(q.perimeter2d / kMillimetresPerCentimetre, 1),
-                           scientific(q.maxBoundaryLengthError), percent(q.strainMin),
-                           percent(q.strainMax), percent(q.strainMeanAbs),
+                           scientific(q.maxBoundaryLengthError), changes.empty() ? "-" : changes,
+                           percent(q.strainMin), percent(q.strainMax), percent(q.strainMeanAbs),
                            std::to_string(q.flippedTriangles), std::to_string(q.outlineCrossings),
                            fixed(kMillisecondsPerSecond * result.seconds, 1)});
     return row;
 }
 
 void printResults(const PieceResults& results, std::ostream& out) {
-    Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "strain % least",
-                 "most", "mean size", "flips", "crossings", "ms"});
+    Table table({"piece", "triangles", "area cm2", "outline cm", "length error", "changed by",
+                 "strain % least", "most", "mean size", "flips", "crossings", "ms"});
     for (const auto& result : results) {
         table.add(rowOf(*result));
     }
@@ -69,6 +71,28 @@ void printSeamSummary(const Garment& garment, const PieceResults& results, std::
     out << counted(static_cast<long long>(rows.size()), "seam") << ", largest error "
         << fixed(std::abs(rows.front().measure.errorMm), 2) << " mm ("
         << shownText(rows.front().seam->name) << ")\n";
+}
+
+/// The pieces that are not mirrored since their seams differ too much, and what makes them equal.
+void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream& out) {
+    if (!symmetry || symmetry->kept.empty() || symmetry->unequal.empty()) {
+        return;
+    }
+    const auto seamName = [&garment](int seam) -> std::string {
+        return shownText(garment.seams.seams[seam].name);
+    };
+    for (const UnequalPieces& one : symmetry->unequal) {
+        out << "not mirrored: " << shownText(garment.pieces[one.piece]->name);
+        if (one.piece == one.counterpart) {
+            out << ", its two halves";
+        } else {
+            out << " and " << shownText(garment.pieces[one.counterpart]->name);
+        }
+        out << "; seam " << seamName(one.seam) << " is " << fixed(one.difference, 1)
+            << " mm longer than " << seamName(one.mirrored) << " (tolerance "
+            << fixed(one.tolerance, 1) << " mm)\n";
+    }
+    out << "they keep their shapes as in the file; --mirror equal makes them equal\n";
 }
 
 }  // namespace
@@ -90,6 +114,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     printProblems(*garment, err);
     printFailures(results, err);
     const LaidOutPattern laid = laidOut(arguments, *garment, results);
+    printUnequal(*garment, laid.pattern.symmetry.get(), out);
     const Fabric fabric = arguments.fabric.value_or(fabricPresets().front());
     const auto doubts = findDoubts(*garment, results, fabricsOf(laid.pattern, fabric));
     for (const Doubt& doubt : doubts) {

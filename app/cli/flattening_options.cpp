@@ -15,9 +15,10 @@ namespace {
 constexpr Word<bool> kNotchesWords[] = {{true, "auto"}, {false, "none"}};
 
 std::optional<Mirror> parseMirror(std::string_view text) {
-    return text == "auto"   ? std::optional(Mirror::Mean)
-           : text == "none" ? std::optional(Mirror::None)
-                            : std::nullopt;
+    return text == "auto"    ? std::optional(Mirror::Close)
+           : text == "equal" ? std::optional(Mirror::Mean)
+           : text == "none"  ? std::optional(Mirror::None)
+                             : std::nullopt;
 }
 
 }  // namespace
@@ -77,9 +78,10 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
     command.add_flag("--true", stated.trueSeams,
                      "True the lines at the ends of seams: kinks up to 10 degrees are taken out; "
                      "draws fair lines");
-    addChoice(command, "--mirror", stated.mirror, {"auto", "none"}, parseMirror,
-              "auto: pieces that mirror each other become equal, and those that are symmetric in "
-              "themselves symmetric")
+    addChoice(command, "--mirror", stated.mirror, {"auto", "equal", "none"}, parseMirror,
+              "equal: pieces that mirror each other become equal, and those that are symmetric in "
+              "themselves symmetric; auto: only where each of their seams differs from its mirror "
+              "image by at most 2 mm or 1 %")
         ->default_str("none");
 }
 

@@ -139,7 +139,7 @@ void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) 
     DocumentState next = withSettings(
         document, there, [byHalf](int, PieceSettings& settings) { settings.byHalf = byHalf; });
     if (byHalf && next.lines.mirror == Mirror::None) {
-        next.lines.mirror = Mirror::Mean;
+        next.lines.mirror = Mirror::Close;
     }
     const QString text = byHalf ? tr("Half only: %1") : tr("As a whole: %1");
     document.edit(text.arg(nameOfPieces(document, there)), std::move(next));

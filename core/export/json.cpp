@@ -73,19 +73,21 @@ Json seamJson(const Garment& garment, const PieceResults& results, const Seam& s
         delta = *length2dLeft - *length2dRight;
         error = *length2dLeft - (1 + ease) * *length2dRight;
     }
-    return {{"name", seam.name},
-            {"kind", text(name(seam.kind))},
-            {"pieces", std::move(pieces)},
-            {"length_3d", number(seam.length3d[0])},
-            {"length_3d_right", sewn ? number(seam.length3d[1]) : Json(nullptr)},
-            {"length_2d_left", number(length2dLeft)},
-            {"length_2d_right", number(length2dRight)},
-            {"delta_mm", number(delta)},
-            {"ease", sewn ? number(ease) : Json(nullptr)},
-            {"ease_stated", seam.ease.has_value()},
-            {"error_mm", number(error)},
-            {"stacked", seam.stacked},
-            {"closed", seam.closed}};
+    Json json{{"name", seam.name},
+              {"kind", text(name(seam.kind))},
+              {"pieces", std::move(pieces)},
+              {"length_3d", number(seam.length3d[0])},
+              {"length_3d_right", sewn ? number(seam.length3d[1]) : Json(nullptr)},
+              {"length_2d_left", number(length2dLeft)},
+              {"length_2d_right", number(length2dRight)},
+              {"delta_mm", number(delta)},
+              {"ease", sewn ? number(ease) : Json(nullptr)},
+              {"ease_stated", seam.ease.has_value()},
+              {"error_mm", number(error)},
+              {"stacked", seam.stacked},
+              {"closed", seam.closed}};
+    addChanges(json, changesOf(seam, results));
+    return json;
 }
 
 }  // namespace
@@ -106,6 +108,13 @@ Json errorJson(const Error& error) {
     Json json{{"code", text(name(error.code))}, {"message", sentence(error)}};
     addPlaces(json, placesIn(error));
     return json;
+}
+
+void addChanges(Json& json, const std::vector<LengthChange>& changes) {
+    for (const LengthChange& change : changes) {
+        json["changed_by"].push_back(
+            {{"cause", text(name(change.cause))}, {"mm", number(change.millimetres)}});
+    }
 }
 
 void addPlaces(Json& json, const std::vector<ToldPlace>& places) {

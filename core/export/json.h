@@ -12,6 +12,7 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/pattern/pattern.h"
+#include "core/seam/seam_measure.h"
 #include "core/symmetry/symmetry.h"
 
 /// The parts that the report and the description of a garment share. Include in writers only: the
@@ -30,6 +31,8 @@ Json text(std::string_view words);
 Json errorJson(const Error& error);
 /// Adds `places` beside a sentence, where it tells any.
 void addPlaces(Json& json, const std::vector<ToldPlace>& places);
+/// Adds `changed_by`, where anything is changed.
+void addChanges(Json& json, const std::vector<LengthChange>& changes);
 /// The text, or null where there is none.
 Json textOrNull(const std::string& words);
 

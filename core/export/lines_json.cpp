@@ -113,6 +113,14 @@ Json symmetryJson(const Garment& garment, const PieceResults& results, const Sym
         {"farthest", number(plane.farthest)},
         {"pairs", pairsJson(garment, results, symmetry.pieces)},
         {"largest_length_change", number(change)}};
+    for (const UnequalPieces& one : symmetry.unequal) {
+        json["unequal"].push_back(
+            {{"pieces", {garment.pieces[one.piece]->name, garment.pieces[one.counterpart]->name}},
+             {"seams",
+              {garment.seams.seams[one.seam].name, garment.seams.seams[one.mirrored].name}},
+             {"difference", number(one.difference)},
+             {"tolerance", number(one.tolerance)}});
+    }
     addStrain(json, results, mirrored);
     json["without_counterpart"] = std::move(without);
     return json;

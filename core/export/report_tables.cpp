@@ -83,6 +83,15 @@ std::string csvCell(const std::string& text) {
 
 }  // namespace
 
+std::string changeWords(const std::vector<LengthChange>& changes) {
+    std::string words;
+    for (const LengthChange& change : changes) {
+        words += (words.empty() ? "" : ", ") + std::string(name(change.cause)) +
+                 (change.millimetres > 0 ? " +" : " ") + fixed(change.millimetres, 2) + " mm";
+    }
+    return words;
+}
+
 std::vector<MeasuredSeam> seamsByError(const Garment& garment, const PieceResults& results) {
     std::vector<MeasuredSeam> rows;
     for (const Seam& seam : garment.seams.seams) {
@@ -119,15 +128,16 @@ ReportTable pieceTable(const Pattern& pattern, const PieceResults& results) {
 }
 
 ReportTable ledgerTable(const Garment& garment, const PieceResults& results) {
-    ReportTable table{
-        "Seams",
-        "seams",
-        {"seam", "kind", "3D mm", "left mm", "right mm", "difference mm", "ease %", "error mm"}};
+    ReportTable table{"Seams",
+                      "seams",
+                      {"seam", "kind", "3D mm", "left mm", "right mm", "difference mm", "ease %",
+                       "error mm", "changed by"}};
     for (const auto& [seam, measure] : seamsByError(garment, results)) {
         table.rows.push_back({seam->name, std::string(name(seam->kind)),
                               fixed(measure.length3d[0], 2), fixed(measure.length2dLeft, 2),
                               fixed(measure.length2dRight, 2), fixed(measure.deltaMm, 2),
-                              fixed(100 * measure.ease, 1), fixed(measure.errorMm, 6)});
+                              fixed(100 * measure.ease, 1), fixed(measure.errorMm, 6),
+                              changeWords(changesOf(*seam, results))});
     }
     return table;
 }

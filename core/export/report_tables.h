@@ -23,6 +23,9 @@ struct MeasuredSeam {
     SeamMeasure measure;
 };
 
+/// "mirroring +4.50 mm, ease -2.00 mm"; empty for no change.
+std::string changeWords(const std::vector<LengthChange>& changes);
+
 /// The sewn seams of which both sides are flat, the worst first.
 std::vector<MeasuredSeam> seamsByError(const Garment& garment, const PieceResults& results);
 

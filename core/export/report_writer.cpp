@@ -166,6 +166,7 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
               {"triangles", piece.mesh.F.rows()},
               {"boundary_edges", piece.defect ? Json(nullptr) : Json(piece.boundary.size())}};
     addQuality(json, result.flat && result.quality ? &*result.quality : nullptr);
+    addChanges(json, changesOf(result));
     addDiagnostics(json, result);
     json["notes"] = notesJson(result);
     json["holes"] = holesJson(piece, result);

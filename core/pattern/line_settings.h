@@ -37,17 +37,20 @@ struct AllowanceWidths {
 /// Of the width of an allowance, mm.
 inline constexpr double kMaxAllowance = 500;
 
-/// What becomes of pieces that are mirror images of each other, but for what the cloth hangs. Seams
-/// that mirror each other get a common length wherever this is not None (common_lengths.h).
+/// What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Mean
+/// and First give all mirrored seams a common length (common_lengths.h).
 enum class Mirror {
     None,   ///< every piece is what it is
+    Close,  ///< as Mean, but only pieces whose seams differ little (`withinTolerance`)
     Mean,   ///< both become mirror images of their mean
     First,  ///< the one on the side to which the plane's normal points is mirrored onto the other
 };
 
 /// What they are called in project files.
-inline constexpr Word<Mirror> kMirrorWords[] = {
-    {Mirror::None, "none"}, {Mirror::Mean, "mean"}, {Mirror::First, "first"}};
+inline constexpr Word<Mirror> kMirrorWords[] = {{Mirror::None, "none"},
+                                                {Mirror::Close, "close"},
+                                                {Mirror::Mean, "mean"},
+                                                {Mirror::First, "first"}};
 
 /// By what the direction of the warp is found.
 enum class GrainRule {
@@ -113,7 +116,7 @@ struct LineSettings {
     /// Kinks at ends of seams up to this are taken out (trueing.h), radians; 0: none but those
     /// said below.
     double trueBelow = 0;
-    /// Pieces that are symmetric in themselves are made so by Mean and by First.
+    /// Pieces that are symmetric in themselves are made so by all but None.
     Mirror mirror = Mirror::None;
     std::vector<SegmentSettings> segments{};
     std::vector<TurnPointSettings> turnPoints{};
@@ -136,7 +139,7 @@ inline constexpr double kProposedTrueing = 0.17453292519943295;
 inline LineSettings withPattern(LineSettings lines) {
     lines.fairing = lines.fairing.value_or(Fairing{});
     lines.trueBelow = std::max(lines.trueBelow, kProposedTrueing);
-    lines.mirror = lines.mirror == Mirror::None ? Mirror::Mean : lines.mirror;
+    lines.mirror = lines.mirror == Mirror::None ? Mirror::Close : lines.mirror;
     lines.allowance = lines.allowance.value_or(AllowanceWidths{});
     lines.notches = lines.notches.value_or(NotchRules{});
     lines.grain = lines.grain.value_or(GrainRule::Vertical);

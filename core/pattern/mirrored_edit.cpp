@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "core/cut/surface_links.h"
 #include "core/garment/cut_owner.h"
@@ -192,9 +194,41 @@ bool lieOn(const std::vector<Eigen::Vector3d>& points, const MeshArrays& mesh,
         points, [&](const Eigen::Vector3d& p) { return distanceTo(mesh, line, p) <= most; });
 }
 
+/// Which share of a line on a piece lies beside edges of the piece.
+double shareBesideEdges(const Piece& piece, const PathPolyline& line) {
+    constexpr double kStep = 2 * kBesideEdge;  // mm
+    std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
+    const auto addLoop = [&](const std::vector<int>& loop) {
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            edges.emplace_back(piece.mesh.V.row(loop[k]),
+                               piece.mesh.V.row(loop[(k + 1) % loop.size()]));
+        }
+    };
+    addLoop(piece.boundary);
+    std::ranges::for_each(piece.holes, addLoop);
+    const auto isBeside = [&edges](const Eigen::Vector3d& p) {
+        return std::ranges::any_of(edges, [&p](const auto& edge) {
+            return geometry::distanceToSegment(p, edge.first, edge.second) <= kBesideEdge;
+        });
+    };
+    double beside = 0, length = 0;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const Eigen::Vector3d a = positionOf(piece.mesh, line.points[i - 1]);
+        const Eigen::Vector3d b = positionOf(piece.mesh, line.points[i]);
+        const double part = (b - a).norm();
+        const int steps = 1 + static_cast<int>(std::min(part / kStep, 1e4));
+        for (int k = 0; k < steps; ++k) {
+            const bool is = isBeside(a + (k + 0.5) / steps * (b - a));
+            beside += is ? part / steps : 0;
+        }
+        length += part;
+    }
+    return length > 0 ? beside / length : 0;
+}
+
 }  // namespace
 
-std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
+std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& results,
                                    const Symmetry& symmetry, const UserCut& cut,
                                    const Progress& progress) {
     const int index = pieceOf(garment, cut, progress), other = counterpartOf(symmetry, index);
@@ -224,7 +258,23 @@ std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& r
     if (index == other && lieOn(image.points, mesh, *line)) {
         return std::nullopt;
     }
-    return image;
+    const Piece& there = *counterpart->piece;
+    const SurfaceLinks linksThere(there.mesh, there.table);
+    auto way = traceUserCut(linksThere, NearestSurface(there.mesh), image, progress);
+    constexpr double kMost = 0.8, kLeast = 0.4;  // of the lengths of the image and of the cut
+    const bool isBesideEdges = way && shareBesideEdges(there, *way) > kMost &&
+                               shareBesideEdges(*piece->piece, *line) < kLeast;
+    if (progress.isCancelled() || isBesideEdges) {
+        return std::nullopt;
+    }
+    return CutImage{std::move(image), other, way ? std::move(*way) : PathPolyline{}};
+}
+
+std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
+                                   const Symmetry& symmetry, const UserCut& cut,
+                                   const Progress& progress) {
+    auto image = imageOfCut(garment, results, symmetry, cut, progress);
+    return image ? std::optional(std::move(image->cut)) : std::nullopt;
 }
 
 std::optional<double> mirroredDirection(const Garment& garment, const PieceResults& results,

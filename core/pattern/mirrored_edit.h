@@ -19,6 +19,16 @@ namespace toile {
 /// of the diagonal of the piece's bounding box, whichever is more.
 inline constexpr double kSameCut = 1, kSameCutShare = 0.005;
 
+/// A cut whose points are nearly all at most this far from an edge of the piece runs beside it, mm.
+inline constexpr double kBesideEdge = 5;
+
+/// The mirror image of a cut, and where it runs: a line on a piece of the garment.
+struct CutImage {
+    UserCut cut;
+    int piece = -1;
+    PathPolyline line{};
+};
+
 /// The mirror image of a cut that is drawn on a piece of the garment (`findCutOwners`): on the
 /// piece's counterpart, or on its other half. Points within the piece go to the place of the flat
 /// counterpart where their reflection is, or is nearest to. Points on the outline, and the ends
@@ -26,12 +36,18 @@ inline constexpr double kSameCut = 1, kSameCutShare = 0.005;
 /// same share of that; else, and from the rims of holes, to the nearest place of a flat rim. Kind,
 /// number of points and `alongEdges` stay; name and id are left empty.
 /// None where the piece has no counterpart, one of both is not flat, the cut cannot be made, where
-/// the image is the cut itself (`kSameCut`), or once it is cancelled.
+/// the image is the cut itself (`kSameCut`), where it would run beside an edge of the counterpart,
+/// that is a seam, a cut or a free edge (`kBesideEdge`) while the cut itself does not, or once it
+/// is cancelled.
 /// @param results   one per piece, as drawn; null, or of another piece: not flat
 /// @param symmetry  of this garment
 /// @param cut  its points as the pieces are, mm
 /// @param progress  polled from stage to stage and from point to point
 /// Cost: linear in the pieces. Pure.
+std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& results,
+                                   const Symmetry& symmetry, const UserCut& cut,
+                                   const Progress& progress = Progress());
+/// The same without the line.
 std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,
                                    const Symmetry& symmetry, const UserCut& cut,
                                    const Progress& progress = Progress());

@@ -238,7 +238,8 @@ std::vector<MirrorPlan> planMirrors(const Garment& garment, const PieceResults& 
     std::vector<MirrorPlan> plans(exact.size());
     for (int p = 0; p < static_cast<int>(exact.size()); ++p) {
         const int q = symmetry.pieces.counterpart[p];
-        if (q < p || !exact[p] || !exact[q] || !exact[p]->flat || !exact[q]->flat) {
+        const bool isKept = !symmetry.kept.empty() && symmetry.kept[p];
+        if (q < p || isKept || !exact[p] || !exact[q] || !exact[p]->flat || !exact[q]->flat) {
             continue;
         }
         const bool leads = sideOf(*garment.pieces[p], symmetry.plane) >=

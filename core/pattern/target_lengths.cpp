@@ -15,25 +15,23 @@ namespace {
 /// Ease that would shrink the part it is drawn on by more than this is drawn along the whole seam.
 constexpr double kMinFactor = 0.5;
 
-/// By what a part of an outline is stretched.
-struct Stretched {
-    ArcInterval part;
-    double factor = 1;
-};
-
 /// What is stretched on every outline, the later over the earlier.
 class Stretches {
 public:
     explicit Stretches(const seam::Outlines& outlines)
         : outlines_(outlines), of_(outlines.list.size()) {}
 
+    /// Why the lengths change that are added next.
+    void begin(LengthCause cause) { cause_ = cause; }
+
     void add(int outline, ArcInterval part, double factor) {
         const double length = outlines_.list[outline].length();
         const double turns = std::floor(part.from / length) * length;
         part = {part.from - turns, part.to - turns};
-        of_[outline].push_back({part, factor});
+        const auto change = static_cast<int>(of_[outline].size());
+        of_[outline].push_back({cause_, part.from, part.to, factor, change});
         if (part.to > length) {
-            of_[outline].push_back({{0, part.to - length}, factor});
+            of_[outline].push_back({cause_, 0, part.to - length, factor, change});
         }
     }
 
@@ -49,6 +47,13 @@ public:
 
     bool isTouched(int outline) const { return !of_[outline].empty(); }
 
+    /// The parts of an outline whose lengths change, each with the last change made to it.
+    std::vector<ChangedPart> changed(int outline) const {
+        std::vector<ChangedPart> parts = partsUpTo(outline, outlines_.list[outline].length());
+        std::erase_if(parts, [](const ChangedPart& part) { return part.factor == 1; });
+        return parts;
+    }
+
 private:
     /// From the outline's first vertex to a place, over turns too.
     double upTo(int outline, double at) const {
@@ -58,34 +63,45 @@ private:
         return turns * measured(outline, length) + measured(outline, within);
     }
 
-    /// From the first vertex to a place within the first turn: the parts end to end, each with the
-    /// factor that was said last.
     double measured(int outline, double at) const {
+        double sum = 0;
+        for (const ChangedPart& part : partsUpTo(outline, at)) {
+            sum += part.factor * (part.to - part.from);
+        }
+        return sum;
+    }
+
+    /// From the first vertex to a place within the first turn: the parts end to end, each as it was
+    /// changed last.
+    std::vector<ChangedPart> partsUpTo(int outline, double at) const {
         std::vector<double> cuts{0, at};
-        for (const Stretched& one : of_[outline]) {
-            for (const double end : {one.part.from, one.part.to}) {
+        for (const ChangedPart& one : of_[outline]) {
+            for (const double end : {one.from, one.to}) {
                 if (end > 0 && end < at) {
                     cuts.push_back(end);
                 }
             }
         }
         std::ranges::sort(cuts);
-        double sum = 0;
+        std::vector<ChangedPart> parts;
         for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
             const double middle = (cuts[k] + cuts[k + 1]) / 2;
-            double factor = 1;
-            for (const Stretched& one : of_[outline]) {
-                if (one.part.from <= middle && middle < one.part.to) {
-                    factor = one.factor;
+            ChangedPart part;
+            for (const ChangedPart& one : of_[outline]) {
+                if (one.from <= middle && middle < one.to) {
+                    part = one;
                 }
             }
-            sum += factor * (cuts[k + 1] - cuts[k]);
+            part.from = cuts[k];
+            part.to = cuts[k + 1];
+            parts.push_back(part);
         }
-        return sum;
+        return parts;
     }
 
     const seam::Outlines& outlines_;
-    std::vector<std::vector<Stretched>> of_;  ///< per outline
+    std::vector<std::vector<ChangedPart>> of_;  ///< per outline; a later one replaces an earlier
+    LengthCause cause_ = LengthCause::Mirroring;
 };
 
 /// Both sides of seams that mirror each other, and free edges that do.
@@ -97,6 +113,7 @@ void mirrorLengths(const Garment& garment, const CommonLengths& common,
             const bool isOwnPlace = side == &seam.left || !seam.stacked;
             if (common.factor[s] != 1 && side->piece >= 0 && isOwnPlace) {
                 const auto [low, high] = std::minmax(side->start, side->end);
+                stretches.begin(LengthCause::Mirroring);
                 stretches.add(outlines.indexOf(*side), {low, high}, common.factor[s]);
             }
         }
@@ -119,6 +136,7 @@ public:
                 length += part.to - part.from;
             }
         }
+        stretches_.begin(LengthCause::Length);
         for (const auto& [piece, part] : parts) {
             stretch(piece, part, *said.length / length);
         }
@@ -189,6 +207,7 @@ void drawEase(const Seam& seam, const seam::Outlines& outlines, Stretches& stret
     const double factor = factorOn(drawn);
     const auto [from, to] = std::minmax({at(drawn.from), at(drawn.to)});
     if (std::isfinite(factor) && factor > 0) {
+        stretches.begin(LengthCause::Ease);
         stretches.add(outline, {from, to}, factor);
     }
 }
@@ -232,6 +251,7 @@ std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSet
             targets[p].lengths[k] =
                 stretches.lengthOf(static_cast<int>(p), outline.arc[k], outline.arc[k + 1]);
         }
+        targets[p].changed = stretches.changed(static_cast<int>(p));
     }
     return targets;
 }

@@ -62,12 +62,15 @@ std::shared_ptr<const Symmetry> GarmentFlattener::symmetryOf(const Garment& garm
         if (progress.isCancelled()) {
             return nullptr;
         }
-        kept = std::make_shared<const KeptSymmetry>(KeptSymmetry{
-            garment.uncut, plane, garment.pieces, std::move(places), std::move(found)});
+        auto close = found ? std::optional(withinTolerance(garment, *found)) : std::nullopt;
+        kept = std::make_shared<const KeptSymmetry>(
+            KeptSymmetry{garment.uncut, plane, garment.pieces, std::move(places), std::move(found),
+                         std::move(close)});
         const std::lock_guard lock(mutex_);
         symmetry_ = kept;
     }
-    return kept->found ? std::shared_ptr<const Symmetry>(kept, &*kept->found) : nullptr;
+    const auto& wanted = lines.mirror == Mirror::Close ? kept->close : kept->found;
+    return wanted ? std::shared_ptr<const Symmetry>(kept, &*wanted) : nullptr;
 }
 
 std::vector<GarmentFlattener::KeptPointer> GarmentFlattener::snapshot() const {

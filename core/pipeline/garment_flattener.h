@@ -83,8 +83,8 @@ private:
         std::vector<std::shared_ptr<const Piece>> uncut;
         std::optional<MirrorPlane> plane;
         std::vector<std::shared_ptr<const Piece>> pieces;
-        std::vector<double> places;  ///< of the seams' sides
-        std::optional<Symmetry> found;
+        std::vector<double> places;            ///< of the seams' sides
+        std::optional<Symmetry> found, close;  ///< `close`: by `withinTolerance`
     };
 
     std::vector<KeptPointer> snapshot() const;

@@ -40,6 +40,13 @@ std::shared_ptr<const PieceResult> asOf(const std::shared_ptr<const Piece>& piec
     auto result = std::make_shared<PieceResult>(found);
     result->piece = piece;
     result->targets.lengths = outlineLengths(*found.piece, found.targets);
+    result->targets.changed.clear();
+    const Eigen::VectorXd design = outlineLengths(*piece, {});
+    double at = 0;
+    for (Eigen::Index k = 0; k < design.size(); at += design[k++]) {
+        result->targets.changed.push_back(
+            {LengthCause::Improving, at, at + design[k], result->targets.lengths[k] / design[k]});
+    }
     if (result->flat) {
         result->quality = measure(*piece, result->flat->Q);
         measureOutline(*piece, *result->flat, result->targets, *result->quality);

@@ -16,6 +16,9 @@ std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSet
         return nullptr;
     }
     auto found = findSymmetry(garment, progress);
+    if (found && lines.mirror == Mirror::Close) {
+        found = withinTolerance(garment, std::move(*found));
+    }
     return found ? std::make_shared<const Symmetry>(std::move(*found)) : nullptr;
 }
 

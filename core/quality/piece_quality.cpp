@@ -71,6 +71,7 @@ PieceQuality measure(const Piece& piece, const Points2& Q) {
     quality.piE = piE(edges3d, edges2d);
     quality.piA = piA(areas3d, areas2d);
     quality.maxBoundaryLengthError = maxRelativeLengthError(outline3d, outline2d);
+    quality.maxTargetLengthError = quality.maxBoundaryLengthError;
     quality.symmetricDirichlet = symmetricDirichlet(singular, areas3d, areas2d);
     const QuasiConformal conformal = quasiConformal(singular, areas3d);
     quality.quasiConformalMean = conformal.mean;

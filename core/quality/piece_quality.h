@@ -30,7 +30,8 @@ struct PieceQuality {
     double area3d = 0, area2d = 0;
     double perimeter3d = 0, perimeter2d = 0;
     double piTheta = 0, piL = 0, piE = 0, piA = 0;
-    double maxBoundaryLengthError = 0;
+    double maxBoundaryLengthError = 0;  ///< against 3D, also where other lengths are wanted
+    double maxTargetLengthError = 0;    ///< against the lengths that are wanted
     std::optional<double> symmetricDirichlet;
     std::optional<double> quasiConformalMean, quasiConformalMax;
     std::optional<double> strainMin, strainMax, strainMeanAbs;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/words.h"
 #include "core/quality/closed_line.h"
@@ -19,6 +20,29 @@ constexpr Word<SeamKind> kKinds[] = {{SeamKind::Seam, "seam"},
                                      {SeamKind::Dart, "dart"},
                                      {SeamKind::Fold, "fold"},
                                      {SeamKind::Free, "free"}};
+
+constexpr Word<LengthCause> kCauses[] = {{LengthCause::Mirroring, "mirroring"},
+                                         {LengthCause::Length, "length"},
+                                         {LengthCause::Ease, "ease"},
+                                         {LengthCause::Improving, "improving"}};
+
+/// Methods with a free outline pass targets over.
+std::vector<ChangedPart> changedParts(const PieceResult& result) {
+    return traits(result.options.method).keepsLengths ? result.targets.changed
+                                                      : std::vector<ChangedPart>();
+}
+
+void keepLargest(std::vector<LengthChange>& changes, const LengthChange& change) {
+    const auto same = std::ranges::find(changes, change.cause, &LengthChange::cause);
+    if (std::abs(change.millimetres) < kMinLengthChange) {
+        return;
+    }
+    if (same == changes.end()) {
+        changes.push_back(change);
+    } else if (std::abs(change.millimetres) > std::abs(same->millimetres)) {
+        *same = change;
+    }
+}
 
 /// One edge of a stretch of outline and the part of it that belongs to the stretch.
 struct PartOfEdge {
@@ -93,6 +117,47 @@ double placeAcross(const Seam& seam, double place, bool fromRight) {
     const SeamMatch &first = seam.matches.front(), &last = seam.matches.back();
     const bool isFirst = std::abs(place - here(first)) < std::abs(place - here(last));
     return there(isFirst ? first : last);
+}
+
+std::vector<LengthChange> changesOf(const PieceResult& result) {
+    std::map<int, LengthChange> sums;  // by change
+    for (const ChangedPart& part : changedParts(result)) {
+        LengthChange& sum = sums[part.change];
+        sum = {part.cause, sum.millimetres + (part.factor - 1) * (part.to - part.from)};
+    }
+    std::vector<LengthChange> changes;
+    for (const auto& [number, sum] : sums) {
+        keepLargest(changes, sum);
+    }
+    return changes;
+}
+
+std::vector<LengthChange> changesOf(const Seam& seam, const PieceResults& results) {
+    std::vector<LengthChange> changes;
+    for (const SeamSide* side : {&seam.left, &seam.right}) {
+        const auto at = static_cast<std::size_t>(side->piece);
+        if (at >= results.size() || !results[at] || side->loop != 0) {
+            continue;
+        }
+        const double perimeter = outlineLengths(*results[at]->piece, {}).sum();
+        const auto [low, high] = std::minmax(side->start, side->end);
+        std::map<LengthCause, double> sums;
+        for (const ChangedPart& part : changedParts(*results[at])) {
+            for (const double turn : {-perimeter, 0.0, perimeter}) {
+                const double shared =
+                    std::min(high, part.to + turn) - std::max(low, part.from + turn);
+                sums[part.cause] += (part.factor - 1) * std::max(shared, 0.0);
+            }
+        }
+        for (const auto& [cause, millimetres] : sums) {
+            keepLargest(changes, {cause, millimetres});
+        }
+    }
+    return changes;
+}
+
+std::string_view name(LengthCause cause) {
+    return wordOf(kCauses, cause);
 }
 
 const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
@@ -34,6 +35,26 @@ double easeOf(const Seam& seam);
 /// Cost: linear in the edges of the two outlines. Pure.
 SeamMeasure measureSeam(const Seam& seam, const Piece& l, const FlatPiece& flatL, const Piece& r,
                         const FlatPiece& flatR);
+
+/// By how much something is longer in the pattern than in 3D, and why.
+struct LengthChange {
+    LengthCause cause = LengthCause::Mirroring;
+    double millimetres = 0;
+
+    bool operator==(const LengthChange&) const = default;
+};
+
+/// Smaller changes are not listed, mm.
+inline constexpr double kMinLengthChange = 0.005;
+
+/// The largest change of an outline's lengths for each cause; none of a method with a free outline.
+/// Linear. Pure.
+std::vector<LengthChange> changesOf(const PieceResult& result);
+/// Likewise of the two sides of a seam, or of a free edge.  Cost: linear in the outlines. Pure.
+std::vector<LengthChange> changesOf(const Seam& seam, const PieceResults& results);
+
+/// "mirroring", "length", "ease", "improving".
+std::string_view name(LengthCause cause);
 
 /// How well the two flat edges of a seam fit each other, the intended ease taken out.
 enum class SeamFit {

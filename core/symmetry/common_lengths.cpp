@@ -61,6 +61,48 @@ CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segmen
     return common;
 }
 
+double mirrorTolerance(double length, double mirroredLength) {
+    constexpr double kLength = 2, kShare = 0.01;  // mm, and of the longer seam
+    return std::max(kLength, kShare * std::max(length, mirroredLength));
+}
+
+std::vector<UnequalPieces> unequalPieces(const Garment& garment, const MirrorSegments& segments,
+                                         const std::vector<int>& counterpart,
+                                         const CommonLengths& lengths) {
+    const std::vector<Seam>& seams = garment.seams.seams;
+    std::vector<UnequalPieces> found;
+    for (int p = 0; p < static_cast<int>(segments.size()); ++p) {
+        const int other = counterpart[p];
+        if (other < p) {
+            continue;
+        }
+        UnequalPieces worst;
+        for (const MirrorSegment& segment : segments[p]) {
+            const int image = lengths.mirrored[segment.seam];
+            if (image < 0) {
+                continue;
+            }
+            const double here = lengthOf(seams[segment.seam]), there = lengthOf(seams[image]);
+            const double difference = std::abs(here - there);
+            const double tolerance = mirrorTolerance(here, there);
+            if (difference > tolerance &&
+                (worst.piece < 0 || difference * worst.tolerance > worst.difference * tolerance)) {
+                const bool isLonger = here > there;
+                worst = {isLonger ? p : other,
+                         isLonger ? other : p,
+                         isLonger ? segment.seam : image,
+                         isLonger ? image : segment.seam,
+                         difference,
+                         tolerance};
+            }
+        }
+        if (worst.piece >= 0) {
+            found.push_back(worst);
+        }
+    }
+    return found;
+}
+
 double largestChange(const SeamGraph& seams, const CommonLengths& lengths) {
     double change = 0;
     for (std::size_t s = 0; s < seams.seams.size(); ++s) {

@@ -34,6 +34,25 @@ struct CommonLengths {
 CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segments,
                             const std::vector<int>& counterpart, const SegmentPairs& pairs);
 
+/// By how much the lengths of two mirrored seams may differ for their pieces to be mirrored
+/// unasked, mm: 2 mm, or 1 % of the longer one.
+double mirrorTolerance(double length, double mirroredLength);
+
+/// Two mirrored pieces, or one that is symmetric in itself, and the seam that differs most from its
+/// mirror image, measured in tolerances.
+struct UnequalPieces {
+    int piece = -1, counterpart = -1;  ///< the longer seam is of `piece`
+    int seam = -1, mirrored = -1;
+    double difference = 0;  ///< of the two seams' lengths, mm; positive
+    double tolerance = 0;   ///< mm
+};
+
+/// The mirrored pieces whose seams differ by more than the tolerance, each pair once, by piece.
+/// @param segments, counterpart  as for `commonLengths`  Cost: linear. Pure.
+std::vector<UnequalPieces> unequalPieces(const Garment& garment, const MirrorSegments& segments,
+                                         const std::vector<int>& counterpart,
+                                         const CommonLengths& lengths);
+
 /// By how much a seam's common length differs from its own, at most, over both sides of all, mm.
 /// @param lengths  of these seams  Cost: linear. Pure.
 double largestChange(const SeamGraph& seams, const CommonLengths& lengths);

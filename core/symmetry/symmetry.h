@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/base/progress.h"
 #include "core/garment/garment.h"
@@ -19,7 +20,20 @@ struct Symmetry {
     MirrorSegments segments;
     SegmentPairs pairs;     ///< of `segments`
     CommonLengths lengths;  ///< of the seams
+    /// Pieces with a seam that differs too much from its mirror image, each pair once.
+    std::vector<UnequalPieces> unequal{};
+    /// Per piece: it keeps its own outline (`withinTolerance`); empty: none does.
+    std::vector<bool> kept{};
 };
+
+/// The plane and all seams differ by at most the tolerance of `mirrorTolerance`.
+bool isWithinTolerance(const Symmetry& symmetry);
+
+/// The same symmetry for drawing only those pieces as mirror images that nearly are: pieces listed
+/// in `unequal`, and those with segments that mirror nothing, keep their outlines, and seams
+/// between such pieces keep their 3D lengths. Seams shared with a mirrored piece get the common
+/// length; the two differ by less than the tolerance.  Cost: linear. Pure.
+Symmetry withinTolerance(const Garment& garment, Symmetry symmetry);
 
 /// What mirrors what in a plane. It follows from the pieces and the places of the seams; ease that
 /// is stated does not count.

@@ -56,13 +56,13 @@ private slots:
         setByHalf(document, {0, 1, 7}, true);
         QCOMPARE(document.history().count(), 1);
         QVERIFY(document.settings()[0].byHalf && document.settings()[1].byHalf);
-        QCOMPARE(document.state().lines.mirror, Mirror::Mean);
+        QCOMPARE(document.state().lines.mirror, Mirror::Close);
         setByHalf(document, {0, 1}, true);
         setByHalf(document, {-1}, true);
         QCOMPARE(document.history().count(), 1);
         setByHalf(document, {0, 1}, false);
         QVERIFY(!document.settings()[0].byHalf);
-        QCOMPARE(document.state().lines.mirror, Mirror::Mean);
+        QCOMPARE(document.state().lines.mirror, Mirror::Close);
         document.history().undo();
         document.history().undo();
         QVERIFY(!document.settings()[1].byHalf);

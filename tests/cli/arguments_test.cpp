@@ -88,9 +88,10 @@ TEST(Arguments, DefaultsAreThoseOfTheLibrary) {
 
 TEST(Arguments, PiecesAreMirroredOnRequest) {
     EXPECT_EQ(parse({"flatten", "a.obj"}).lines.mirror, Mirror::None);
-    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "auto"}).lines.mirror, Mirror::Mean);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "auto"}).lines.mirror, Mirror::Close);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "equal"}).lines.mirror, Mirror::Mean);
     EXPECT_EQ(parse({"flatten", "a.obj", "--mirror", "none"}).lines.mirror, Mirror::None);
-    EXPECT_EQ(parse({"flatten", "a.obj", "--half"}).lines.mirror, Mirror::Mean);
+    EXPECT_EQ(parse({"flatten", "a.obj", "--half"}).lines.mirror, Mirror::Close);
     EXPECT_EQ(parse({"flatten", "a.obj", "--half", "--mirror", "none"}).lines.mirror, Mirror::None);
     EXPECT_TRUE(parse({"flatten", "a.obj", "--half"}).stated.byHalf);
     EXPECT_FALSE(parse({"flatten", "a.obj", "--mirror", "auto"}).stated.byHalf);

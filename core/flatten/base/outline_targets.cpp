@@ -57,7 +57,9 @@ void measureOutline(const Piece& piece, const FlatPiece& flat, const OutlineTarg
         flat.line ? lengthsAlong(*flat.line, piece) : boundaryLengths2d(flat.Q, piece.boundary);
     quality.perimeter2d = lengths.sum();
     quality.piL = piL(wanted, lengths);
-    quality.maxBoundaryLengthError = maxRelativeLengthError(wanted, lengths);
+    quality.maxBoundaryLengthError =
+        maxRelativeLengthError(boundaryLengths3d(piece.mesh.V, piece.boundary), lengths);
+    quality.maxTargetLengthError = maxRelativeLengthError(wanted, lengths);
     if (flat.line) {
         std::vector<int> loop(static_cast<std::size_t>(flat.line->points.rows()));
         std::iota(loop.begin(), loop.end(), 0);

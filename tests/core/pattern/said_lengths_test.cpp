@@ -134,7 +134,7 @@ TEST_F(SaidLengths, ATypedLengthHoldsOnBothSidesOfItsSeam) {
         EXPECT_NEAR(flatLengthOf(sewn().right, results), 1.02 * sewn().length3d[1], 1e-6);
         expectOthersUnchanged(results);
         for (const auto& result : results) {
-            EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
+            EXPECT_LE(result->quality->maxTargetLengthError, 1e-9);
             EXPECT_EQ(result->quality->flippedTriangles, 0);
         }
     }
@@ -161,7 +161,7 @@ TEST_F(SaidLengths, AStraightSegmentIsStraightAndAsLong) {
         EXPECT_NEAR(whole.norm(), segment.length(), 1e-9 * segment.length());
     }
     for (const auto& result : results) {
-        EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
+        EXPECT_LE(result->quality->maxTargetLengthError, 1e-9);
         EXPECT_EQ(result->quality->flippedTriangles, 0);
     }
 }

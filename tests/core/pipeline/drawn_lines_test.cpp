@@ -50,7 +50,7 @@ TEST_P(DrawnLines, KeepAllLengthsAndBounds) {
         ASSERT_TRUE(result->flat) << result->piece->name;
         ASSERT_TRUE(result->flat->line) << result->piece->name;
         EXPECT_LE(result->flat->line->farthest, 1 + 1e-9) << result->piece->name;
-        EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9) << result->piece->name;
+        EXPECT_LE(result->quality->maxTargetLengthError, 1e-9) << result->piece->name;
         EXPECT_EQ(result->quality->flippedTriangles, 0) << result->piece->name;
         EXPECT_LE(result->quality->outlineCrossings, result->exact->quality->outlineCrossings);
         const Points2 vertices = result->flat->Q(result->piece->boundary, Eigen::all);
@@ -151,7 +151,7 @@ TEST_P(DrawnLines, RunSmoothlyOverTheEndsOfSeamsWhereTrued) {
     for (const auto& result : drawn) {
         exact.push_back(result->exact);
         EXPECT_EQ(result->quality->flippedTriangles, 0);
-        EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9);
+        EXPECT_LE(result->quality->maxTargetLengthError, 1e-9);
     }
     const auto segments = findSegments(garment, exact, lines);
     double worstBefore = 0;
@@ -193,7 +193,7 @@ TEST(DrawnLinesOfSmallPieces, AreDrawnToo) {
             ASSERT_TRUE(result->flat) << size;
             EXPECT_EQ(result->quality->flippedTriangles, 0) << size;
             EXPECT_EQ(result->quality->outlineCrossings, 0) << size;
-            EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-8) << size;
+            EXPECT_LE(result->quality->maxTargetLengthError, 1e-8) << size;
         }
     }
 }

@@ -102,7 +102,7 @@ TEST(ImprovePattern, ClothThatSagsComesToLieNearer) {
     EXPECT_EQ(seen.size(), improved->rounds.size());
     for (const auto& result : improved->results) {
         ASSERT_TRUE(result->flat && result->quality);
-        EXPECT_LT(result->quality->maxBoundaryLengthError, 1e-9);  // of what it is to measure
+        EXPECT_LT(result->quality->maxTargetLengthError, 1e-9);  // of what it is to measure
     }
     EXPECT_LT(worstSeam(garment, improved->results), 1e-9);
 }

@@ -81,7 +81,7 @@ void expectMirrorImages(const Garment& garment, const Symmetry& symmetry,
 void expectLengths(const Garment& garment, const PieceResults& results) {
     for (const auto& result : results) {
         ASSERT_TRUE(result->flat) << result->piece->name;
-        EXPECT_LE(result->quality->maxBoundaryLengthError, 1e-9) << result->piece->name;
+        EXPECT_LE(result->quality->maxTargetLengthError, 1e-9) << result->piece->name;
         EXPECT_EQ(result->quality->flippedTriangles, 0) << result->piece->name;
         for (const Error& note : result->flat->notes) {
             EXPECT_NE(note.code, ErrorCode::LineNotDrawn) << result->piece->name;

@@ -204,6 +204,26 @@ TEST(MirroredEdit, DirectionsFollowTheFlatPieces) {
     EXPECT_NEAR(*back, std::atan2(from.y(), from.x()), 1e-9);
 }
 
+Result<Garment> withCuts(const Garment& garment, std::vector<UserCut> cuts);
+
+TEST(MirroredEdit, NoneBesideACutThatIsThereAlready) {
+    // The right panel is cut across; now the same cut is drawn on the left one.
+    const FlatGarment flat = flattened(test::tube4(), Mirror::None);
+    const auto across = [&flat](int piece, double side, double height) -> UserCut {
+        const Piece& panel = *flat.garment.pieces[static_cast<std::size_t>(piece)];
+        const auto at = [&](double z) { return onCloth(panel, {200 * side, height, z}); };
+        return {"across", CutKind::Path, {at(-200), at(0), at(200)}};
+    };
+    const UserCut drawn = across(1, 1, 200);
+    ASSERT_TRUE(flat.image(drawn));
+    auto made = withCuts(flat.garment, {across(3, -1, 200)});
+    ASSERT_TRUE(made);
+    ASSERT_EQ(made->pieces.size(), 5U);
+    const FlatGarment cut = flattened(std::move(*made), Mirror::None);
+    EXPECT_FALSE(cut.image(drawn));
+    EXPECT_TRUE(cut.image(across(1, 1, 400)));
+}
+
 struct Dart {
     const char* garment;
     int piece;

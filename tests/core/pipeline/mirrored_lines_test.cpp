@@ -14,6 +14,7 @@
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/pipeline/pipeline.h"
+#include "core/seam/seam_measure.h"
 #include "tests/core/pipeline/mirror_images.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
@@ -103,6 +104,34 @@ TEST(MirroredLinesOfATube, NoneIsAsBefore) {
         EXPECT_EQ(result->targets.lengths.size(), 0);
         EXPECT_FALSE(result->exact);
     }
+}
+
+TEST(MirroredLinesOfATube, AsInTheFileWhereASeamDiffersTooMuch) {
+    // The left side hangs lower: its seams are some 15 mm longer than those on the right.
+    const Garment garment = test::tube4([](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+        return p - Eigen::Vector3d(0, std::max(0.0, p.x()) / 200 * 16 * (1 - p.y() / 600), 0);
+    });
+    const LineSettings lines = mirrored(false, Mirror::Close);
+    const auto symmetry = symmetryOf(garment, lines);
+    ASSERT_TRUE(symmetry);
+    ASSERT_FALSE(symmetry->unequal.empty());
+    const PieceResults kept = flattenedAs(garment, lines);
+    for (std::size_t p = 0; p < kept.size(); ++p) {
+        if (symmetry->kept[p]) {
+            EXPECT_LE(kept[p]->quality->maxBoundaryLengthError, 1e-9) << kept[p]->piece->name;
+            EXPECT_FALSE(kept[p]->plan && kept[p]->plan->mirrored);
+        }
+    }
+    double changed = 0;
+    for (const auto& result : flattenedAs(garment, mirrored(false, Mirror::Mean))) {
+        EXPECT_LE(result->quality->maxTargetLengthError, 1e-9) << result->piece->name;
+        for (const LengthChange& change : changesOf(*result)) {
+            EXPECT_EQ(change.cause, LengthCause::Mirroring);
+            changed = std::max(changed, std::abs(change.millimetres));
+        }
+    }
+    const UnequalPieces& worst = symmetry->unequal.front();
+    EXPECT_NEAR(changed, worst.difference / 2, 0.5);
 }
 
 TEST(MirroredLinesOfATube, AreFoundAgainByPointer) {

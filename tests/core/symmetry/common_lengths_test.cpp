@@ -119,6 +119,24 @@ TEST(CommonLengths, LeaveSeamsWhoseSidesDisagree) {
     EXPECT_EQ(common.factor, std::vector<double>(4, 1));
 }
 
+TEST(CommonLengths, TellWhichPiecesDifferTooMuch) {
+    const Garment garment = fourSeams();
+    const MirrorSegments segments{{sideOf(0, false), sideOf(2, false)},
+                                  {sideOf(1, false), sideOf(3, false)}};
+    const SegmentPairs pairs{{0, 1}, {0, 1}};
+    const CommonLengths common = commonLengths(garment, segments, {1, 0}, pairs);
+    const auto unequal = unequalPieces(garment, segments, {1, 0}, common);
+    ASSERT_EQ(unequal.size(), 1U);
+    EXPECT_EQ(unequal[0].piece, 1);  // of the longer seam
+    EXPECT_EQ(unequal[0].counterpart, 0);
+    EXPECT_EQ(unequal[0].seam, 3);
+    EXPECT_EQ(unequal[0].mirrored, 2);
+    EXPECT_NEAR(unequal[0].difference, 110, 1e-12);
+    EXPECT_NEAR(unequal[0].tolerance, 2.1, 1e-12);
+    EXPECT_EQ(mirrorTolerance(100, 150), 2);
+    EXPECT_EQ(mirrorTolerance(300, 250), 3);
+}
+
 struct Changes {
     const char* file;
     std::size_t without;
