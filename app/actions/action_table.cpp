@@ -15,6 +15,7 @@
 #include "app/actions/project_actions.h"
 #include "app/actions/workspace.h"
 #include "app/document/layout.h"
+#include "app/document/mirrored_edits.h"
 #include "app/document/piece_edits.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
@@ -212,6 +213,12 @@ ActionWork switches(bool ViewState::*field, When when = isOpen) {
         [field](GarmentActions& on, bool isOn) { on.workspace().document().setView(field, isOn); },
         std::move(when), [field](Workspace& on) { return on.document().view().*field; },
         ActionGroup::Toggle};
+}
+
+ActionWork mirrorsEditsToo() {
+    return {[](GarmentActions& on, bool isOn) { setMirrorsEdits(on.workspace().document(), isOn); },
+            drawsMirrored, [](Workspace& on) { return mirrorsEdits(on.document()); },
+            ActionGroup::Toggle};
 }
 
 ActionWork flattens(Method method) {
@@ -877,7 +884,7 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::MirrorEdits, "mirrorEdits", TR("Mirror &edits"), "Y",
          TR("Cut on both sides of the garment at once, and turn the grain on both, where mirrored "
             "pieces are drawn equal"),
-         switches(&ViewState::mirrorsEdits, drawsMirrored)},
+         mirrorsEditsToo()},
         {ActionId::GoToPosition, "goToPosition", TR("&Place…"), "P",
          TR("Type where the selected pieces lie, how far they are turned and how the grain runs"),
          whenOpen()},

@@ -187,8 +187,9 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
         return;
     }
     if (drawn.isMirrored && !image) {
-        emit noted(drawn.symmetry ? tr("Cut once: it has no mirror image of its own.")
-                                  : tr("Cut on one side alone: no mirror plane is known."));
+        emit noted(drawn.symmetry
+                       ? tr("Cut once: it has no mirror image of its own, or a seam runs there.")
+                       : tr("Cut on one side alone: no mirror plane is known."));
     }
     const std::string stem = wordsOf(drawn.cut.kind).stem;
     std::vector<UserCut> named = loading().seams.cuts;

@@ -26,7 +26,17 @@ int counterpartOf(const Symmetry& symmetry, int piece) {
 }  // namespace
 
 bool mirrorsEdits(const Document& document) {
-    return document.view().mirrorsEdits && document.state().lines.mirror != Mirror::None;
+    if (document.state().lines.mirror == Mirror::None) {
+        return false;
+    }
+    const Symmetry* symmetry = document.derived().symmetry.get();
+    return document.view().mirrorsEdits.value_or(symmetry && isWithinTolerance(*symmetry));
+}
+
+void setMirrorsEdits(Document& document, bool on) {
+    ViewState view = document.view();
+    view.mirrorsEdits = on;
+    document.setView(view);
 }
 
 const Symmetry* editSymmetry(const Document& document) {

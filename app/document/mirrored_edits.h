@@ -18,9 +18,10 @@ class Document;
 /// Edits of one side of a garment that are done on its other side too: cuts and grain. All are one
 /// step of the history with the edit itself.
 
-/// Whether edits are to be mirrored: of a garment whose mirrored pieces are drawn equal, unless the
-/// person has switched it off.
+/// Whether edits are mirrored: of a garment whose mirrored pieces are drawn equal, as the user has
+/// chosen; by default only if the mesh is symmetric within tolerance (`isWithinTolerance`).
 bool mirrorsEdits(const Document& document);
+void setMirrorsEdits(Document& document, bool on);
 /// By what; null where they are not to be, and as long as the mirror plane of the garment that the
 /// person sees is not known.
 const Symmetry* editSymmetry(const Document& document);

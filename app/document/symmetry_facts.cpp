@@ -16,16 +16,25 @@ const PieceResult* flatResult(const PieceResults& results, int piece) {
     return result && result->flat ? result : nullptr;
 }
 
-MirroredPieces rowOf(const PieceResults& results, const MirrorPieces& pieces, int piece) {
+MirroredPieces rowOf(const PieceResults& results, const Symmetry& symmetry, int piece) {
+    const MirrorPieces& pieces = symmetry.pieces;
     using Drawing = MirroredPieces::Drawing;
     const auto at = static_cast<std::size_t>(piece);
     MirroredPieces row{piece, pieces.counterpart[at], pieces.deviation[at]};
     const PieceResult* result = flatResult(results, piece);
+    const auto unequal = std::ranges::find_if(symmetry.unequal, [&row](const UnequalPieces& one) {
+        return row.counterpart >= 0 && (one.piece == row.piece || one.counterpart == row.piece);
+    });
+    if (unequal != symmetry.unequal.end()) {
+        row.unequal = *unequal;
+    }
     if (!result || (row.isPair() && !flatResult(results, row.counterpart))) {
         row.drawing = Drawing::NotFlat;
     } else if (result->plan && result->plan->mirrored) {
         row.drawing = result->flat->line ? Drawing::Equal : Drawing::NotDrawn;
         row.lead = result->plan->mirrored->isImage ? row.counterpart : piece;
+    } else if (row.unequal && !symmetry.kept.empty()) {
+        row.drawing = Drawing::Kept;
     }
     return row;
 }
@@ -43,7 +52,7 @@ SymmetryFacts symmetryFacts(const Garment& garment, const PieceResults& results,
     for (int piece = 0; piece < static_cast<int>(garment.pieces.size()); ++piece) {
         const int other = symmetry.pieces.counterpart[static_cast<std::size_t>(piece)];
         if (other < 0 || other >= piece) {
-            facts.rows.push_back(rowOf(results, symmetry.pieces, piece));
+            facts.rows.push_back(rowOf(results, symmetry, piece));
         }
     }
     std::ranges::stable_sort(facts.rows, {}, rankOf);

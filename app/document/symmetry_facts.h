@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/flatten/base/piece_result.h"
@@ -13,6 +14,7 @@ namespace toile::app {
 struct MirroredPieces {
     enum class Drawing {
         Equal,         ///< as mirror images
+        Kept,          ///< each as in the file: a seam differs too much from its mirror image
         OtherOutline,  ///< each as it is: the segments of the outlines do not correspond in order
         NotFlat,
         NotDrawn,  ///< it was to be, and could not
@@ -22,7 +24,8 @@ struct MirroredPieces {
     int counterpart = -1;  ///< itself where it is symmetric in itself; -1: there is none
     double deviation = 0;  ///< MirrorPieces::deviation, mm
     Drawing drawing = Drawing::OtherOutline;
-    int lead = -1;  ///< where drawn equal: the one whose line is mirrored
+    std::optional<UnequalPieces> unequal{};  ///< where a seam differs too much
+    int lead = -1;                           ///< where drawn equal: the one whose line is mirrored
 
     bool isPair() const { return counterpart >= 0 && counterpart != piece; }
     std::vector<int> pieces() const {

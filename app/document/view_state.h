@@ -3,6 +3,7 @@
 
 #include <iterator>
 #include <numbers>
+#include <optional>
 
 #include "core/base/words.h"
 
@@ -108,10 +109,21 @@ struct ViewState {
     bool rulers = true;              ///< along the edges of the pattern view
     bool grid = true;                ///< on the sheet
     bool snapping = true;            ///< whether pieces catch at the grid and at each other
-    bool mirrorsEdits = true;        ///< see mirrored_edits.h
+    /// See mirrored_edits.h; none: as long as the mesh is symmetric.
+    std::optional<bool> mirrorsEdits{};
 
     bool operator==(const ViewState&) const = default;
 };
+
+/// How a garment that is opened after another one is shown: as the first one was, but for the aids
+/// of the sheet, which are the user's.
+inline ViewState viewOfNext(const ViewState& before) {
+    ViewState view;
+    view.rulers = before.rulers;
+    view.grid = before.grid;
+    view.snapping = before.snapping;
+    return view;
+}
 
 /// Something of the garment that a pointer can be on and that can be highlighted in both views.
 struct Feature {

@@ -9,11 +9,13 @@
 #include "app/actions/cut_proposals.h"
 #include "app/actions/workspace.h"
 #include "app/base/text.h"
+#include "app/document/names.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "core/garment/opening_cuts.h"
 #include "core/project/layer_materials.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile::app {
 
@@ -355,6 +357,44 @@ QString garmentReasons(const Document& document) {
     return lines.join('\n');
 }
 
+namespace {
+
+/// Offers to make mirrored pieces equal that differ too much to do it unasked.
+CardQuestion askSymmetry(Workspace& workspace) {
+    Document& document = workspace.document();
+    const Symmetry* symmetry = document.derived().symmetry.get();
+    if (document.state().lines.mirror != Mirror::Close || !symmetry || symmetry->unequal.empty()) {
+        return {};
+    }
+    const auto& unequal = symmetry->unequal;
+    const auto& worst = *std::ranges::max_element(unequal, {}, &UnequalPieces::difference);
+    const std::size_t others = unequal.size() - 1;
+    const QString seams =
+        GarmentCard::tr("%1 and %2 differ by %3 (tolerance %4).")
+            .arg(seamName(document, worst.seam), seamName(document, worst.mirrored),
+                 lengthWithUnit(worst.difference), lengthWithUnit(worst.tolerance));
+    const QString pieces =
+        worst.piece == worst.counterpart
+            ? GarmentCard::tr("The two halves of %1 are not equal.")
+                  .arg(pieceName(document, worst.piece))
+            : GarmentCard::tr("%1 and %2 are not equal.")
+                  .arg(pieceName(document, worst.piece), pieceName(document, worst.counterpart));
+    QStringList sentences{pieces, seams};
+    if (others > 0) {
+        sentences << GarmentCard::tr("Others that differ less: %1.").arg(others);
+    }
+    const auto makeEqual = [&document] {
+        LineSettings lines = document.state().lines;
+        lines.mirror = Mirror::Mean;
+        document.setLines(std::move(lines), GarmentCard::tr("Make mirrored pieces equal"));
+    };
+    return {sentences.join(' '),
+            {{GarmentCard::tr("Make equal"), false, makeEqual},
+             {GarmentCard::tr("Keep as in the file"), true, {}}}};
+}
+
+}  // namespace
+
 GarmentQuestions garmentQuestions(Workspace& workspace, const std::function<void()>& prepareScan,
                                   Asked asked) {
     const Document& document = workspace.document();
@@ -384,6 +424,7 @@ GarmentQuestions garmentQuestions(Workspace& workspace, const std::function<void
         }
         ++index;
     }
+    questions.symmetry = askSymmetry(workspace);
     return questions;
 }
 

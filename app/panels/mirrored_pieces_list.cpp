@@ -114,6 +114,14 @@ MirroredPiecesList::Words MirroredPiecesList::drawnWords(const Document& documen
     switch (row.drawing) {
         case Drawing::Equal:
             return {tr("equal"), equalTip(document, row)};
+        case Drawing::Kept:
+            return {
+                tr("as in the file"),
+                tr("%1 and %2 differ by %3, more than the tolerance of %4: both keep their shapes")
+                    .arg(seamName(document, row.unequal->seam),
+                         seamName(document, row.unequal->mirrored),
+                         lengthWithUnit(row.unequal->difference),
+                         lengthWithUnit(row.unequal->tolerance))};
         case Drawing::OtherOutline:
             return {tr("other segments"),
                     tr("The segments of the two outlines do not follow each other in the same "

@@ -28,6 +28,7 @@
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/columns_model.h"
 #include "core/project/piece_settings.h"
+#include "core/seam/seam_measure.h"
 
 namespace toile::app {
 namespace {
@@ -357,6 +358,9 @@ QString PiecesPanel::details(int piece) const {
     text += row(tr("Outline, flat"), lengthWithUnit(quality.perimeter2d));
     const QString error = boundaryError(quality.maxBoundaryLengthError);
     text += row(tr("Outline error"), error.at(0).isDigit() ? tr("%1 %").arg(error) : error);
+    if (const QString changes = changeText(changesOf(result)); !changes.isEmpty()) {
+        text += row(tr("Changed by"), tr("%1 %2").arg(changes, lengthUnit()).toHtmlEscaped());
+    }
     if (quality.strainMeanAbs) {
         text += row(tr("Strain, mean"), tr("%1 %").arg(percent(*quality.strainMeanAbs)));
     }

@@ -62,8 +62,10 @@ void SeamsModel::onChanged(DocumentChanges what) {
 void SeamsModel::measureAll() {
     garment_ = document_.garment();
     measures_.clear();
+    changes_.clear();
     for (int i = 0; i < document_.seamCount(); ++i) {
         measures_.push_back(measured(*garment_, document_.results(), i));
+        changes_.push_back(changesOf(seam(i), document_.results()));
     }
     setRows(static_cast<int>(measures_.size()));
 }
@@ -187,6 +189,13 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
             return {sewn ? signedNumber(100 * easeOf(asked), 1) : QString(kDash), easeOf(asked)};
         case Drawn:
             return {QString(), asked.drawn ? 2 : asked.ease ? 1 : 0};
+        case ChangedBy: {
+            double largest = 0;
+            for (const LengthChange& change : changes_[static_cast<std::size_t>(row)]) {
+                largest = std::max(largest, std::abs(change.millimetres));
+            }
+            return {changeText(changes_[static_cast<std::size_t>(row)]), largest};
+        }
         case Error:
             return figure(signedFineLength(known.errorMm), residual);
         case Fit:
@@ -230,6 +239,8 @@ std::vector<SeamsModel::Heading> SeamsModel::headings() const {
                           "from the garment")},
         {tr("Drawn"), tr("Whether the longer edge is drawn that much longer in the pattern; for an "
                          "ease that you have stated")},
+        {tr("Changed by %1").arg(lengthUnit()),
+         tr("Why the seam has another length in the pattern than on the garment, and by how much")},
         {tr("Error %1").arg(lengthUnit()),
          tr("What is left of the difference when the ease is taken out")},
         {tr("Fit"), tr("Matches: up to %1; nearly: up to %2; does not match: more")

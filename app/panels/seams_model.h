@@ -34,6 +34,7 @@ public:
         Difference,
         Ease,
         Drawn,
+        ChangedBy,
         Error,
         Fit,
         ColumnCount
@@ -58,7 +59,8 @@ signals:
 protected:
     std::vector<Heading> headings() const override;
     bool isWords(int column) const override {
-        return column == Name || column == Kind || column == Drawn || column == Fit;
+        return column == Name || column == Kind || column == Drawn || column == ChangedBy ||
+               column == Fit;
     }
     Cell cell(int row, int column) const override;
 
@@ -75,6 +77,7 @@ private:
     /// Whose seams the rows are: until a reset has begun, those before the change that led to it.
     std::shared_ptr<const Garment> garment_;
     std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
+    std::vector<std::vector<LengthChange>> changes_;    ///< likewise
 };
 
 }  // namespace toile::app

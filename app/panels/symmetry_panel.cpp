@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 
 #include "app/document/document.h"
+#include "app/document/mirrored_edits.h"
 #include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "app/panels/mirrored_pieces_list.h"
@@ -56,8 +57,7 @@ SymmetryPanel::SymmetryPanel(Document& document, QWidget* parent)
     columns->addSpacing(kGap);
     columns->addWidget(seams_, kSeamsShare);
     connect(mirror_, &QComboBox::activated, this, &SymmetryPanel::setMirror);
-    connect(edits_, &QCheckBox::clicked, this,
-            [this](bool on) { document_.setView(&ViewState::mirrorsEdits, on); });
+    connect(edits_, &QCheckBox::clicked, this, [this](bool on) { setMirrorsEdits(document_, on); });
     connect(pieces_, &MirroredPiecesList::halfWanted, this, &SymmetryPanel::setHalf);
     connect(pieces_, &MirroredPiecesList::rowChosen, this, [this](int row) {
         const std::vector<int> chosen = facts_.rows[static_cast<std::size_t>(row)].pieces();
@@ -75,12 +75,13 @@ QWidget& SymmetryPanel::firstField() const {
 QWidget* SymmetryPanel::makeSettings() {
     auto* settings = new QWidget(this);
     mirror_->setObjectName("mirrorChoice");
-    mirror_->addItem(tr("as they are"), static_cast<int>(Mirror::None));
+    mirror_->addItem(tr("as in the file"), static_cast<int>(Mirror::None));
+    mirror_->addItem(tr("equal if within 2 mm or 1 %"), static_cast<int>(Mirror::Close));
     mirror_->addItem(tr("equal: the mean of both"), static_cast<int>(Mirror::Mean));
     mirror_->addItem(tr("equal: one for both"), static_cast<int>(Mirror::First));
     mirror_->setToolTip(
         tr("What becomes of pieces that are mirror images of each other, but for how the cloth "
-           "hangs. Where they are to be equal, seams that mirror each other get a common length"));
+           "hangs. Pieces that become equal have a common length in seams that mirror each other"));
     mirror_->setFocusPolicy(Qt::StrongFocus);
     (new FieldGuard(this))->install(*mirror_);
     edits_->setObjectName("mirrorEdits");
@@ -150,7 +151,7 @@ void SymmetryPanel::refresh() {
     mirror_->setEnabled(isOpen);
     mirror_->setCurrentIndex(mirror_->findData(static_cast<int>(mirror)));
     edits_->setEnabled(isOpen && mirror != Mirror::None);
-    edits_->setChecked(document_.view().mirrorsEdits);
+    edits_->setChecked(mirrorsEdits(document_));
     if (!isStale_) {
         showFacts();
     }

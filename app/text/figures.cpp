@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QStringList>
 #include <cmath>
 
 #include "app/base/text.h"
@@ -143,6 +144,20 @@ std::optional<EnteredPercent> parsePercent(QString text) {
 
 QString boundaryError(double fraction) {
     return fraction < kExact ? tr("exact") : percent(fraction);
+}
+
+QString changeText(const std::vector<LengthChange>& changes) {
+    const auto causeText = [](LengthCause cause) {
+        return cause == LengthCause::Mirroring   ? tr("mirroring %1")
+               : cause == LengthCause::Length    ? tr("typed length %1")
+               : cause == LengthCause::Improving ? tr("improving %1")
+                                                 : tr("ease %1");
+    };
+    QStringList words;
+    for (const LengthChange& change : changes) {
+        words << causeText(change.cause).arg(signedFineLength(change.millimetres));
+    }
+    return words.join(", ");
 }
 
 QString strainRange(const PieceQuality& quality) {

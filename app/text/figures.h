@@ -3,10 +3,12 @@
 
 #include <QString>
 #include <optional>
+#include <vector>
 
 #include "app/document/view_state.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/pipeline/pipeline.h"
+#include "core/seam/seam_measure.h"
 
 class QLocale;
 
@@ -60,6 +62,9 @@ struct EnteredPercent {
 std::optional<EnteredPercent> parsePercent(QString text);
 /// Largest relative length error of an outline: "exact" where it is below what any tool can cut.
 QString boundaryError(double fraction);
+/// Why lengths differ from 3D on purpose, and by how much: "mirroring +4.50", the length unit left
+/// out; empty for no change.
+QString changeText(const std::vector<LengthChange>& changes);
 /// "−1.2 … +3.4", or a dash where unknown.
 QString strainRange(const PieceQuality& quality);
 /// How a method is called in the window, in the list of pieces as in the menu.

@@ -46,6 +46,15 @@ GarmentView::GarmentView(Document& document, ToolChoice& tools, QWidget* parent)
     setObjectName("garmentView");
     setAccessibleName(tr("Garment"));
     camera_.setFreeEdges(Camera3D::kSliderRoom);
+    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {
+            const Camera3D fresh;
+            setDirection({fresh.yaw(), fresh.pitch()});
+            if (camera_.isOrthographic()) {
+                look(ViewKey::Orthographic);
+            }
+        }
+    });
 }
 
 void GarmentView::setCameraViewport(double width, double height) {

@@ -18,6 +18,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     unit_ = makeRow("unitQuestion");
     up_ = makeRow("upQuestion");
     division_ = makeRow("divisionQuestion");
+    symmetry_ = makeRow("symmetryQuestion");
     auto* keep = new QPushButton(tr("&Keep"), this);
     keep->setObjectName("keepGuess");
     keep->setToolTip(tr("The guess is right: do not ask again about this garment"));
@@ -30,6 +31,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     rows->addWidget(unit_.widget);
     rows->addWidget(up_.widget);
     rows->addWidget(division_.widget);
+    rows->addWidget(symmetry_.widget);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(14, 6, 10, 6);
     layout->setSpacing(12);
@@ -114,12 +116,13 @@ void GarmentCard::ask(const GarmentQuestions& questions) {
     fillRow(unit_, questions.unit);
     fillRow(up_, questions.up);
     fillRow(division_, questions.division);
+    fillRow(symmetry_, questions.symmetry);
     setVisible(!questions.empty());
 }
 
 QString GarmentCard::sentence() const {
     return reading_.sentence->text() + half_.sentence->text() + unit_.sentence->text() +
-           up_.sentence->text() + division_.sentence->text();
+           up_.sentence->text() + division_.sentence->text() + symmetry_.sentence->text();
 }
 
 void GarmentCard::keep() {

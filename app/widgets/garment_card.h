@@ -32,11 +32,11 @@ struct CardQuestion {
 
 /// What the card asks.
 struct GarmentQuestions {
-    CardQuestion reading, half, unit, up, division;
+    CardQuestion reading, half, unit, up, division, symmetry;
 
     bool empty() const {
         return reading.choices.empty() && half.choices.empty() && unit.choices.empty() &&
-               up.choices.empty() && division.choices.empty();
+               up.choices.empty() && division.choices.empty() && symmetry.choices.empty();
     }
 };
 
@@ -70,7 +70,7 @@ private:
     void addField(QWidget& buttons, const CardLength& length);
     void keep();
 
-    Row reading_, half_, unit_, up_, division_;
+    Row reading_, half_, unit_, up_, division_, symmetry_;
 };
 
 }  // namespace toile::app

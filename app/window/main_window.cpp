@@ -226,9 +226,12 @@ void MainWindow::onChanged(DocumentChanges what) {
         status_->updateSummary();  // a scene is here again
         centre_->ask();
     }
+    const auto& symmetry = workspace_.document().derived().symmetry;
+    const bool isOtherSymmetry = symmetry != std::exchange(askedSymmetry_, symmetry);
     if (!what.testFlag(DocumentChange::Garment)) {
-        if (what.testFlag(DocumentChange::Seams)) {
-            centre_->ask();  // the same pieces, of files that were read as something else
+        // The same pieces, of files that were read as something else; or mirrored pieces differ.
+        if (what.testFlag(DocumentChange::Seams) || isOtherSymmetry) {
+            centre_->ask();
         }
         return;
     }

@@ -100,7 +100,8 @@ private:
     std::unique_ptr<WindowDialogs> dialogs_;
     std::unique_ptr<WindowContextMenus> contextMenus_;
     std::unique_ptr<Recovery> recovery_;
-    bool closingAnyway_ = false;  ///< nothing is to be asked any more
+    std::shared_ptr<const Symmetry> askedSymmetry_;  ///< that the card's question was about
+    bool closingAnyway_ = false;                     ///< nothing is to be asked any more
 };
 
 }  // namespace toile::app

@@ -12,6 +12,7 @@
 
 #include "app/document/layout.h"
 #include "app/document/line_facts.h"
+#include "app/document/mirrored_edits.h"
 #include "app/document/project_state.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
@@ -258,7 +259,7 @@ private slots:
         QVERIFY(with(sleeve) >= 1);
         QCOMPARE(with(counterpart[std::size_t(sleeve)]), with(sleeve));
         QCOMPARE(steps(), 1);
-        document().setView(&ViewState::mirrorsEdits, false);
+        setMirrorsEdits(document(), false);
         type("segmentAllowance", "16");
         QVERIFY(isDone());
         QCOMPARE(with(sleeve) + with(counterpart[std::size_t(sleeve)]), std::ptrdiff_t(1));

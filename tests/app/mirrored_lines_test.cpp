@@ -96,7 +96,7 @@ private slots:
         QVERIFY(isDone());
         QVERIFY(areMirrored());
         // Edits that are not mirrored are about the one line.
-        document().setView(&ViewState::mirrorsEdits, false);
+        setMirrorsEdits(document(), false);
         test::click(view(), end() + 0.5 * (centre(0.3) - end()));
         QTest::keyClick(&view(), Qt::Key_Delete);
         QVERIFY(isDone());

@@ -5,6 +5,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QTreeWidget>
 #include <algorithm>
 #include <atomic>
@@ -14,7 +15,10 @@
 #include "app/document/mirrored_edits.h"
 #include "app/document/project_state.h"
 #include "app/panels/mirrored_pieces_list.h"
+#include "app/panels/seams_model.h"
+#include "app/views/tools/path_tool.h"
 #include "app/views/tools/tool_box.h"
+#include "app/widgets/garment_card.h"
 #include "core/cut/surface_point.h"
 #include "core/pattern/fair_outline.h"
 #include "core/pattern/mirrored_edit.h"
@@ -54,9 +58,15 @@ private:
                fixture_.waitForResults();
     }
 
+    void choose(Mirror mirror) {
+        const int item = choice().findData(static_cast<int>(mirror));
+        choice().setCurrentIndex(item);
+        emit choice().activated(item);
+    }
+
     void chooseMean() {
         choice().setFocus();
-        QTest::keyClick(&choice(), Qt::Key_Down);
+        choose(Mirror::Mean);
         QVERIFY(isFlatAgain());
         QVERIFY(document().derived().symmetry);
     }
@@ -74,6 +84,38 @@ private:
             }
         }
         return -1;
+    }
+
+    /// Another window, with a pattern of the shirt whose left sleeve's hem is moved outwards.
+    void openWithLongerSleeve(double outwards) {
+        QFile sample(fixture_.path("tshirt.obj")), shirt(fixture_.path("longer.obj"));
+        QVERIFY(sample.open(QFile::ReadOnly) && shirt.open(QFile::WriteOnly));
+        bool isSleeve = false;
+        for (const QString& line : QString::fromUtf8(sample.readAll()).split('\n')) {
+            isSleeve = line.startsWith("o ") ? line == "o sleeve_left" : isSleeve;
+            QStringList words = line.split(' ');
+            constexpr double kArmhole = 206, kStretched = 60;  // of the sample, mm
+            if (isSleeve && words[0] == "v" && words[1].toDouble() > kArmhole) {
+                const double x = words[1].toDouble();
+                words[1] =
+                    QString::number(x + outwards * std::min((x - kArmhole) / kStretched, 1.0));
+            }
+            shirt.write((words.join(' ') + '\n').toUtf8());
+        }
+        shirt.close();
+        fixture_.close();
+        fixture_.open({1400, 900}, NewGarment::Pattern);
+        workspace().setMethod(Method::Curvature);
+        QVERIFY(fixture_.openAndWait(shirt.fileName()));
+        fixture_.action(ActionId::GoToSymmetry).trigger();
+        QVERIFY(isFlatAgain());
+        QVERIFY(document().derived().symmetry && !document().derived().symmetry->unequal.empty());
+    }
+
+    /// The column of the list of seams.
+    QString changedBy(int seam) {
+        const auto* model = fixture_.window().findChild<SeamsModel*>();
+        return model->index(seam, SeamsModel::ChangedBy).data().toString();
     }
 
     int drawnEqual() {
@@ -177,6 +219,61 @@ private slots:
         QCOMPARE(choice().currentIndex(), 0);
     }
 
+    void unequalSleevesAreKeptAndACardOffersToMakeThemEqual() {
+        openWithLongerSleeve(11.8);
+        const int sleeve = document().derived().symmetry->unequal.front().piece;
+        auto& card = fixture_.window().card();
+        QVERIFY(card.isVisible());
+        QVERIFY2(card.sentence().contains("differ by"), qPrintable(card.sentence()));
+        QVERIFY(!mirrorsEdits(document()) && !editsBox().isChecked());
+        QCOMPARE(list().topLevelItem(rowOf(sleeve))->text(Column::Drawn), "as in the file");
+        const int seam = document().derived().symmetry->unequal.front().seam;
+        QVERIFY(changedBy(seam).isEmpty());
+        const auto press = [&card](const QString& text) {
+            for (auto* button : card.findChildren<QPushButton*>()) {
+                if (button->isVisible() && button->text() == text) {
+                    QTest::mouseClick(button, Qt::LeftButton);
+                    return;
+                }
+            }
+            QFAIL("no such button");
+        };
+        press("Make equal");
+        QVERIFY(isFlatAgain());
+        QVERIFY(card.isHidden());
+        QCOMPARE(list().topLevelItem(rowOf(sleeve))->text(Column::Drawn), "equal");
+        QVERIFY2(changedBy(seam).startsWith("mirroring −4."), qPrintable(changedBy(seam)));
+        undo();
+        QVERIFY(isFlatAgain());
+        QVERIFY(changedBy(seam).isEmpty());
+        QVERIFY(card.isVisible());
+        press("Keep as in the file");
+        QVERIFY(card.isHidden());
+        QCOMPARE(document().state().lines.mirror, Mirror::Close);
+    }
+
+    void theMirroredCutIsShownWhileItIsDrawn() {
+        chooseMean();
+        QVERIFY(mirrorsEdits(document()));  // the sample is symmetric
+        const int sleeve = somePiece(false);
+        const auto [rim, tip] = rimAndTip(sleeve);
+        auto& tools = fixture_.window().tools();
+        tools.choose(ToolId::Cut);
+        const auto& tool = dynamic_cast<const PathTool&>(tools.current());
+        auto& view = fixture_.patternView();
+        QTest::mouseClick(&view, Qt::LeftButton, {}, inPattern(sleeve, rim).toPoint());
+        test::moveTo(view, inPattern(sleeve, tip));
+        QTRY_VERIFY_WITH_TIMEOUT(tool.image().has_value(), test::kPatience);
+        QCOMPARE(tool.image()->piece, counterpartOf(sleeve));
+        QVERIFY(tool.image()->line.points.size() > 1);
+        setMirrorsEdits(document(), false);
+        test::moveTo(view, inPattern(sleeve, rim) + QPointF(9, 9));
+        QVERIFY(!tool.image());
+        QVERIFY(cuts().empty());
+        QTest::keyClick(&view, Qt::Key_Escape);
+        QVERIFY(!tool.image());
+    }
+
     void halfOnlyIsSaidOfBothPiecesInOneStep() {
         chooseMean();
         const int sleeve = somePiece(false), front = somePiece(true);
@@ -259,7 +356,7 @@ private slots:
         workspace().joinSeam(static_cast<int>(ofDart - seams.begin()));
         QVERIFY(cuts().empty());
         undo();
-        document().setView(&ViewState::mirrorsEdits, false);
+        setMirrorsEdits(document(), false);
         workspace().removeCut(cuts()[0].id);
         QCOMPARE(cuts().size(), std::size_t(1));
     }
@@ -271,7 +368,7 @@ private slots:
         undo();
         QVERIFY(isFlatAgain());
         chooseMean();
-        document().setView(&ViewState::mirrorsEdits, false);
+        setMirrorsEdits(document(), false);
         workspace().addCut(someDart(somePiece(false)));
         QCOMPARE(cuts().size(), std::size_t(1));
     }
@@ -373,7 +470,7 @@ private slots:
         setGrain(document(), "Grain", {{other, std::nullopt}});
         QVERIFY(!settings(sleeve).grain && !settings(other).grain);
         QCOMPARE(withoutCounterparts(document(), {sleeve, other}), std::vector{sleeve});
-        document().setView(&ViewState::mirrorsEdits, false);
+        setMirrorsEdits(document(), false);
         setGrain(document(), "Grain", {{sleeve, 0.4}});
         QVERIFY(!settings(other).grain);
     }

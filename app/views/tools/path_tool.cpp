@@ -5,11 +5,17 @@
 #include <algorithm>
 
 #include "app/actions/workspace.h"
+#include "app/document/mirrored_edits.h"
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 
 namespace toile::app {
+
+bool isSameQuestion(const DraftedCut& a, const DraftedCut& b) {
+    return a.garment == b.garment && a.symmetry == b.symmetry && a.results == b.results &&
+           a.cut == b.cut;
+}
 
 namespace {
 
@@ -23,10 +29,25 @@ bool isEnter(int key) {
 }  // namespace
 
 PathTool::PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind, std::size_t least)
-    : workspace_(workspace), draft_(finder), kind_(kind), least_(least) {
+    : workspace_(workspace),
+      draft_(finder),
+      kind_(kind),
+      least_(least),
+      images_(
+          [](const DraftedCut& drawn) {
+              return imageOfCut(*drawn.garment, drawn.results, *drawn.symmetry, drawn.cut);
+          },
+          [](const DraftedCut&) { return false; },
+          [this](Attempt<std::optional<CutImage>> made, const DraftedCut&, bool isLast) {
+              if (isLast && !draft_.isEmpty()) {
+                  image_ = std::move(made.answer).value_or(std::nullopt);
+                  emit changed();
+              }
+          }) {
     draft_.setClosed(kind == UserCut::Kind::Loop);
     connect(&draft_, &PathDraft::changed, this, &Tool::changed);
     connect(&draft_, &PathDraft::changed, this, &PathTool::finishWhenKnown);
+    connect(&draft_, &PathDraft::changed, this, &PathTool::findImage);
 }
 
 std::optional<ClothPoint> PathTool::placeAt(const ToolView& view, const Pointer& pointer) {
@@ -190,6 +211,24 @@ void PathTool::finishWhenKnown() {
     }
 }
 
+void PathTool::findImage() {
+    const Document& document = workspace_.document();
+    std::vector<ClothPoint> places = draft_.points();
+    if (draft_.tip()) {
+        places.push_back(*draft_.tip());
+    }
+    if (draft_.isEmpty() || places.size() < std::max<std::size_t>(least_, 2) ||
+        !editSymmetry(document)) {
+        image_.reset();
+        return;
+    }
+    UserCut cut{{}, kind_, {}, draft_.alongEdges()};
+    for (const ClothPoint& place : places) {
+        cut.points.push_back(positionOf(draft_.piece()->mesh, place.at));
+    }
+    images_.ask({document.garment(), document.results(), document.derived().symmetry, cut});
+}
+
 void PathTool::finish() {
     draft_.setTip(std::nullopt);
     isFinishing_ = bends() && draft_.isSearching();
@@ -214,6 +253,10 @@ bool PathTool::isDetour() const {
 }
 
 void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const {
+    if (image_) {
+        paintClothLine(view, painter, style, image_->piece, image_->line.points,
+                       {style.seam, false});
+    }
     draft_.paint(view, painter, style, style.seam);
     if (under_ && remark_.isEmpty()) {
         paintHandle(view, painter, style, *under_, style.seam, false);

@@ -1,14 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <optional>
+
+#include "app/base/worker.h"
 #include "app/views/tool.h"
 #include "app/views/tools/cloth_snapper.h"
 #include "app/views/tools/path_draft.h"
 #include "core/cut/user_cuts.h"
+#include "core/pattern/mirrored_edit.h"
 
 namespace toile::app {
 
 class Workspace;
+
+/// A cut that is being drawn, and what its mirror image follows from.
+struct DraftedCut {
+    std::shared_ptr<const Garment> garment;
+    PieceResults results;
+    std::shared_ptr<const Symmetry> symmetry;
+    UserCut cut;
+};
+
+bool isSameQuestion(const DraftedCut& a, const DraftedCut& b);
 
 /// What the tools that draw a cut have in common: clicks set places on one piece, in either view;
 /// the way between them is shown while the pointer moves, with its length; Enter or a double click
@@ -29,6 +44,8 @@ public:
     Qt::CursorShape cursor(ViewKind) const override { return Qt::CrossCursor; }
 
     const PathDraft& draft() const { return draft_; }
+    /// The mirror image of what is drawn, where it is shown.
+    const std::optional<CutImage>& image() const { return image_; }
 
 protected:
     PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind, std::size_t least);
@@ -59,6 +76,8 @@ protected:
 
 private:
     void finishWhenKnown();
+    /// Looks for the mirror image of what is drawn so far, where edits are mirrored.
+    void findImage();
     /// Whether the cut has to bend as the ways do.
     bool bends() const;
     std::vector<Eigen::Vector3d> cutPoints();
@@ -66,7 +85,9 @@ private:
     /// another layer of the cloth than the one that is meant.
     bool isDetour() const;
 
-    std::size_t least_;                ///< places that a cut needs
+    std::size_t least_;  ///< places that a cut needs
+    Answerer<DraftedCut, std::optional<CutImage>> images_;
+    std::optional<CutImage> image_;    ///< of what is drawn, shown as a preview
     std::optional<ClothPoint> under_;  ///< the pointer, before the first place
     QPointF pointer_;
     ViewKind pointerView_ = ViewKind::Garment;
