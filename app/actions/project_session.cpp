@@ -73,7 +73,8 @@ void ProjectSession::start(const Path& file, const FoundMeshes& found, bool rest
 void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, bool restoring,
                               bool moved) {
     Document& document = workspace_.document();
-    const ViewState view = viewOf(opened.project.view, document.view());
+    const ViewState view = viewOf(
+        opened.project.view, document.garment() ? viewOfNext(document.view()) : document.view());
     const auto& recoveryOf = opened.project.recoveryOf;
     // Saving must not write to what somebody else's file names.
     openingAs_ = restoring    ? OpeningAs{recoveryOf.value_or(file), opened.known}

@@ -106,15 +106,7 @@ void Workspace::open(Paths files) {
     // What was asked for while another is read was about that.
     Opening::Files coming{std::move(files), another ? document_.loading() : loading()};
     if (!before.empty() && coming.paths != before) {
-        coming.loading.unit.reset();
-        coming.loading.up.reset();
-        coming.loading.preparing = {};
-        coming.loading.seams = {};
-        coming.loading.isFrontSwapped = false;
-        coming.loading.enoughStrain.reset();
-        coming.loading.seamSettings.clear();
-        coming.loading.known.clear();
-        divideByWhatIsThere(coming.loading);
+        coming.loading = {};  // all of it was stated for the garment before
     }
     if (document_.garment() && coming.paths == openPaths()) {
         coming.loading.known = knownPieces(*document_.garment());  // they may have changed
@@ -128,22 +120,23 @@ void Workspace::startOpening() {
     emit loadingChanged();
     const Opening::Files& files = *opening_.files();
     startReading(importJob(files.paths, files.loading, [this](const Derived& made) {
-        // Another garment is not cut from the same cloth for having been opened later.
+        // What was decided for one garment is not carried over to another.
         const bool again = opening_.files()->paths == openPaths();
         arrived([this, again, made] {
+            const bool isAnother = document_.garment() && !again;
             DocumentState next;
-            next.options = document_.options();
             next.lines = newLines_;
-            next.proof = document_.state().proof;
             next.settings = settingsOfNew(*made.garment);
-            if (again || !document_.garment()) {
+            if (!isAnother) {
+                next.options = document_.options();
+                next.proof = document_.state().proof;
                 next.fabric = document_.fabric();
-            } else {  // nor worn on the same body, nor cut beside the same panels
-                next.proof = {.settings = next.proof.settings};
-                next.proof.settings.stiffness = {};
             }
             next.materials = materialsInUse(next);
             document_.open(std::move(next), made);
+            if (isAnother) {
+                document_.setView(viewOfNext(document_.view()));
+            }
         });
     }));
 }

@@ -175,6 +175,54 @@ private slots:
         QVERIFY(!page.isVisible());
     }
 
+    void aSecondFileIsOpenedAsIfItWereTheFirst() {
+        struct Seen {
+            LoadOptions loading;
+            FlattenOptions options;
+            ViewState view;
+            double yaw, pitch;
+            std::vector<Points2> flat;
+        };
+        const auto open = [this](const char* file) -> bool {
+            return fixture_.openAndWait(fixture_.path(file));
+        };
+        const auto seen = [this] {
+            const Camera3D& camera = fixture_.garmentView().camera();
+            Seen now{test::typed(document().loading()),
+                     document().options(),
+                     document().view(),
+                     camera.yaw(),
+                     camera.pitch(),
+                     {}};
+            for (const auto& result : document().results()) {
+                now.flat.push_back(result->flat ? result->flat->Q : Points2());
+            }
+            return now;
+        };
+        QVERIFY(open("shirt.obj"));
+        const Seen alone = seen();
+        fixture_.close();
+        fixture_.open();
+        QVERIFY(open("tube.obj"));
+        for (const ActionId id : {ActionId::SplitUv, ActionId::CloseSlits, ActionId::OverlayStrain,
+                                  ActionId::LookBack, ActionId::Wireframe}) {
+            fixture_.action(id).trigger();
+            QVERIFY(fixture_.waitForResults());
+        }
+        fixture_.workspace().setMethod(Method::Curvature);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().loading() != alone.loading && document().view() != alone.view);
+        QVERIFY(fixture_.garmentView().camera().yaw() != alone.yaw);
+        QVERIFY(open("shirt.obj"));
+        const Seen second = seen();
+        QVERIFY(second.loading == alone.loading);
+        QVERIFY(second.options == alone.options);
+        QVERIFY(second.view == alone.view);
+        QCOMPARE(second.yaw, alone.yaw);
+        QCOMPARE(second.pitch, alone.pitch);
+        QVERIFY(second.flat == alone.flat);
+    }
+
     void cancellingTheReadingLeadsBackToTheWelcome() {
         fixture_.window().openFiles({fixture_.path("shirt.obj")});
         auto& page = fixture_.find<BusySheet>("busyPage");
