@@ -20,6 +20,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
+#include "core/diagnose/doubt.h"
 #include "core/project/layer_materials.h"
 
 namespace toile::app {
@@ -35,7 +36,7 @@ QIcon swatch(Rgb colour) {
 }
 
 /// Legible on light and dark alike.
-const QColor kTrouble(214, 72, 40);
+const QColor kTrouble(214, 72, 40), kDoubtful(191, 128, 0);
 
 /// Of a figure that is not known.
 constexpr QChar kUnknown(0x2013);
@@ -170,7 +171,8 @@ bool PiecesModel::isTelling(int column) const {
         if (const PieceResult* known = document_.result(row)) {
             methods.insert(known->options.method);
         }
-        if (column != Method && isTrouble(row, column)) {
+        if ((column != Method && isTrouble(row, column)) ||
+            (column == Status && isBeyondCloth(row))) {
             return true;
         }
     }
@@ -220,8 +222,9 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
                 return {tr("Not flat: %1").arg(troubleText(*known->error, *known->piece))};
             }
             return {!known                       ? tr("Waiting")
-                    : statusOf(*known) == "flat" ? tr("Flat")
-                                                 : tr("Partly flipped")};
+                    : statusOf(*known) != "flat" ? tr("Partly flipped")
+                    : isBeyondCloth(row)         ? tr("Flat, beyond any material")
+                                                 : tr("Flat")};
         case ReferenceRms:
             return distance(document_.referenceFit(row), &ReferenceFit::rms);
         case ReferenceMax:
@@ -236,7 +239,10 @@ QString PiecesModel::toolTip(int row, int column) const {
     const PieceResult* known = document_.result(row);
     switch (column) {
         case Status:
-            return known && known->error ? whyNotFlat(document_, *known) : cell(row, column).text;
+            return known && known->error ? whyNotFlat(document_, *known)
+                   : known && isBeyondCloth(row)
+                       ? tr("No cloth takes this strain. Cut the piece where it curves most.")
+                       : cell(row, column).text;
         case Name:
             return tr("%1. Double-click or F2 to call it otherwise").arg(cell(row, column).text);
         case Quantity:
@@ -293,6 +299,9 @@ QVariant PiecesModel::foreground(int row, int column) const {
     if (isTrouble(row, column)) {
         return QBrush(kTrouble);
     }
+    if (column == Status && isBeyondCloth(row)) {
+        return QBrush(kDoubtful);
+    }
     if (column == Method && isStale(row)) {
         return QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
     }
@@ -327,6 +336,11 @@ PiecesModel::Cell PiecesModel::figure(const PieceQuality& quality, int column) {
         default:
             return {};
     }
+}
+
+bool PiecesModel::isBeyondCloth(int row) const {
+    const PieceResult* known = document_.result(row);
+    return known && known->quality && known->quality->strainMeanAbs > kStrainBeyondCloth;
 }
 
 bool PiecesModel::isTrouble(int row, int column) const {

@@ -84,6 +84,8 @@ private:
     void onChanged(DocumentChanges what);
     void followLayers();
     const PieceSettings& settings(int row) const;
+    /// Whether the mean strain is more than any cloth takes.
+    bool isBeyondCloth(int row) const;
     /// A figure of a flat piece.
     static Cell figure(const PieceQuality& quality, int column);
     QVariant decoration(int row) const;

@@ -69,6 +69,8 @@ constexpr Words kWords[] = {
      QT_TRANSLATE_NOOP("Remedy",
                        "Let the grain run up the garment, or at 90 or 45 degrees to that where the "
                        "fabric is strained much less")},
+    {Remedy::ShowStrain, QT_TRANSLATE_NOOP("Remedy", "Show strain"),
+     QT_TRANSLATE_NOOP("Remedy", "Colour the pieces by strain")},
     {Remedy::PutDart, QT_TRANSLATE_NOOP("Remedy", "Put a dart"),
      QT_TRANSLATE_NOOP("Remedy",
                        "Propose a dart from the nearest edge to the worst place: Enter cuts it, "
@@ -111,6 +113,10 @@ std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
             }
             return remedies;
         }
+        case FindingKind::StrainBeyondCloth:
+            return isOfUnpreparedScan(finding, *plan.garment)
+                       ? std::vector{Remedy::ShowStrain}
+                       : std::vector{Remedy::ProposeCuts, Remedy::ShowStrain};
         case FindingKind::SeamLengths:
             return {Remedy::StateEase};
         case FindingKind::StrainWarp:
@@ -162,6 +168,8 @@ std::vector<ActionId> actionsOf(Remedy remedy) {
             return {ActionId::StateEase};
         case Remedy::BestGrain:
             return {ActionId::BestGrain};
+        case Remedy::ShowStrain:
+            return {ActionId::OverlayStrain};
         case Remedy::PutDart:
             return {ActionId::ToolDart};
         case Remedy::LayOutAgain:

@@ -20,6 +20,7 @@ enum class Remedy {
     TurnOver,
     StateEase,
     BestGrain,
+    ShowStrain,
     PutDart,  ///< from the nearest edge to the worst place, as a proposal
     LayOutAgain,
 };

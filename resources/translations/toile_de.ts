@@ -777,6 +777,14 @@ veraltet</translation>
         <source>Show where a tailor would cut this piece open, with what each cut does to strain</source>
         <translation>Zeigen, wo ein Schneider dieses Schnittteil aufschneiden würde, und was jeder Schnitt an der Dehnung ändert</translation>
     </message>
+    <message>
+        <source>Show strain</source>
+        <translation>Dehnung zeigen</translation>
+    </message>
+    <message>
+        <source>Colour the pieces by strain</source>
+        <translation>Die Schnittteile nach ihrer Dehnung einfärben</translation>
+    </message>
 </context>
 <context>
     <name>RotateGesture</name>
@@ -5977,6 +5985,22 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Colours</source>
         <translation>Farben</translation>
     </message>
+    <message>
+        <source>mirroring %1</source>
+        <translation>Spiegelung %1</translation>
+    </message>
+    <message>
+        <source>typed length %1</source>
+        <translation>eingegebene Länge %1</translation>
+    </message>
+    <message>
+        <source>improving %1</source>
+        <translation>Verbesserung %1</translation>
+    </message>
+    <message>
+        <source>ease %1</source>
+        <translation>Mehrweite %1</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::AllowanceForm</name>
@@ -6961,6 +6985,34 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>The guess is right: do not ask again about this garment</source>
         <translation>Die Schätzung stimmt: zu diesem Kleidungsstück nicht mehr fragen</translation>
     </message>
+    <message>
+        <source>%1 and %2 differ by %3 (tolerance %4).</source>
+        <translation>%1 und %2 unterscheiden sich um %3 (Toleranz %4).</translation>
+    </message>
+    <message>
+        <source>The two halves of %1 are not equal.</source>
+        <translation>Die beiden Hälften von %1 sind nicht gleich.</translation>
+    </message>
+    <message>
+        <source>%1 and %2 are not equal.</source>
+        <translation>%1 und %2 sind nicht gleich.</translation>
+    </message>
+    <message>
+        <source>Make mirrored pieces equal</source>
+        <translation>Gespiegelte Schnittteile gleich machen</translation>
+    </message>
+    <message>
+        <source>Make equal</source>
+        <translation>Gleich machen</translation>
+    </message>
+    <message>
+        <source>Keep as in the file</source>
+        <translation>Wie in der Datei lassen</translation>
+    </message>
+    <message>
+        <source>Others that differ less: %1.</source>
+        <translation>Weitere, die sich weniger unterscheiden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::GarmentView</name>
@@ -7809,6 +7861,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Both have the mean of their lines</source>
         <translation>Beide haben das Mittel ihrer Linien</translation>
     </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>%1 and %2 differ by %3, more than the tolerance of %4: both keep their shapes</source>
+        <translation>%1 und %2 unterscheiden sich um %3, mehr als die Toleranz von %4: Beide behalten ihre Form</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::MorphBar</name>
@@ -8245,6 +8305,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Which layer of cloth the piece is of; 1 is the outermost</source>
         <translation>Zu welcher Stofflage das Teil gehört; 1 ist die äußerste</translation>
     </message>
+    <message>
+        <source>Flat, beyond any material</source>
+        <translation>Flach, jenseits jedes Materials</translation>
+    </message>
+    <message>
+        <source>No cloth takes this strain. Cut the piece where it curves most.</source>
+        <translation>Kein Stoff hält diese Dehnung aus. Schneiden Sie das Teil dort, wo es am stärksten gewölbt ist.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PiecesPanel</name>
@@ -8335,6 +8403,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Pieces</source>
         <translation>Schnittteile</translation>
+    </message>
+    <message>
+        <source>Changed by</source>
+        <translation>Geändert durch</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
     </message>
 </context>
 <context>
@@ -9447,6 +9523,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Whether the longer edge is drawn that much longer in the pattern; for an ease that you have stated</source>
         <translation>Ob die längere Kante im Schnittmuster um so viel länger gezeichnet wird; bei einer Einhalteweite, die Sie angegeben haben</translation>
     </message>
+    <message>
+        <source>Changed by %1</source>
+        <translation>Geändert durch, %1</translation>
+    </message>
+    <message>
+        <source>Why the seam has another length in the pattern than on the garment, and by how much</source>
+        <translation>Warum die Naht im Schnitt eine andere Länge hat als am Kleidungsstück, und um wie viel</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::SeamsPanel</name>
@@ -9798,20 +9882,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Änderungen s&amp;piegeln</translation>
     </message>
     <message>
-        <source>as they are</source>
-        <translation>wie sie sind</translation>
-    </message>
-    <message>
         <source>equal: the mean of both</source>
         <translation>gleich: das Mittel beider</translation>
     </message>
     <message>
         <source>equal: one for both</source>
         <translation>gleich: eines für beide</translation>
-    </message>
-    <message>
-        <source>What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Where they are to be equal, seams that mirror each other get a common length</source>
-        <translation>Was aus Schnittteilen wird, die Spiegelbilder voneinander sind, nur dass der Stoff verschieden fällt. Wo sie gleich werden sollen, bekommen Nähte, die einander spiegeln, eine gemeinsame Länge</translation>
     </message>
     <message>
         <source>Cut on both sides of the garment at once, and turn the grain on both; where mirrored pieces are equal</source>
@@ -9868,6 +9944,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Mirrored pieces equal</source>
         <translation>Gespiegelte Schnittteile angleichen</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>equal if within 2 mm or 1 %</source>
+        <translation>gleich, wenn innerhalb von 2 mm oder 1 %</translation>
+    </message>
+    <message>
+        <source>What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Pieces that become equal have a common length in seams that mirror each other</source>
+        <translation>Was aus Schnittteilen wird, die bis auf den Fall des Stoffs Spiegelbilder voneinander sind. Schnittteile, die gleich werden, haben in gespiegelten Nähten eine gemeinsame Länge</translation>
     </message>
 </context>
 <context>
@@ -10175,10 +10263,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>%1 auf beiden Seiten</translation>
     </message>
     <message>
-        <source>Cut once: it has no mirror image of its own.</source>
-        <translation>Einmal geschnitten: ein eigenes Spiegelbild gibt es nicht.</translation>
-    </message>
-    <message>
         <source>Cut on one side alone: no mirror plane is known.</source>
         <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
     </message>
@@ -10253,6 +10337,10 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
     <message>
         <source>The garment was changed before the cut was found. Cut once more.</source>
         <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cut once: it has no mirror image of its own, or a seam runs there.</source>
+        <translation>Einmal geschnitten: Der Schnitt hat kein eigenes Spiegelbild, oder dort verläuft schon eine Naht.</translation>
     </message>
 </context>
 </TS>

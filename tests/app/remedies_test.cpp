@@ -64,6 +64,25 @@ private:
                           table().visualRect(index).center());
     }
 
+    /// The part of a sphere up to an angle from its pole.
+    static MeshArrays makeDome(double radius, double angle, int around, int rings) {
+        MeshArrays mesh = makeTube(radius, 1, around, rings);
+        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+            const double at = angle * (1 - mesh.V(v, 1));
+            mesh.V.row(v) << mesh.V(v, 0) * std::sin(at), radius * std::cos(at),
+                mesh.V(v, 2) * std::sin(at);
+        }
+        mesh.F.conservativeResize(mesh.F.rows() - 2 * around + around, 3);  // the last ring ends
+        const int pole = static_cast<int>(mesh.V.rows()) - around;          // in one vertex
+        for (Eigen::Index f = mesh.F.rows() - around; f < mesh.F.rows(); ++f) {
+            const int i = static_cast<int>(f - mesh.F.rows()) + around;
+            const int a = (rings - 1) * around + i, b = (rings - 1) * around + (i + 1) % around;
+            mesh.F.row(f) << a, b, pole;
+        }
+        mesh.V.conservativeResize(pole + 1, 3);
+        return mesh;
+    }
+
     static MeshArrays makeTube(double radius, double height, int around, int along) {
         MeshArrays mesh;
         mesh.V.resize(around * (along + 1), 3);
@@ -100,6 +119,7 @@ private slots:
         write("legs.obj", {{"left", makeTube(90, 700, 16, 12)}, {"right", beside}});
         write("tiny.obj", {{"sheet", test::makeSheet(4, 6, 8, 12)}});
         write("cap.obj", {{"cap", test::makeCap(0)}});
+        write("dome.obj", {{"dome", makeDome(100, 2.8, 24, 16)}});
         write("sheets.obj",
               {{"front", test::makeSheet(400, 600, 8, 12)},
                {"back", test::makeSheet(400, 600, 8, 12, Eigen::Vector3d(0, 0, -300))}});
@@ -277,6 +297,33 @@ private slots:
         QVERIFY(waitForAnswer());
         QVERIFY(document().settings()[0].grain);
         QVERIFY(document().settings()[1].grain);
+    }
+
+    void aDomeThatNoClothTakesIsAmberAndItsCutsAreProposed() {
+        QVERIFY(open("dome.obj"));
+        QTest::keyClick(&fixture_.window(), Qt::Key_F8);
+        QVERIFY(document().results()[0]->flat);
+        const auto& pieces = *fixture_.find<QTreeView>("pieceTable").model();
+        QString status;
+        QColor colour;
+        for (int column = 0; column < pieces.columnCount(); ++column) {
+            const QModelIndex index = pieces.index(0, column);
+            if (index.data().toString().contains("beyond any material")) {
+                status = index.data().toString();
+                colour = index.data(Qt::ForegroundRole).value<QBrush>().color();
+            }
+        }
+        QCOMPARE(status, QString("Flat, beyond any material"));
+        QVERIFY(colour.red() > 150 && colour.green() > 90 && colour.blue() < 60);  // amber
+        const QModelIndex button = rowWith(Remedy::ProposeCuts);
+        QVERIFY(button.isValid());
+        emit table().customContextMenuRequested(table().visualRect(button).center());
+        auto* menu = fixture_.window().findChild<QMenu*>("problemMenu");
+        QVERIFY(menu);
+        document().setOverlay(Overlay::None);
+        menu->actions().back()->trigger();  // show strain
+        menu->close();
+        QCOMPARE(document().view().overlay, Overlay::Strain);
     }
 
     void nothingHelpsAPieceOfAScanBeforeThatIsPrepared() {
