@@ -133,7 +133,8 @@ private slots:
         QVERIFY(isAtRest());
         waitUntilKept(autosave);
         std::set<std::string> lost;
-        for (const auto& member : kept(autosave.file()).items()) {
+        const OrderedJson first = kept(autosave.file());
+        for (const auto& member : first.items()) {
             lost.insert(member.key());
         }
         // They follow from the files, or say what the file is.
