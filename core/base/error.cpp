@@ -174,6 +174,9 @@ constexpr Words kWords[] = {
     {OutOfMemory, "out-of-memory", TR("there is not enough memory"),
      TR("Close other programs, or flatten fewer or coarser pieces at a time")},
     {Cancelled, "cancelled", TR("cancelled"), ""},
+    {SeamsByNearness, "seams-by-nearness",
+     TR("seams are guessed: their edges lie near each other, but have no points in common"),
+     TR("Check them in the list of seams"), true},
 };
 
 static_assert(std::size(kWords) == kErrorCodeCount &&

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include <Eigen/Geometry>
@@ -190,19 +191,21 @@ struct Balance {
     double alike;
 };
 
+/// 1 where the cloth of both edges lies on the same side of them, as in layers, -1 where it goes on
+/// beyond.
+double sidesAgree(const Outlines& outlines, const Contact& c) {
+    return outlines.of(c.a)
+        .inward.row(outlines.local(c.a))
+        .dot(outlines.of(c.b).inward.row(outlines.local(c.b)));
+}
+
 /// How much a contact says about the winding of its pieces, in mm. Near contacts speak more softly
 /// the wider they gape. Parallel edges whose cloth lies on the same side are layers on top of each
 /// other and say nothing; of a piece that is wound against its neighbour the cloth goes on beyond.
 double weightOf(const Outlines& outlines, const Contact& c) {
-    const Outline &a = outlines.of(c.a), &b = outlines.of(c.b);
-    const double gape = 0.5 * (c.gap0 + c.gap1) / a.spacing[outlines.local(c.a)];
+    const double gape = 0.5 * (c.gap0 + c.gap1) / outlines.of(c.a).spacing[outlines.local(c.a)];
     const double weight = (c.a1 - c.a0) / (1 + kGapePenalty * gape);
-    if (!c.parallel) {
-        return weight;
-    }
-    const double sameSide =
-        a.inward.row(outlines.local(c.a)).dot(b.inward.row(outlines.local(c.b)));
-    return weight * 0.5 * (1 - sameSide);
+    return c.parallel ? weight * 0.5 * (1 - sidesAgree(outlines, c)) : weight;
 }
 
 std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contact>& contacts) {
@@ -242,6 +245,94 @@ void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& conta
         return !c.certain && c.parallel != areAgainst(outlines.pieceOf(c.a), outlines.pieceOf(c.b));
     });
     std::ranges::sort(contacts, {}, [](const Contact& c) { return std::pair(c.a, c.b); });
+}
+
+namespace {
+
+/// What the vertices say of the pieces, so that nearness need not guess.
+class KnownSeams {
+public:
+    KnownSeams(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines)
+        : pieces_(pieces),
+          outlines_(outlines),
+          groups_(static_cast<int>(pieces.size())),
+          isWelded_(pieces.size(), 0) {}
+
+    /// @param shared      of edges that are one in their file
+    /// @param coincident  of edges whose ends coincide
+    void learn(const std::vector<Contact>& shared, const std::vector<Contact>& coincident) {
+        for (const auto* contacts : {&shared, &coincident}) {
+            for (const Contact& c : *contacts) {
+                if (isOfCut(c)) {
+                    groups_.join(outlines_.pieceOf(c.a), outlines_.pieceOf(c.b));
+                }
+            }
+        }
+        for (const auto* contacts : {&shared, &coincident}) {
+            for (const Contact& c : *contacts) {
+                const auto [a, b] = groupsOf(c);
+                if (isOfCut(c) || contacts == &coincident) {
+                    touching_.emplace(a, b);
+                    continue;
+                }
+                welded_.emplace(a, b);
+                if (a != b) {
+                    isWelded_[a] = isWelded_[b] = 1;
+                }
+            }
+        }
+    }
+
+    bool contradict(const Contact& c) {
+        const auto [a, b] = groupsOf(c);
+        return (isWelded_[a] && isWelded_[b]) || welded_.count({a, b}) > 0 ||
+               (touching_.count({a, b}) > 0 && sidesAgree(outlines_, c) > 0);
+    }
+
+private:
+    std::pair<int, int> groupsOf(const Contact& c) {
+        const int a = groups_.root(outlines_.pieceOf(c.a));
+        const int b = groups_.root(outlines_.pieceOf(c.b));
+        return {std::min(a, b), std::max(a, b)};
+    }
+
+    bool isOfCut(const Contact& c) const {
+        const auto isCutEdge = [this](int edge) {
+            const int tail = outlines_.of(edge).vertices[outlines_.local(edge)];
+            const EdgeOrigin* origin = originAt(pieces_[outlines_.pieceOf(edge)]->origins, tail);
+            return origin && origin->cut;
+        };
+        return isCutEdge(c.a) && isCutEdge(c.b);
+    }
+
+    const std::vector<std::shared_ptr<const Piece>>& pieces_;
+    const Outlines& outlines_;
+    geometry::DisjointSets groups_;  ///< pieces that were one before they were cut
+    std::vector<char> isWelded_;     ///< by group: to another one
+    std::set<std::pair<int, int>> welded_, touching_;  ///< groups that have edges in common
+};
+
+}  // namespace
+
+void dropContradicted(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                      const Outlines& outlines, const std::vector<Contact>& shared,
+                      std::vector<Contact>& near) {
+    const auto coincides = [&outlines](const Contact& c) {
+        return std::max(c.gap0, c.gap1) <= kCoincidentShare * outlines.size;
+    };
+    std::vector<Contact> coincident;
+    for (const Contact& c : near) {
+        const double lengthB = outlines.lengthOf(c.b);
+        const bool isWhole = c.a0 == 0 && c.a1 == outlines.lengthOf(c.a) &&
+                             std::min(c.b0, c.b1) == 0 && std::max(c.b0, c.b1) == lengthB;
+        const bool isLayer = c.parallel && sidesAgree(outlines, c) > 0;
+        if (coincides(c) && isWhole && !isLayer) {
+            coincident.push_back(c);
+        }
+    }
+    KnownSeams seams(pieces, outlines);
+    seams.learn(shared, coincident);
+    std::erase_if(near, [&](const Contact& c) { return !coincides(c) && seams.contradict(c); });
 }
 
 }  // namespace toile::seam

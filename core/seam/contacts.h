@@ -53,6 +53,19 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
                                   const std::vector<char>& settled,
                                   std::vector<CrowdedPlace>& crowded);
 
+/// Edges that are nowhere further apart than this part of the garment's diagonal coincide.
+inline constexpr double kCoincidentShare = 1e-6;
+
+/// Takes out near contacts that the garment's own vertices speak against, so that a hem that lies
+/// on another hem stays open. Nearness adds nothing between pieces that are welded to each other in
+/// their file, or both to others. Between pieces with whole edges that coincide, or are the two
+/// sides of a cut, it adds nothing where the cloth of both lies on the same side, as in layers. The
+/// parts of a cut piece count as one. Contacts that coincide stay.
+/// @param shared  of `sharedContacts`  Cost: linear.
+void dropContradicted(const std::vector<std::shared_ptr<const Piece>>& pieces,
+                      const Outlines& outlines, const std::vector<Contact>& shared,
+                      std::vector<Contact>& near);
+
 /// Takes out the contacts that run the wrong way: decides from the balance of contacts which pieces
 /// are wound against each other. Sorts by (a, b).
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts);

@@ -70,6 +70,27 @@ void indexEdges(const seam::Outlines& outlines, SeamGraph& graph) {
     }
 }
 
+/// What was sewn because its edges lie near each other, and do not coincide.
+struct GuessedSeams {
+    long long count = 0;
+    double widest = 0;  ///< gap, mm
+
+    void add(const seam::Outlines& outlines, const seam::MatchedInterval& interval) {
+        const auto most = std::ranges::max_element(interval.line, {}, &seam::Correspondence::gap);
+        if (!interval.certain && most->gap > seam::kCoincidentShare * outlines.size) {
+            ++count;
+            widest = std::max(widest, most->gap);
+        }
+    }
+    Problems notes() const {
+        return count == 0 ? Problems{}
+                          : Problems{{ErrorCode::SeamsByNearness,
+                                      {},
+                                      counted(count, "seam") + ", at most " + fixed(widest, 2) +
+                                          " mm apart"}};
+    }
+};
+
 /// One note about all crowded places, which are many where there is one.
 Problems notesOf(const std::vector<seam::CrowdedPlace>& crowded) {
     const auto worst = std::ranges::max_element(crowded, {}, &seam::CrowdedPlace::edges);
@@ -99,8 +120,8 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     std::vector<char> settled(outlines.edgeCount(), 0);
     std::vector<seam::Contact> contacts = seam::sharedContacts(pieces, outlines, settled);
     std::vector<seam::CrowdedPlace> crowded;
-    const std::vector<seam::Contact> near =
-        seam::nearContacts(outlines, options.gap, settled, crowded);
+    std::vector<seam::Contact> near = seam::nearContacts(outlines, options.gap, settled, crowded);
+    seam::dropContradicted(pieces, outlines, contacts, near);
     if (!goesOnAt(0.6)) {
         return {};
     }
@@ -113,9 +134,13 @@ SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
     if (!goesOnAt(0.8)) {
         return {};
     }
+    GuessedSeams guessed;
     for (seam::MatchedInterval& interval : seam::chooseIntervals(outlines, intervals)) {
+        guessed.add(outlines, interval);
         graph.seams.push_back(seam::finishSeam(outlines, std::move(interval)));
     }
+    const Problems guesses = guessed.notes();
+    graph.notes.insert(graph.notes.end(), guesses.begin(), guesses.end());
     addFreeEdges(outlines, graph.seams);
     seam::orderAndName(pieces, outlines, graph.seams);
     traceOrigins(pieces, outlines, graph.seams);

@@ -20,7 +20,8 @@ struct SeamOptions {
 /// Finds which outlines are sewn to which, in three ways that share one machinery:
 /// - edges between the same two positions of one file are the same line of a welded garment;
 /// - edges that coincide, and edges that lie close and run in opposite directions, sampled alike or
-///   not, become contacts; contacts in a row on both outlines become intervals (so every interval
+///   not, become contacts, unless vertices that coincide speak against them (`dropContradicted`);
+///   contacts in a row on both outlines become intervals (so every interval
 ///   is mutual and monotone); where they compete for a place the closer one has it, then the longer
 ///   one.
 /// Outlines of consistently wound pieces run against each other along a seam. A piece wound the
@@ -36,9 +37,10 @@ struct SeamOptions {
 /// narrow strip of cloth are not sewn to each other, however near.
 ///
 /// @param pieces  mm, of any size and place; a piece with a defect has no outline and no seams
-/// Where edges crowd (`nearbyEdges`) none are found by nearness; `SeamGraph::notes` says so.
-/// Deterministic; does not depend on the order of vertices and faces but for the numbering of equal
-/// names. Cost: n log n in the outline edges and linear in the meshes. Re-entrant.
+/// Where edges crowd (`nearbyEdges`) none are found by nearness; `SeamGraph::notes` says so, and
+/// how many seams were found by nearness alone, with the greatest gap. Deterministic; does not
+/// depend on the order of vertices and faces but for the numbering of equal names. Cost: n log n in
+/// the outline edges and linear in the meshes. Re-entrant.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
 SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
                     const SeamOptions& options = {}, const Progress& progress = Progress());

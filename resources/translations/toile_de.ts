@@ -1080,6 +1080,14 @@ veraltet</translation>
         <translation>Nähte werden dort nicht gesucht</translation>
     </message>
     <message>
+        <source>seams are guessed: their edges lie near each other, but have no points in common</source>
+        <translation>Nähte sind geraten: Ihre Kanten liegen nahe beieinander, haben aber keine gemeinsamen Punkte</translation>
+    </message>
+    <message>
+        <source>Check them in the list of seams</source>
+        <translation>Prüfen Sie sie in der Liste der Nähte</translation>
+    </message>
+    <message>
         <source>edges have no length</source>
         <translation>Kanten haben keine Länge</translation>
     </message>

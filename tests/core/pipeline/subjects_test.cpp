@@ -50,6 +50,7 @@ Kinds kindsOf(ErrorCode code) {
         case ErrorCode::NoSuchSeam:
             return {Kind::Seam};
         case ErrorCode::EdgesCrowd:
+        case ErrorCode::SeamsByNearness:
             return {Kind::None};
         default:
             return {Kind::Piece};

@@ -47,6 +47,21 @@ TEST(SeamsInDoubt, GapsUpToTheToleranceAreClosed) {
     EXPECT_EQ(seamsAt(1, {.gap = 0.05}), 0U);
 }
 
+TEST(SeamsInDoubt, WhatNearnessSewsIsReported) {
+    const auto notesAt = [](double gap) {
+        return findSeams({asPiece(rectangle(0, 0, 400, 600, 40, 60), "front"),
+                          asPiece(rectangle(400 + gap, 0, 400, 600, 40, 60), "back")})
+            .notes;
+    };
+    EXPECT_TRUE(notesAt(0).empty());
+    const Problems notes = notesAt(1.25);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes[0].code, ErrorCode::SeamsByNearness);
+    EXPECT_NE(sentence(notes[0]).find("1 seam, at most 1.25 mm apart"), std::string::npos)
+        << sentence(notes[0]);
+    EXPECT_TRUE(notesAt(3).empty());  // not sewn
+}
+
 TEST(SeamsInDoubt, ParallelEdgesOfAPlacketGoToTheBetterPartner) {
     // The upper band meets the front; the band below begins 3 mm further in.
     const Pieces pieces{asPiece(rectangle(0, 0, 400, 600, 20, 30), "front"),
@@ -56,6 +71,55 @@ TEST(SeamsInDoubt, ParallelEdgesOfAPlacketGoToTheBetterPartner) {
     test::expectValid(graph, pieces);
     EXPECT_NEAR(named(graph, "front / upper band").length3d[0], 600, 1e-9);
     EXPECT_EQ(only(graph, SeamKind::Seam).size(), 1U);
+}
+
+/// Front and back of a skirt that lies flat: two sheets 480 wide and 500 high that meet at their
+/// sides and bulge by so much.
+Pieces lens(double depth) {
+    Pieces pieces;
+    for (const double side : {1.0, -1.0}) {
+        MeshArrays mesh = rectangle(0, 0, 480, 500, 40, 40);
+        for (Eigen::Index v = 0; v < mesh.V.rows(); ++v) {
+            const double x = mesh.V(v, 0) / 240 - 1;
+            mesh.V(v, 2) = side * depth / 2 * (1 - x * x);
+        }
+        pieces.push_back(
+            asPiece(side > 0 ? mesh : test::woundAgainst(mesh), side > 0 ? "front" : "back"));
+    }
+    return pieces;
+}
+
+TEST(SeamsInDoubt, HemsThatLieOnEachOtherStayOpen) {
+    for (const double depth : {0.1, 1.0, 5.0, 20.0, 60.0, 200.0}) {
+        const Pieces apart = lens(depth);
+        for (const Pieces& pieces : {apart, test::welded(apart)}) {
+            const SeamGraph graph = findSeams(pieces);
+            test::expectValid(graph, pieces);
+            const std::vector<Seam> seams = only(graph, SeamKind::Seam);
+            EXPECT_EQ(seams.size(), 2U) << depth;
+            for (const Seam& seam : seams) {
+                EXPECT_NEAR(seam.length3d[0], 500, 1e-6) << depth;
+                EXPECT_NEAR(seam.length3d[1], 500, 1e-6) << depth;
+            }
+            EXPECT_EQ(only(graph, SeamKind::Free).size(), 4U) << depth;
+        }
+    }
+}
+
+TEST(SeamsInDoubt, BandsThatLieOnEachOtherAreNotSewnWhereAllIsWelded) {
+    // Two bands that are welded to the front, one over the other, 1 mm apart at their far ends.
+    const auto band = [](double off) {
+        MeshArrays mesh = rectangle(100, 0, 40, 100, 4, 10);
+        mesh.V.col(2) = (mesh.V.col(0).array() - 100) / 40 * off;
+        return mesh;
+    };
+    const Pieces pieces =
+        test::welded({asPiece(rectangle(0, 0, 100, 100, 10, 10), "front"),
+                      asPiece(band(1), "upper band"), asPiece(band(-1), "lower band")});
+    for (const Seam& seam : only(findSeams(pieces), SeamKind::Seam)) {
+        EXPECT_TRUE(seam.name.starts_with("front / ")) << seam.name;
+        EXPECT_NEAR(seam.length3d[0], 100, 1e-6) << seam.name;
+    }
 }
 
 TEST(SeamsInDoubt, AThirdLayerIsASeamOfItsOwn) {

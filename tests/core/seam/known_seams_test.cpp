@@ -106,6 +106,43 @@ void expectKnown(const SeamGraph& graph, const std::vector<int>& panel, const nl
     EXPECT_EQ(seams, truth["seams"].size());
 }
 
+/// What is sewn is as long as the edges that pieces have in common: between two pieces, and where
+/// more meet in an edge, over all of them.
+void expectSharedLengths(const SeamGraph& graph, const test::Pieces& pieces) {
+    std::map<PanelPair, std::vector<std::pair<int, double>>> owners;  // by the ends of an edge
+    for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
+        const Piece& piece = *pieces[static_cast<std::size_t>(p)];
+        for (std::size_t k = 0; k < piece.boundary.size(); ++k) {
+            const int u = piece.boundary[k], v = piece.boundary[(k + 1) % piece.boundary.size()];
+            const PanelPair ends = std::minmax({piece.sourceVertex[u], piece.sourceVertex[v]});
+            owners[ends].emplace_back(p, (piece.mesh.V.row(u) - piece.mesh.V.row(v)).norm());
+        }
+    }
+    std::map<PanelPair, double> shared, sewn;
+    double all = 0;
+    bool isLayered = false;
+    for (const auto& [ends, list] : owners) {
+        if (list.size() > 1) {
+            shared[std::minmax({list[0].first, list[1].first})] += list[0].second;
+            all += static_cast<double>(list.size() - 1) * list[0].second;
+            isLayered |= list.size() > 2;
+        }
+    }
+    for (const Seam& seam : graph.seams) {
+        if (seam.kind != SeamKind::Free) {
+            sewn[std::minmax({seam.left.piece, seam.right.piece})] += seam.length3d[0];
+            all -= seam.length3d[0];
+        }
+    }
+    EXPECT_NEAR(all, 0, 1e-6);
+    if (!isLayered) {
+        EXPECT_EQ(sewn.size(), shared.size());
+        for (const auto& [pair, length] : shared) {
+            EXPECT_NEAR(sewn[pair], length, 1e-6) << pair.first << " / " << pair.second;
+        }
+    }
+}
+
 class WeldedSeams : public testing::TestWithParam<const char*> {};
 
 TEST_P(WeldedSeams, AreTheTrueOnes) {
@@ -124,6 +161,8 @@ TEST_P(WeldedSeams, AreTheTrueOnes) {
     std::vector<int> panel(pieces.size());
     std::iota(panel.begin(), panel.end(), 0);
     expectKnown(graph, panel, truth, 1);
+    expectSharedLengths(graph, pieces);
+    EXPECT_TRUE(graph.notes.empty());  // nothing is guessed
     for (const Seam& seam : graph.seams) {
         if (seam.kind != SeamKind::Free) {
             EXPECT_NEAR(seam.length3d[0], seam.length3d[1], 1e-9) << seam.name;
