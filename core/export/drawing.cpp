@@ -229,7 +229,6 @@ void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Pattern
     auto [label, lines, grain, seams] =
         placeMarks(piece, placement, wanted, grainOf(piece), drawnOnCloth(pattern, piece));
     label.position += placement.offset;
-    keepOnPage(label, lines, drawing);
     drawing.paths.push_back({id + "cut", LayerKind::Cut, placed(edgeOf(piece))});
     std::size_t seamPath = drawing.paths.size() - 1;
     if (piece.cuttingLine.rows() > 0) {
@@ -240,8 +239,11 @@ void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Pattern
         const Chord line{grain->from + placement.offset, grain->to + placement.offset};
         drawing.paths.push_back({id + "-grain", LayerKind::Grain, arrowPath(line), false});
     }
-    drawing.texts.push_back(
-        {id + "name", LayerKind::Text, label.position, label.height, std::move(lines)});
+    if (!lines.empty()) {
+        keepOnPage(label, lines, drawing);
+        drawing.texts.push_back(
+            {id + "name", LayerKind::Text, label.position, label.height, std::move(lines)});
+    }
     for (std::size_t k = 0; pattern.hasAllowance && k < piece.extensions.size(); ++k) {
         drawing.paths.push_back({id + "-extension-" + std::to_string(k + 1), LayerKind::Internal,
                                  placed(piece.extensions[k]), false});

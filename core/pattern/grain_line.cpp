@@ -21,8 +21,11 @@ std::optional<Chord> grainLine(const FreeCloth& cloth, double angle) {
     if (!std::isfinite(angle)) {
         return std::nullopt;
     }
-    const PoleSearch search{.tolerance = 0.02, .slack = 0.05, .enough = kLongest / kShare};
-    const auto pole = boxPole(cloth, {1, 1 / kSlender}, angle, search);
+    const PoleSearch search{.tolerance = 0.02,
+                            .slack = 0.05,
+                            .enough = kLongest / kShare,
+                            .useful = kShortestGrain / kShare};
+    const auto pole = boxPole(cloth, {1, 1 / kSlender}, angle, coarserIfSmall(search, cloth));
     const double length = pole ? std::min(kLongest, kShare * pole->room) : 0;
     if (length < kShortestGrain) {
         return std::nullopt;

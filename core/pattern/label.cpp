@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 constexpr double kAir = 1;  // capital heights kept free beside and above the block together
-constexpr PoleSearch kLabelSearch{.tolerance = 0.01, .slack = 0.05};
+constexpr PoleSearch kLabelSearch{.tolerance = 0.01, .slack = 0.05, .useful = kSmallestLabel};
 
 /// In two at the blank that leaves the longer part shortest; in one where there is none.
 std::vector<std::string> halves(const std::string& line) {
@@ -77,7 +77,8 @@ Points2 textBox(const LabelPlace& place, const std::vector<std::string>& lines, 
 LabelPlace placeLabel(const std::vector<Points2>& loops, const std::vector<std::string>& lines,
                       const std::vector<Points2>& obstacles) {
     const Eigen::Vector2d size = textExtent(lines, 1);
-    const auto pole = boxPole({loops, obstacles}, size.array() + kAir, 0, kLabelSearch);
+    const FreeCloth cloth{loops, obstacles};
+    const auto pole = boxPole(cloth, size.array() + kAir, 0, coarserIfSmall(kLabelSearch, cloth));
     Eigen::Vector2d middle(0, 0);
     if (pole) {
         middle = pole->place;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/characters.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
@@ -115,6 +116,7 @@ constexpr double kFoldOff = 8;          // mm: the bracket from the fold,
 constexpr double kFoldOffOfEdge = 0.1;  // at most so much of the fold's length
 constexpr double kFoldHead = 0.4;       // of that: an arrow head
 constexpr double kFoldFrom = 0.2;       // of the fold's length: where the arrows are
+constexpr double kSmallestMarked = 100;  // mm²: no label or grain line on a smaller piece
 
 double lengthOf(const std::optional<Chord>& line) {
     return line ? (line->to - line->from).norm() : 0;
@@ -216,6 +218,12 @@ PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
         const FoldMark fold = foldMark(piece, placement, "");
         cloth.obstacles.push_back(fold.path);
         cloth.obstacles.push_back(foldRoom(fold));
+    }
+    if (std::abs(geometry::signedAreaOf(piece.outline)) < kSmallestMarked) {
+        PieceMarks marks;
+        marks.label = {geometry::boxAround(cloth.loops.front()).center(), kSmallestLabel, false};
+        marks.seams = seamMarks(piece, placement, cloth.obstacles);
+        return marks;
     }
     const auto placed = [&](std::vector<std::string> label) {
         PieceMarks marks;

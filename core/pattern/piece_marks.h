@@ -78,7 +78,8 @@ std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& pi
 
 /// Places the marks of the seams (`seamMarks`), then the label (`placeLabel`) and the grain line
 /// (`grainLine`) beside each other where these leave room. Lines of a label for which there is none
-/// are broken in two (`brokenLines`) where it then fits.
+/// are broken in two (`brokenLines`) where it then fits. A piece of less than 1 cm² has neither
+/// label nor grain line.
 /// @param piece      that is flat  @param grain  direction of the warp, radians, on the piece
 /// @param obstacles  `drawnOnCloth`, on the piece; the mark of a fold is known
 /// Cost: that of the four. Pure.

@@ -19,7 +19,6 @@ using Eigen::Vector2d;
 
 constexpr int kMostSquares = 20000;
 constexpr std::size_t kMostLooks = 300000, kMostLooksPerEdge = 60;  // at an edge from a place
-constexpr double kNearEnough = 1e-5;                                // of the extent of the cloth
 
 /// A piece of a line; coordinates in which the shape that seeks room is the unit circle, or the
 /// square of half side 1, at room 1.
@@ -294,9 +293,12 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
     if (atCentre >= least) {
         return Pole{centre, atCentre};
     }
+    if (best.room < search.useful) {
+        return best;
+    }
     double off = (best.place - centre).norm();
     const double nearEnough =
-        kNearEnough * geometry::boxAround(cloth.loops.front()).diagonal().norm();
+        search.nearEnough * geometry::boxAround(cloth.loops.front()).diagonal().norm();
     const Vector2d unitCentre = toUnit * centre;
     if (least < best.room) {
         squares.search([&](const PoleSquare& square) -> std::optional<double> {
@@ -322,6 +324,20 @@ Eigen::Matrix2d toUnitBox(const Eigen::Vector2d& size, double angle) {
 }
 
 }  // namespace
+
+PoleSearch coarserIfSmall(PoleSearch search, const FreeCloth& cloth) {
+    constexpr double kSmallCloth = 200;  // mm
+    constexpr double kCoarsest = 0.1, kNearInSmall = 2e-3;
+    if (cloth.loops.empty() || cloth.loops.front().rows() == 0) {
+        return search;
+    }
+    const double extent = geometry::boxAround(cloth.loops.front()).diagonal().norm();
+    if (extent < kSmallCloth) {
+        search.tolerance = std::min(kCoarsest, search.tolerance * kSmallCloth / extent);
+        search.nearEnough = kNearInSmall;
+    }
+    return search;
+}
 
 std::optional<Pole> circlePole(const FreeCloth& cloth, const PoleSearch& search) {
     return findPole(cloth, Eigen::Matrix2d::Identity(), true, search);

@@ -28,10 +28,17 @@ struct Pole {
 struct PoleSearch {
     double tolerance = 0.01;  ///< the largest room may be greater by this share
     /// Of the places with all but this share of the largest room the one nearest to the centroid of
-    /// the outline is taken, but for 1e-5 of its extent; 0: any with the largest.
+    /// the outline is taken, but for `nearEnough` of its extent; 0: any with the largest.
     double slack = 0;
+    double nearEnough = 1e-5;
     double enough = std::numeric_limits<double>::infinity();  ///< more room is no better
+    double useful = 0;  ///< where there is less room any place with the most will do
 };
+
+/// The same search, coarser on cloth of less than 200 mm: to a tenth at most. The work grows with
+/// the square of the precision, and a tenth of a short label or arrow is nothing that anyone sees.
+/// Cost: linear in the outline. Pure.
+PoleSearch coarserIfSmall(PoleSearch search, const FreeCloth& cloth);
 
 /// The pole of inaccessibility: the point of the free cloth that is farthest from every line.
 /// Nothing where there is no cloth.

@@ -257,5 +257,16 @@ TEST(AsCut, NumbersWhatIsDrawn) {
     EXPECT_EQ(cut.pieces[3].number, 3);
 }
 
+TEST(PieceMarks, PiecesBelowASquareCentimetreHaveNoLabel) {
+    for (const double side : {0.1, 9.9, 10.1, 40.0}) {
+        const PatternPiece piece = sewnRound(test::rectangle(0, 0, side, side), 2, 1);
+        const PieceMarks marks = placeMarks(piece, {}, {"name"}, 1.5);
+        EXPECT_EQ(marks.lines.empty(), side < 10) << side;
+        EXPECT_TRUE(side >= 10 || !marks.grain) << side;
+        EXPECT_EQ(marks.seams.size(), 2U);
+        EXPECT_LT((marks.label.position - Vector2d(side / 2, side / 2)).norm(), side);
+    }
+}
+
 }  // namespace
 }  // namespace toile

@@ -9,6 +9,7 @@
 #include "core/geometry/segment.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
+#include "tests/core/support/growth.h"
 
 namespace toile {
 namespace {
@@ -210,6 +211,29 @@ TEST(Pole, GoesWithThePieceAndWithItsImage) {
         EXPECT_LT(moves.norm(), 0.01 * extent) << seed;
         EXPECT_LT(mirrors.norm(), 0.01 * extent) << seed;
     }
+}
+
+TEST(PoleClock, SmallClothIsSearchedCoarsely) {
+    FreeCloth cloth;
+    cloth.loops.emplace_back(4, 2);
+    cloth.loops[0] << 0, 0, 30, 0, 30, 30, 0, 30;
+    cloth.obstacles.emplace_back(5, 2);  // a label in the middle
+    cloth.obstacles[0] << 8, 11, 22, 11, 22, 19, 8, 19, 8, 11;
+    const PoleSearch exact{.tolerance = 0.02, .slack = 0.05};
+    const PoleSearch coarse = coarserIfSmall(exact, cloth);
+    const auto poleBy = [&cloth](const PoleSearch& search) -> std::optional<Pole> {
+        return boxPole(cloth, {1, 0.1}, 1.5, search);
+    };
+    ASSERT_TRUE(poleBy(exact) && poleBy(coarse));
+    EXPECT_GT(poleBy(coarse)->room, 0.85 * poleBy(exact)->room);
+    const auto timeOf = [&poleBy](const PoleSearch& search) -> double {
+        return test::quickest([&] {
+            for (int k = 0; k < 20; ++k) {
+                poleBy(search);
+            }
+        });
+    };
+    EXPECT_LT(4 * timeOf(coarse), timeOf(exact));
 }
 
 }  // namespace
