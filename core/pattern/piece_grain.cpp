@@ -7,6 +7,8 @@
 #include <Eigen/Dense>
 
 #include "core/base/units.h"
+#include "core/pattern/flat_reflection.h"
+#include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/quality/grain_cost.h"
 
@@ -118,17 +120,34 @@ double leastStrained(const PieceResult& result, const Fabric& stated, double str
     return best;
 }
 
-std::optional<double> grainBy(GrainRule rule, const Garment& garment, const PieceResult& result,
-                              int piece, const Fabric& fabric) {
-    if (!result.flat) {
-        return std::nullopt;
+/// The direction of the line in which a flat piece mirrors itself; none where it does not.
+std::optional<double> axisOf(const PieceResult& result, const DrawnMirror& drawn,
+                             const Symmetry* symmetry, int piece) {
+    if (drawn.isSymmetric) {
+        const Points2& line = result.flat->line->points;
+        return angleOf((line.row(line.rows() / 2) - line.row(0)).transpose());
     }
+    const bool isOwnImage = symmetry && symmetry->pieces.counterpart[piece] == piece;
+    return isOwnImage ? std::optional(reflectionBetween(result, result, symmetry->plane).turn / 2)
+                      : std::nullopt;
+}
+
+/// The direction nearest to an angle of those that are whole steps off the axis.
+double alongAxis(double angle, double axis, double step) {
+    return axis + std::round(std::remainder(angle - axis, 2 * kPi) / step) * step;
+}
+
+std::optional<double> grainBy(GrainRule rule, const Garment& garment, const PieceResult& result,
+                              int piece, const Fabric& fabric, const std::optional<double>& axis) {
     if (rule == GrainRule::Reference && result.piece->reference) {
         if (const auto grain = referenceGrain(result)) {
-            return grain;
+            return axis ? alongAxis(*grain, *axis, kPi / 4) : grain;
         }
     }
-    const auto straight = verticalGrain(garment, result, piece);
+    auto straight = verticalGrain(garment, result, piece);
+    if (straight && axis) {
+        straight = alongAxis(*straight, *axis, kPi / 2);
+    }
     return straight && rule == GrainRule::LeastStrain
                ? std::optional(leastStrained(result, fabric, *straight))
                : straight;
@@ -140,8 +159,9 @@ std::vector<std::optional<double>> findGrains(const Garment& garment, const Piec
                                               const Symmetry* symmetry, GrainRule rule,
                                               const std::vector<Fabric>& fabrics) {
     std::vector<std::optional<double>> grains(results.size());
+    const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
     for (int p = 0; p < static_cast<int>(results.size()); ++p) {
-        if (!results[p]) {
+        if (!results[p] || !results[p]->flat) {
             continue;
         }
         const int other = symmetry ? symmetry->pieces.counterpart[p] : -1;
@@ -149,7 +169,8 @@ std::vector<std::optional<double>> findGrains(const Garment& garment, const Piec
             grains[p] = mirroredDirection(garment, results, *symmetry, other, *grains[other]);
         }
         if (!grains[p]) {
-            grains[p] = grainBy(rule, garment, *results[p], p, fabrics[p]);
+            grains[p] = grainBy(rule, garment, *results[p], p, fabrics[p],
+                                axisOf(*results[p], mirrors[p], symmetry, p));
         }
     }
     return grains;

@@ -13,7 +13,9 @@
 namespace toile {
 
 /// The direction of the warp on every piece, radians in flat coordinates, upwards in the sense of
-/// the rule. Of two pieces that mirror each other the first one's holds for both, mirrored.
+/// the rule. Of two pieces that mirror each other the first one's holds for both, mirrored. On a
+/// piece that mirrors itself it runs exactly along its axis, the fold of its half pattern, or at
+/// 90 degrees to it, whichever is nearer; a reference panel may lie on the bias of the axis too.
 /// @param results   one per piece
 /// @param symmetry  null: every piece is looked at alone
 /// @param fabrics   one per piece, for LeastStrain; one that is not stated counts as woven

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/grain_cost.h"
@@ -183,6 +184,45 @@ TEST_P(GrainOfPairs, IsOneAnswerForBoth) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Garments, GrainOfPairs, testing::Values("tube", "garments/tee_sim.obj"));
+
+class GrainOfSymmetric : public testing::TestWithParam<const char*> {};
+
+TEST_P(GrainOfSymmetric, IsParallelToTheFold) {
+    const std::string file = GetParam();
+    if (file != "tube") {
+        TOILE_NEEDS_SHARED(test::dataFile(file));
+    }
+    const Garment garment = file == "tube" ? test::tube4(test::draped) : test::garmentOf(file);
+    LineSettings lines;
+    lines.mirror = Mirror::Mean;
+    Progress progress;
+    const PieceResults results = flattenGarment(garment, {Method::Curvature}, progress, 0, lines);
+    const auto symmetry = findSymmetry(garment);
+    ASSERT_TRUE(symmetry);
+    const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
+    int symmetric = 0;
+    for (const auto& [rule, word] : kGrainRuleWords) {
+        const auto grains =
+            findGrains(garment, results, &*symmetry, rule, std::vector<Fabric>(results.size()));
+        for (std::size_t p = 0; p < grains.size(); ++p) {
+            if (!mirrors[p].isSymmetric || !grains[p]) {
+                continue;
+            }
+            ++symmetric;
+            const Points2& line = results[p]->flat->line->points;
+            const Eigen::RowVector2d fold = line.row(line.rows() / 2) - line.row(0);
+            const double off = *grains[p] - std::atan2(fold.y(), fold.x());
+            // Along the fold or square to it; where the cloth suffers less by it, on the bias.
+            const double steps = rule == GrainRule::Vertical ? 2 : 4;
+            EXPECT_NEAR(std::sin(steps * off), 0, 1e-12) << word << ' ' << p;
+        }
+    }
+    EXPECT_GT(symmetric, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, GrainOfSymmetric,
+                         testing::Values("tube", "samples/tshirt.obj", "garments/tee_sim.obj",
+                                         "garments/dress.obj"));
 
 class GrainOfDesigns : public testing::TestWithParam<const char*> {};
 
