@@ -55,9 +55,7 @@ std::vector<py::dict> notchesOf(const PyPatternPiece& self) {
     const PatternPiece& piece = self.piece();
     std::vector<py::dict> notches;
     for (const PieceNotch& notch : piece.notches) {
-        const Points2& line =
-            notch.hole < 0 ? piece.outline : piece.holes[static_cast<std::size_t>(notch.hole)];
-        const NotchSpot spot = notchSpot(ClosedLine(line), notch.at);
+        const NotchSpot spot = notchSpot(notchLine(piece, notch.hole), notch.at);
         py::dict told;
         told["seam"] = notch.seam;
         told["share"] = notch.share;

@@ -257,7 +257,10 @@ private:
     }
 
     void checkHalves() {
-        const std::vector<DrawnMirror> mirrors = drawnMirrors(plan_.results);
+        std::vector<DrawnMirror> mirrors = drawnMirrors(plan_.results);
+        if (isOfGarment(plan_.pattern.get())) {  // knows the cutting lines too
+            std::ranges::transform(plan_.pattern->pieces, mirrors.begin(), &PatternPiece::mirror);
+        }
         for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
             const PieceResult* result = resultOf(static_cast<int>(i));
             const bool byHalf = settingsOf(static_cast<int>(i)).byHalf;

@@ -15,7 +15,6 @@
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
-#include "core/pattern/piece_allowance.h"
 #include "core/quality/closed_line.h"
 
 namespace toile {
@@ -23,7 +22,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 20;
 constexpr double kSameStation = 1e-6;  // mm
-constexpr double kOnFoldLine = 1e-3;   // mm
 constexpr double kNearCut = 1;         // mm; so far a notch is put onto the line that is cut
 constexpr double kLongestGrain = 300;  // mm
 constexpr double kGrainShare = 0.8;    // of the cloth along it
@@ -88,21 +86,12 @@ Eigen::Vector2d nearestOn(const Points2& line, const Eigen::Vector2d& point) {
 /// is to lie on the line that is cut.
 std::vector<ApparelNotch> notchRecords(const Pattern& pattern, const PatternPiece& piece,
                                        const Placement& placement) {
-    std::vector<ClosedLine> loops{ClosedLine(piece.outline)};
-    for (const Points2& hole : piece.holes) {
-        loops.emplace_back(hole);
-    }
-    NotchSize size;
-    size.depth = pattern.notchDepth;
+    const auto marks = notchMarks(pattern, piece, NotchForm::Slit);
     std::vector<ApparelNotch> records;
-    for (const PieceNotch& notch : piece.notches) {
-        const int index = notch.hole + 1;  // the outline comes first
-        const ClosedLine& loop = loops[static_cast<std::size_t>(index)];
-        const Points2& cut =
-            notch.hole < 0 ? edgeOf(piece) : piece.holes[static_cast<std::size_t>(notch.hole)];
-        const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
-        for (const Points2& slit : notchStrokes(notchSpot(loop, notch.at), allowance,
-                                                NotchForm::Slit, notch.count, size)) {
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+        const int hole = piece.notches[k].hole;
+        const Points2& cut = hole < 0 ? edgeOf(piece) : piece.holes[static_cast<std::size_t>(hole)];
+        for (const Points2& slit : marks[k]) {
             const Eigen::Vector2d at = slit.row(0), end = slit.row(1);
             const Eigen::Vector2d there = nearestOn(cut, at);
             records.push_back({placement.applied((there - at).norm() < kNearCut ? there : at),
@@ -147,18 +136,8 @@ Chord grainOfBlock(const Drawing& drawing, const DrawnBlock& block, const Patter
 
 /// The fold as far as the cloth reaches, hems too.
 Chord mirrorOf(const PatternPiece& piece, const Placement& placement) {
-    const Chord fold = foldOf(piece);
-    const Eigen::Vector2d way = (fold.to - fold.from).normalized();
-    double first = 0, last = (fold.to - fold.from).norm();
-    const Points2& cut = edgeOf(piece);
-    for (Eigen::Index k = 0; k < cut.rows(); ++k) {
-        const Eigen::Vector2d from = cut.row(k).transpose() - fold.from;
-        if (std::abs(geometry::cross(way, from)) < kOnFoldLine) {
-            first = std::min(first, way.dot(from));
-            last = std::max(last, way.dot(from));
-        }
-    }
-    return {placement.applied(fold.from + first * way), placement.applied(fold.from + last * way)};
+    const Chord fold = foldOfEdge(piece);
+    return {placement.applied(fold.from), placement.applied(fold.to)};
 }
 
 int layerOf(const DrawnPath& path, bool isOutline) {

@@ -150,7 +150,7 @@ MarkerFigures markerFigures(const Pattern& pattern, const ClothMarker& marker) {
         }
         double cut = geometry::perimeterOf(edgeOf(piece));
         if (piece.cutAs == CutAs::OnFold) {
-            const Chord fold = foldOf(piece);
+            const Chord fold = foldOfEdge(piece);
             cut -= (fold.to - fold.from).norm();
         }
         for (const Points2& hole : piece.holes) {

@@ -2,15 +2,16 @@
 #include "core/pattern/half_pattern.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <map>
 #include <utility>
 
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/internal_lines.h"
-#include "core/pattern/piece_allowance.h"
 #include "core/quality/closed_line.h"
 
 namespace toile {
@@ -99,6 +100,34 @@ std::vector<PatternSegment> halfSegments(const std::vector<PatternSegment>& segm
     return halves;
 }
 
+/// Of a closed line that is its own image what lies to the left of the fold: an open line that
+/// starts and ends on the fold.
+Points2 upToFold(const Points2& line, const Chord& fold) {
+    constexpr double kNoEdge = 1e-4;  // mm: as the points at the fold are rounded
+    const std::vector<PieceInternal> parts = leftPart({.points = line, .closed = true}, fold);
+    const auto longest = std::ranges::max_element(parts, {}, &PieceInternal::length);
+    if (longest == parts.end()) {
+        return Points2(0, 2);
+    }
+    Points2 half = longest->points;
+    const Eigen::RowVector2d from = fold.from.transpose();
+    const Eigen::RowVector2d along = (fold.to - fold.from).normalized().transpose();
+    const auto onFold = [&](Eigen::Index k) -> Eigen::RowVector2d {
+        return from + (half.row(k) - from).dot(along) * along;
+    };
+    const Eigen::Index n = half.rows();
+    const Eigen::Index first = n > 3 && (half.row(1) - half.row(0)).norm() < kNoEdge ? 1 : 0;
+    const Eigen::Index last =
+        n > 3 && (half.row(n - 2) - half.row(n - 1)).norm() < kNoEdge ? n - 2 : n - 1;
+    half.row(first) = onFold(first);
+    half.row(last) = onFold(last);
+    return half.middleRows(first, last - first + 1);
+}
+
+double edgeArea(const PatternPiece& piece) {
+    return geometry::signedAreaOf(piece.cuttingLine);
+}
+
 /// Precondition: it is symmetric.
 void halve(PatternPiece& piece) {
     const Eigen::Index half = piece.outline.rows() / 2;
@@ -116,14 +145,16 @@ void halve(PatternPiece& piece) {
     std::erase_if(piece.notches, [end](const PieceNotch& notch) {
         return notch.hole < 0 && notch.at > end + kNothing;
     });
+    const Chord chord = foldOf(piece);
     std::vector<PieceInternal> internals;
     for (const PieceInternal& internal : piece.internals) {
-        std::ranges::move(leftPart(internal, foldOf(piece)), std::back_inserter(internals));
+        std::ranges::move(leftPart(internal, chord), std::back_inserter(internals));
     }
     piece.internals = std::move(internals);
     if (piece.cuttingLine.rows() > 0) {
-        addCuttingLine(piece);
+        piece.cuttingLine = upToFold(piece.cuttingLine, chord);
     }
+    piece.extensions = leftParts(piece.extensions, chord);
 }
 
 }  // namespace
@@ -195,6 +226,29 @@ Pattern asCut(Pattern whole) {
         whole.pieces.push_back(std::exchange(facing.strip, {}));
     }
     return whole;
+}
+
+void dropUnequalMirrors(std::vector<PatternPiece>& pieces) {
+    constexpr double kSameArea = 1e-5;  // of the area
+    for (PatternPiece& piece : pieces) {
+        if (piece.cuttingLine.rows() == 0) {
+            continue;
+        }
+        const double area = edgeArea(piece);
+        const auto isOf = [area](double other) { return std::abs(other / area - 1) < kSameArea; };
+        const int other = piece.mirror.counterpart;
+        if (piece.mirror.isSymmetric) {
+            piece.mirror.isSymmetric =
+                isOf(2 * geometry::signedAreaOf(upToFold(piece.cuttingLine, foldOf(piece))));
+        } else if (other >= 0 && !isOf(edgeArea(pieces[other]))) {
+            piece.mirror = pieces[other].mirror = {};
+        }
+    }
+}
+
+Chord foldOfEdge(const PatternPiece& piece) {
+    const Points2& edge = edgeOf(piece);
+    return {edge.row(edge.rows() - 1), edge.row(0)};
 }
 
 Chord foldOf(const PatternPiece& piece) {

@@ -21,7 +21,8 @@ std::vector<DrawnMirror> drawnMirrors(const PieceResults& results);
 CutAs cutAs(const DrawnMirror& mirror, bool byHalf);
 
 /// The pattern as it is drawn in files. Of a piece that is cut on the fold the outline up to the
-/// mirror line and straight back along it (its last edge), with what lies on it; of a pair the
+/// mirror line and straight back along it (its last edge), with what lies on it. Its cutting line
+/// is that of the whole piece, clipped at the mirror line (its last edge too). Of a pair the
 /// leading piece, as often as that is cut, while the other has no outline any more. A pair has both
 /// sides already: `mirroredPair` adds nothing to it. A piece on the fold is its own image:
 /// `mirroredPair` doubles how often it is cut. Numbers are those of what is drawn.
@@ -29,8 +30,17 @@ CutAs cutAs(const DrawnMirror& mirror, bool byHalf);
 /// @param whole  of `makePattern`, with the `Cutting` of each piece  Cost: linear. Pure.
 Pattern asCut(Pattern whole);
 
+/// Clears `PatternPiece::mirror` of pieces whose cutting lines are no mirror images: someone has
+/// set another allowance, corner or extension on one side only, so one half cannot stand for both.
+/// Cost: linear in the cutting lines.
+void dropUnequalMirrors(std::vector<PatternPiece>& pieces);
+
 /// The line on which the cloth is folded, for a half pattern and for a whole piece that is
 /// symmetric; along the half's outline, cloth on the left.  Precondition: it is one of both.
 Chord foldOf(const PatternPiece& piece);
+
+/// The same of a half pattern as far as its cutting line reaches, over the allowances at both ends:
+/// the last edge of `edgeOf`.  Precondition: it is cut on the fold.
+Chord foldOfEdge(const PatternPiece& piece);
 
 }  // namespace toile

@@ -44,6 +44,9 @@ std::vector<InternalRun> findInternalRuns(const Garment& garment, const PieceRes
 /// a half pattern; without `way`. Parts of a closed line are open. Pure.
 std::vector<PieceInternal> leftPart(const PieceInternal& internal, const Chord& chord);
 
+/// The same of open lines.
+std::vector<Points2> leftParts(const std::vector<Points2>& lines, const Chord& chord);
+
 /// Whether it is a drill point.
 inline bool isDrillPoint(const PieceInternal& internal) {
     return internal.points.rows() == 1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn of internal lines: of the whole, and on a half pattern.
 
+#include <utility>
+
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/internal_lines.h"
@@ -69,6 +71,16 @@ std::vector<PieceInternal> leftPart(const PieceInternal& internal, const Chord& 
         }
     }
     finish();
+    return parts;
+}
+
+std::vector<Points2> leftParts(const std::vector<Points2>& lines, const Chord& chord) {
+    std::vector<Points2> parts;
+    for (const Points2& line : lines) {
+        for (PieceInternal& part : leftPart({.points = line}, chord)) {
+            parts.push_back(std::move(part.points));
+        }
+    }
     return parts;
 }
 

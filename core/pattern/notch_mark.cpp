@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/half_pattern.h"
+#include "core/pattern/internal_lines.h"
 #include "core/pattern/piece_allowance.h"
 
 namespace toile {
@@ -59,12 +61,32 @@ std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, Notch
     return strokes;
 }
 
-std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece) {
+ClosedLine notchLine(const PatternPiece& piece, int hole) {
+    if (hole >= 0) {
+        return ClosedLine(piece.holes[static_cast<std::size_t>(hole)]);
+    }
+    if (piece.cutAs != CutAs::OnFold) {
+        return ClosedLine(piece.outline);
+    }
+    const Eigen::Index n = piece.outline.rows();
+    const Chord fold = foldOf(piece);
+    const Eigen::RowVector2d from = fold.from.transpose();
+    const Eigen::RowVector2d along = (fold.to - fold.from).normalized().transpose();
+    Points2 whole(2 * n - 2, 2);
+    whole.topRows(n) = piece.outline;
+    for (Eigen::Index k = 1; k < n - 1; ++k) {
+        const Eigen::RowVector2d way = piece.outline.row(k) - from;
+        whole.row(2 * n - 2 - k) = from + 2 * way.dot(along) * along - way;
+    }
+    return ClosedLine(std::move(whole));
+}
+
+std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece,
+                                             std::optional<NotchForm> form) {
     std::vector<ClosedLine> loops;
     loops.reserve(piece.holes.size() + 1);
-    loops.emplace_back(piece.outline);
-    for (const Points2& hole : piece.holes) {
-        loops.emplace_back(hole);
+    for (int hole = -1; hole < static_cast<int>(piece.holes.size()); ++hole) {
+        loops.push_back(notchLine(piece, hole));
     }
     NotchSize size;
     size.depth = pattern.notchDepth;
@@ -74,8 +96,13 @@ std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const Patte
         const int index = notch.hole + 1;  // the outline comes first
         const ClosedLine& loop = loops[static_cast<std::size_t>(index)];
         const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
-        marks.push_back(notchStrokes(notchSpot(loop, notch.at), allowance, pattern.notchForm,
-                                     notch.count, size));
+        std::vector<Points2> strokes =
+            notchStrokes(notchSpot(loop, notch.at), allowance, form.value_or(pattern.notchForm),
+                         notch.count, size);
+        if (piece.cutAs == CutAs::OnFold) {
+            strokes = leftParts(strokes, foldOf(piece));
+        }
+        marks.push_back(std::move(strokes));
     }
     return marks;
 }

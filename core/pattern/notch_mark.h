@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -45,8 +46,16 @@ struct NotchSize {
 std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, NotchForm form,
                                   int count, const NotchSize& size = {});
 
-/// The strokes of each notch of a piece, in its own coordinates.
-/// @param pattern  that says form and depth  Cost: linear in the lines, and per notch. Pure.
-std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece);
+/// The line that places of notches are measured on: the rim of a hole, or the outline (-1). Of a
+/// half pattern it is the outline of the whole piece, so that a notch near the fold is square to
+/// the line that is there when the cloth is unfolded.  Cost: linear. Pure.
+ClosedLine notchLine(const PatternPiece& piece, int hole);
+
+/// The strokes of each notch of a piece, in its own coordinates. Of a half pattern only what lies
+/// on its side of the fold.
+/// @param pattern  the depth is taken from it
+/// @param form     none: that of the pattern  Cost: linear in the lines, and per notch. Pure.
+std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece,
+                                             std::optional<NotchForm> form = {});
 
 }  // namespace toile

@@ -216,6 +216,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
             addCuttingLine(made);
         }
     }
+    dropUnequalMirrors(pattern.pieces);
     pattern.label = lines.label;
     pattern.hasAllowance = lines.allowance.has_value();
     pattern.hasNotches = lines.notches.has_value();

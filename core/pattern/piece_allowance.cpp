@@ -71,7 +71,11 @@ int segmentAt(const PatternPiece& piece, double length, double at) {
         return (at >= segment.from && at < segment.to) ||
                (at + length >= segment.from && at + length < segment.to);
     });
-    return found == piece.segments.end() ? -1 : static_cast<int>(found - piece.segments.begin());
+    if (found == piece.segments.end()) {
+        return -1;
+    }
+    const auto k = static_cast<int>(found - piece.segments.begin());
+    return found->isFold && k > 0 ? k - 1 : k;  // a half ends where its last segment does
 }
 
 double allowanceAt(const PatternPiece& piece, double length, double at) {

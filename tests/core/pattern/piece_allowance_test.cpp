@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "core/export/drawing.h"
+#include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/notch_mark.h"
 #include "core/pipeline/pipeline.h"
@@ -126,6 +127,144 @@ TEST(PieceAllowance, AHalfAndItsImageAreTheWhole) {
     }
     EXPECT_EQ(halves, 2);
 }
+
+Points2 reflectedIn(const Chord& line, const Points2& points) {
+    const Eigen::RowVector2d from = line.from.transpose();
+    const Eigen::RowVector2d along = (line.to - line.from).normalized().transpose();
+    const Points2 rest = points.rowwise() - from;
+    return (2 * (rest * along.transpose() * along) - rest).rowwise() + from;
+}
+
+/// The cutting line of the half and its mirror image make that of the whole piece.
+void expectHalvesOf(const PatternPiece& whole, const PatternPiece& half) {
+    constexpr double kAllowedOff = 0.05;  // mm
+    ASSERT_EQ(half.cutAs, CutAs::OnFold);
+    EXPECT_NEAR(2 * test::areaOf(half.cuttingLine) / test::areaOf(whole.cuttingLine), 1, 1e-6);
+    const Chord fold = foldOf(half);
+    const Points2 image = reflectedIn(fold, half.cuttingLine);
+    for (const auto& point : half.cuttingLine.rowwise()) {
+        EXPECT_LT(test::distanceTo(point, whole.cuttingLine), kAllowedOff);
+        const Eigen::Vector2d way = point.transpose() - fold.from;
+        EXPECT_GT(geometry::cross((fold.to - fold.from).normalized(), way), -kAllowedOff);
+    }
+    for (const auto& point : whole.cuttingLine.rowwise()) {
+        EXPECT_LT(
+            std::min(test::distanceTo(point, half.cuttingLine), test::distanceTo(point, image)),
+            kAllowedOff);
+    }
+    std::vector<int> all(static_cast<std::size_t>(half.cuttingLine.rows()));
+    std::iota(all.begin(), all.end(), 0);
+    EXPECT_TRUE(outlineIsSimple(half.cuttingLine, all));
+}
+
+/// A piece that is symmetric about x = 0.
+/// @param left    its outline from the fold above to the fold below, by way of the left
+/// @param widths  of the allowances of these edges; the last on the right may differ
+PatternPiece symmetricPiece(const std::vector<Eigen::RowVector2d>& left,
+                            const std::vector<double>& widths, double lastOnRight = -1) {
+    const auto n = static_cast<Eigen::Index>(left.size());
+    PatternPiece piece;
+    piece.outline.resize(2 * n - 2, 2);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const Eigen::RowVector2d& point = left[static_cast<std::size_t>(k)];
+        piece.outline.row(k) = point;
+        if (k > 0 && k < n - 1) {
+            piece.outline.row(2 * n - 2 - k) << -point.x(), point.y();
+        }
+    }
+    double at = 0;
+    for (Eigen::Index k = 0; k < 2 * n - 2; ++k) {
+        PatternSegment& segment = piece.segments.emplace_back();
+        segment.length = (piece.outline.row((k + 1) % (2 * n - 2)) - piece.outline.row(k)).norm();
+        segment.from = at;
+        at += segment.length;
+        segment.to = at;
+        segment.isCorner = true;
+        segment.kind = SeamKind::Seam;
+        segment.allowance = widths[static_cast<std::size_t>(k < n - 1 ? k : 2 * n - 3 - k)];
+    }
+    if (lastOnRight >= 0) {
+        piece.segments.back().allowance = lastOnRight;
+    }
+    piece.mirror.isSymmetric = piece.byHalf = true;
+    addCuttingLine(piece);
+    return piece;
+}
+
+/// With an edge that meets the fold at an angle: a V neck, a pointed hem, and a yoke that has both.
+const std::vector<std::vector<Eigen::RowVector2d>> kObliqueShapes{
+    {{0, 220}, {-90, 300}, {-200, 290}, {-200, 0}, {0, 0}},
+    {{0, 300}, {-200, 300}, {-150, 60}, {0, 0}},
+    {{0, 90}, {-60, 150}, {-180, 120}, {-160, 30}, {0, -50}}};
+
+TEST(PieceAllowance, WhereAnEdgeMeetsTheFoldAtAnAngleIsThatOfTheWhole) {
+    for (const auto& left : kObliqueShapes) {
+        for (const std::vector<double>& widths : std::vector<std::vector<double>>{
+                 {30, 10, 15, 30}, {10, 10, 10, 10}, {7, 20, 0, 45}, {0, 0, 0, 25}}) {
+            const PatternPiece whole = symmetricPiece(left, widths);
+            const PatternPiece half = asCut({"", {whole}}).pieces[0];
+            expectHalvesOf(whole, half);
+            const Chord fold = foldOf(half), edge = foldOfEdge(half);
+            EXPECT_GE((edge.to - edge.from).norm(), (fold.to - fold.from).norm() - 1e-5);
+        }
+    }
+}
+
+TEST(PieceAllowance, PiecesWithOtherAllowancesOnTheirRightAreNotHalved) {
+    std::vector<PatternPiece> pieces{symmetricPiece(kObliqueShapes[0], {30, 10, 15, 30}),
+                                     symmetricPiece(kObliqueShapes[0], {30, 10, 15, 30}, 12)};
+    dropUnequalMirrors(pieces);
+    EXPECT_TRUE(pieces[0].mirror.isSymmetric);
+    EXPECT_FALSE(pieces[1].mirror.isSymmetric);
+    EXPECT_EQ(asCut({"", {pieces[1]}}).pieces[0].cutAs, CutAs::Whole);
+}
+
+TEST(PieceNotches, AtTheFoldPointAlongIt) {
+    for (const auto& left : kObliqueShapes) {
+        Pattern pattern{"", {symmetricPiece(left, {30, 10, 15, 30})}};
+        const double half = ClosedLine(pattern.pieces[0].outline).length() / 2;
+        pattern.pieces[0].notches = {{.seam = 1, .at = 0}, {.seam = 1, .at = half}};
+        pattern.pieces[0].notches.push_back({.seam = 1, .at = half, .count = 2});
+        const Pattern cut = asCut(pattern);
+        const auto strokes = notchMarks(cut, cut.pieces[0]);
+        ASSERT_EQ(strokes.size(), 3U);
+        for (std::size_t n = 0; n < 3; ++n) {
+            ASSERT_EQ(strokes[n].size(), 1U) << n;  // of a double notch one lies beyond the fold
+            const Points2& line = strokes[n][0];
+            EXPECT_NEAR(line(0, 0), n == 2 ? -4 : 0, 1e-6);
+            EXPECT_NEAR(line(0, 0), line(1, 0), 1e-6);
+        }
+        EXPECT_NEAR(strokes[0][0](0, 1), left.front().y() + 30, 1e-6);
+        EXPECT_NEAR(strokes[1][0](0, 1),
+                    left.back().y() - cut.pieces[0].segments[left.size() - 2].allowance, 1e-6);
+    }
+}
+
+class HalvesOfGarment : public testing::TestWithParam<const char*> {};
+
+TEST_P(HalvesOfGarment, AndTheirImagesAreTheWholes) {
+    TOILE_NEEDS_SHARED(test::dataFile(GetParam()));
+    LineSettings lines = withPattern({});
+    lines.mirror = Mirror::Mean;
+    CutPattern made = cutPattern(test::garmentOf(GetParam()), lines);
+    for (PatternPiece& piece : made.pattern.pieces) {
+        piece.byHalf = true;
+    }
+    const Pattern cut = asCut(made.pattern);
+    int halves = 0;
+    for (std::size_t p = 0; p < cut.pieces.size(); ++p) {
+        SCOPED_TRACE(cut.pieces[p].name);
+        if (made.pattern.pieces[p].mirror.isSymmetric) {
+            expectHalvesOf(made.pattern.pieces[p], cut.pieces[p]);
+            ++halves;
+        }
+    }
+    EXPECT_GT(halves, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Garments, HalvesOfGarment,
+                         testing::Values("samples/tshirt.obj", "garments/tee_sim.obj",
+                                         "garments/dress.obj", "garments/polo.obj"));
 
 /// Away from corners, and simple everywhere.
 void expectStatedWidths(const Pattern& pattern) {
