@@ -128,7 +128,7 @@ TEST(PieceAllowance, AHalfAndItsImageAreTheWhole) {
     EXPECT_EQ(halves, 2);
 }
 
-Points2 reflectedIn(const Chord& line, const Points2& points) {
+Points2 imageInFold(const Chord& line, const Points2& points) {
     const Eigen::RowVector2d from = line.from.transpose();
     const Eigen::RowVector2d along = (line.to - line.from).normalized().transpose();
     const Points2 rest = points.rowwise() - from;
@@ -141,7 +141,7 @@ void expectHalvesOf(const PatternPiece& whole, const PatternPiece& half) {
     ASSERT_EQ(half.cutAs, CutAs::OnFold);
     EXPECT_NEAR(2 * test::areaOf(half.cuttingLine) / test::areaOf(whole.cuttingLine), 1, 1e-6);
     const Chord fold = foldOf(half);
-    const Points2 image = reflectedIn(fold, half.cuttingLine);
+    const Points2 image = imageInFold(fold, half.cuttingLine);
     for (const auto& point : half.cuttingLine.rowwise()) {
         EXPECT_LT(test::distanceTo(point, whole.cuttingLine), kAllowedOff);
         const Eigen::Vector2d way = point.transpose() - fold.from;
