@@ -10,7 +10,7 @@
 
 #include "core/export/key_stations.h"
 #include "core/geometry/segment.h"
-#include "core/pattern/segments.h"
+#include "core/pattern/corners.h"
 
 namespace toile {
 namespace {
@@ -87,7 +87,7 @@ void fixCorners(LineKeys& keys, const DrawnPath& path) {
     keys.fix(0, true, kOnePlace);
     keys.fix(line.length(), true, kOnePlace);
     for (std::size_t k = 1; k + 1 < line.vertexCount(); ++k) {
-        if (std::abs(ownTurn(line, k)) > kCornerTurn) {
+        if (std::abs(ownTurn(line, k)) > kLineCorner.turn) {
             keys.fix(line.arcOf(k), true, kOneCorner);
         }
     }

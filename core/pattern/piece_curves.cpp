@@ -5,7 +5,7 @@
 
 #include "core/geometry/segment.h"
 #include "core/pattern/curve_fit.h"
-#include "core/pattern/segments.h"
+#include "core/pattern/corners.h"
 
 namespace toile {
 namespace {
@@ -47,7 +47,7 @@ std::vector<Eigen::Index> breaksOf(const Points2& line) {
     std::vector<Eigen::Index> breaks{0};
     for (Eigen::Index k = 1; k + 1 < line.rows(); ++k) {
         if (std::abs(geometry::turnBetween(line.row(k) - line.row(k - 1),
-                                           line.row(k + 1) - line.row(k))) > kCornerTurn) {
+                                           line.row(k + 1) - line.row(k))) > kLineCorner.turn) {
             breaks.push_back(k);
         }
     }

@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
 
-#include "core/geometry/segment.h"
 #include "core/quality/closed_line.h"
 #include "core/seam/outline.h"
 #include "core/seam/seam_origin.h"
@@ -20,16 +18,8 @@ namespace {
 
 /// Turn points nearer to each other than this are one, mm.
 constexpr double kSamePoint = 1e-4;
-/// Corners nearer to each other than this are one, mm.
-constexpr double kOneCorner = 1;
 /// A corner that was taken away is found again within this, mm.
 constexpr double kSameCorner = 5;
-
-/// The turn between chords of `reach` before and after a place on the line.
-double chordTurn(const ClosedLine& line, double at, double before, double after) {
-    const Eigen::RowVector2d here = line.pointAt(at);
-    return geometry::turnBetween(here - line.pointAt(at - before), line.pointAt(at + after) - here);
-}
 
 /// One piece's outline while it is divided.
 class Divider {
@@ -41,13 +31,11 @@ public:
           index_(index),
           outline_(outline),
           line_(result.flat->Q(piece_.boundary, Eigen::all), outline.arc),
-          corners_(findCorners(line_.points())) {}
+          corners_(findCorners(line_.points(), kPlainCorner)) {}
 
     OutlineSegments divided(const LineSettings& settings) {
         addSeamEnds();
-        for (const int corner : corners_) {
-            add({outline_.arc[corner], 0, true});
-        }
+        addCorners();
         for (const TurnPointSettings& said : settings.turnPoints) {
             apply(said);
         }
@@ -116,6 +104,19 @@ private:
         }
     }
 
+    /// A corner beside the end of a seam is that end, unless the line turns by a corner's angle at
+    /// the vertex itself.
+    void addCorners() {
+        for (const int corner : corners_) {
+            const double at = outline_.arc[corner];
+            const auto beside = near(at, kPlainCorner.chord);
+            if (beside == points_.end() || (std::abs(line_.turnAt(corner)) > kPlainCorner.turn &&
+                                            apart(beside->at, at) > kOneCorner)) {
+                add({at, 0, true});
+            }
+        }
+    }
+
     void apply(const TurnPointSettings& said) {
         const double sense = said.reversed ? -1 : 1;
         const LineStretch place{said.line, said.at - sense * 1e-9, said.at + sense * 1e-9};
@@ -132,23 +133,34 @@ private:
         }
     }
 
-    /// What the line turns by at each point, by chords that pass no other one.
+    /// What the line turns by at each point, by chords that pass no other one. The end of a seam is
+    /// a corner by longer chords, which pass others but no sharp corner.
     void finishTurns() {
         std::erase_if(points_, [](const TurnPoint& p) {
             return !p.isCorner && !p.isSeamEnd;  // a corner that was taken away
         });
         const std::size_t count = points_.size();
+        std::vector<bool> isSharp(count);
+        for (std::size_t k = 0; k < count; ++k) {
+            isSharp[k] = std::abs(chordTurn(line_, points_[k].at, kOneCorner, kOneCorner)) >
+                         kPlainCorner.turn;
+        }
         for (std::size_t k = 0; k < count; ++k) {
             const double at = points_[k].at;
-            const double before = at - points_[(k + count - 1) % count].at;
-            const double after = points_[(k + 1) % count].at - at;
-            const auto chord = [&](double way) -> double {
+            const std::size_t last = (k + count - 1) % count, next = (k + 1) % count;
+            const auto chord = [&](double way, bool isEnd, double longest) -> double {
                 way = way > 0 ? way : way + perimeter();
-                return std::min({way, kCornerWindow, perimeter() / 4});
+                return std::min({isEnd ? way : longest, longest, perimeter() / 4});
             };
-            points_[k].turn = nearTurnIn3d(chordTurn(line_, at, chord(before), chord(after)), at);
+            const auto turnOver = [&](double longest, bool endsBefore, bool endsAfter) -> double {
+                const double before = chord(at - points_[last].at, endsBefore, longest);
+                const double after = chord(points_[next].at - at, endsAfter, longest);
+                return nearTurnIn3d(chordTurn(line_, at, before, after), at);
+            };
+            points_[k].turn = turnOver(kPlainCorner.chord, true, true);
             if (points_[k].isSeamEnd && !points_[k].byHand) {
-                points_[k].isCorner |= std::abs(points_[k].turn) > kSeamEndTurn;
+                const double turn = turnOver(kSeamChangeCorner.chord, isSharp[last], isSharp[next]);
+                points_[k].isCorner |= std::abs(turn) > kSeamChangeCorner.turn;
             }
         }
     }
@@ -225,43 +237,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<int> findCorners(const Points2& points) {
-    const ClosedLine line(points);
-    const int n = line.count();
-    const double window = std::min(kCornerWindow, line.length() / 4);
-    std::vector<double> own(n), chord(n);
-    for (int k = 0; k < n; ++k) {
-        own[k] = std::abs(line.turnAt(k));
-        chord[k] = std::abs(chordTurn(line, line.arc()[k], window, window));
-    }
-    std::vector<int> strongest;
-    for (int k = 0; k < n; ++k) {
-        if (chord[k] > kCornerTurn) {
-            strongest.push_back(k);
-        }
-    }
-    std::ranges::stable_sort(strongest, std::greater<>(), [&own](int k) { return own[k]; });
-    std::set<int> corners;
-    for (const int k : strongest) {
-        // Beside a corner that is there, the chords end at it: what turns only there is none.
-        double before = window, after = window;
-        if (!corners.empty()) {
-            const auto next = corners.lower_bound(k);
-            const int behind = next == corners.end() ? *corners.begin() : *next;
-            const int ahead = next == corners.begin() ? *corners.rbegin() : *std::prev(next);
-            before = std::min(before, line.wrap(line.arc()[k] - line.arc()[ahead]));
-            after = std::min(after, line.wrap(line.arc()[behind] - line.arc()[k]));
-        }
-        const bool isAlone = before == window && after == window;
-        const bool isSecond = own[k] > kCornerTurn && std::min(before, after) > kOneCorner &&
-                              std::abs(chordTurn(line, line.arc()[k], before, after)) > kCornerTurn;
-        if (isAlone || isSecond) {
-            corners.insert(k);
-        }
-    }
-    return {corners.begin(), corners.end()};
-}
 
 PieceResults exactResults(const Garment& garment, const PieceResults& results) {
     PieceResults exact(garment.pieces.size());

@@ -6,6 +6,7 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
+#include "core/pattern/corners.h"
 #include "core/pattern/line_settings.h"
 
 namespace toile {
@@ -36,17 +37,6 @@ struct OutlineSegments {
     std::vector<TurnPoint> turnPoints;  ///< by `at`, in [0, perimeter)
     std::vector<Segment> segments;      ///< as many; one, from 0 to 0 again, where there is none
 };
-
-/// A corner turns by more than this within kCornerWindow; a seam's end by more than kSeamEndTurn.
-inline constexpr double kCornerTurn = 0.4363323129985824;   ///< 25 degrees
-inline constexpr double kSeamEndTurn = 0.2617993877991494;  ///< 15 degrees
-inline constexpr double kCornerWindow = 5;                  ///< mm
-
-/// The corners of a closed flat outline: where the chords of kCornerWindow before and after a
-/// vertex turn by more than kCornerTurn, at the strongest single turn within the window. Of two
-/// nearer to each other than that both count where each turns by so much at its own vertex.
-/// @param points  #n x 2, mm  @return vertices, ascending  Cost: n log n. Pure.
-std::vector<int> findCorners(const Points2& points);
 
 /// The results as they were solved; null where a piece is not flat, or has another shape now.
 PieceResults exactResults(const Garment& garment, const PieceResults& results);

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/geometry/likeness.h"
-#include "core/pattern/segments.h"
+#include "core/pattern/corners.h"
 
 namespace toile::prove {
 namespace {
@@ -53,8 +53,8 @@ std::vector<LineCorner> cornersOf(const ClosedLine& line, const Eigen::RowVector
     for (const int k : findCorners(line.points())) {
         const double at = line.arc()[k];
         const Eigen::RowVector2d here = line.points().row(k);
-        const Eigen::RowVector2d in = here - line.pointAt(at - kCornerWindow);
-        const Eigen::RowVector2d out = line.pointAt(at + kCornerWindow) - here;
+        const Eigen::RowVector2d in = here - line.pointAt(at - kLineCorner.chord);
+        const Eigen::RowVector2d out = line.pointAt(at + kLineCorner.chord) - here;
         corners.push_back({at, std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out)),
                            scale * (here - middle)});
     }

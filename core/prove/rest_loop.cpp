@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/pattern/segments.h"
+#include "core/pattern/corners.h"
 #include "core/prove/rest_pattern.h"
 
 namespace toile::prove {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/pattern/segments.h"
+#include "core/pattern/corners.h"
 #include "core/quality/closed_line.h"
 
 namespace toile::test {
@@ -35,7 +35,7 @@ void reverse(std::vector<Stretch>& stretches, const ClosedLine& line) {
 }
 
 bool isTurn(const ClosedLine& line, int row) {
-    return std::abs(line.turnAt(row)) > kCornerTurn;
+    return std::abs(line.turnAt(row)) > kLineCorner.turn;
 }
 
 }  // namespace

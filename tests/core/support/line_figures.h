@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/garment/garment.h"
+#include "core/pattern/outline_reference.h"
 #include "core/pattern/segments.h"
 #include "core/quality/closed_line.h"
 #include "core/quality/measures.h"
@@ -66,11 +67,51 @@ inline std::set<int> referenceCuts(const Garment& garment, std::size_t index,
     }
     const ClosedLine reference((*piece.reference)(piece.boundary, Eigen::all));
     for (int k = 0; k < n; ++k) {
-        if (std::abs(reference.turnAt(k)) > kCornerTurn) {
+        if (std::abs(reference.turnAt(k)) > kLineCorner.turn) {
             cuts.insert(k);
         }
     }
     return cuts;
 }
+
+/// How well the corners that were found on an outline are the designer's: vertices of the reference
+/// panel that turn by more than 25 degrees. Two within 5 mm along the outline are the same.
+struct CornerScore {
+    int designers = 0, seen = 0;  ///< the designer's; those of them that were found
+    int found = 0, right = 0;     ///< those found; those of them that are the designer's
+
+    void add(const Piece& piece, const OutlineSegments& segments) {
+        const ClosedLine reference((*piece.reference)(piece.boundary, Eigen::all));
+        const ClosedLine worn(reference.points(), outlineArc(piece));
+        std::vector<double> there, here;
+        for (int k = 0; k < reference.count(); ++k) {
+            if (std::abs(reference.turnAt(k)) > kLineCorner.turn) {
+                there.push_back(worn.arc()[static_cast<std::size_t>(k)]);
+            }
+        }
+        for (const TurnPoint& point : segments.turnPoints) {
+            if (point.isCorner) {
+                here.push_back(point.at);
+            }
+        }
+        const auto count = [&worn](const std::vector<double>& of, const std::vector<double>& in) {
+            return static_cast<int>(std::ranges::count_if(of, [&](double a) {
+                return std::ranges::any_of(in, [&](double b) { return worn.apart(a, b) < 5; });
+            }));
+        };
+        designers += static_cast<int>(there.size());
+        seen += count(there, here);
+        found += static_cast<int>(here.size());
+        right += count(here, there);
+    }
+    void add(const CornerScore& other) {
+        designers += other.designers;
+        seen += other.seen;
+        found += other.found;
+        right += other.right;
+    }
+    double recall() const { return designers > 0 ? static_cast<double>(seen) / designers : 1; }
+    double precision() const { return found > 0 ? static_cast<double>(right) / found : 1; }
+};
 
 }  // namespace toile::test
