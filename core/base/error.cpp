@@ -127,6 +127,11 @@ constexpr Words kWords[] = {
      TR("Allow it to stray less, take straight lines and typed intakes back, or refine the mesh "
         "along it"),
      true},
+    {LineYields, "line-yields", TR("the fair line would cross itself"),
+     TR("There it stays nearer to the exact outline, and is less smooth; cut the piece, or give "
+        "its "
+        "edges more room"),
+     true},
     {LeftOut, "left-out", TR("the piece is left out of the pattern"), "", true},
     {ClosedSurface, "closed-surface", TR("the piece is closed and has no outline"),
      TR("Cut it open along a seam, or let Toile do it"), false, "--auto-cut"},

@@ -62,6 +62,7 @@ enum class ErrorCode {
     EndedEarly,
     RimsNotKept,
     LineNotDrawn,
+    LineYields,
     LeftOut,
     // Pieces
     ClosedSurface,

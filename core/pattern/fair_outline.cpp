@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -16,6 +17,7 @@
 #include "core/pattern/grain_line.h"
 #include "core/pattern/reshaped_outline.h"
 #include "core/quality/closed_line.h"
+#include "core/quality/outline_crossings.h"
 
 namespace toile {
 namespace {
@@ -34,6 +36,11 @@ constexpr double kBandWay = 6;
 constexpr double kBandPart = 0.25;
 /// The least tolerance, mm: below it the line is the exact one for all that one can see.
 constexpr double kLeastTolerance = 0.02;
+/// A line that would cross itself is drawn again, so many times at most: each time the tolerance
+/// around its crossings, up to a distance in mm that doubles, becomes this part of what it was, and
+/// all steps become shorter by this factor.
+constexpr int kMaxYields = 4;
+constexpr double kYieldingPart = 0.25, kYieldingReach = 10, kFinerSteps = 0.5;
 
 /// Divides an outline into the steps of its line; one step leads across the mouth of a dart that
 /// keeps its shape.
@@ -45,9 +52,11 @@ public:
         int node = -1, dart = -1;
     };
 
-    Steps(const ExactOutline& shaped, const OutlinePlan& plan) {
+    /// @param fineness  that steps are multiplied by
+    Steps(const ExactOutline& shaped, const OutlinePlan& plan, double fineness) {
         const double perimeter = shaped.flat().length();
-        const double longest = std::clamp(kStep, perimeter / kMaxSteps, perimeter / kMinSteps);
+        const double longest =
+            fineness * std::clamp(kStep, perimeter / kMaxSteps, perimeter / kMinSteps);
         mouths_.assign(plan.darts.size(), -1);
         for (const OutlinePlan::Stretch& stretch : plan.stretches) {
             const double from = shaped.flatAt(stretch.from), to = shaped.flatAt(stretch.to);
@@ -225,14 +234,50 @@ OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& set
     return plan;
 }
 
-Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
-                             const Progress& progress) {
-    const auto reshaped = reshapedOutline(reference, plan, progress);
-    if (!reshaped) {
-        return reshaped.error();
+namespace {
+
+std::vector<OutlineCrossing> crossingsOf(const Points2& points) {
+    std::vector<int> loop(static_cast<std::size_t>(points.rows()));
+    std::iota(loop.begin(), loop.end(), 0);
+    return findOutlineCrossings(points, loop);
+}
+
+/// Places, by arc length in 3D, at which a line crosses itself, or the polygon of the outline's
+/// vertices on it does. Empty where neither has more crossings than the exact outline.
+std::vector<double> newCrossings(const FlatLine& line, const ExactOutline& exact) {
+    const ClosedLine closed(line.points, line.arc);
+    const std::vector<double>& arc = exact.byArc().arc();
+    Points2 vertices(exact.byArc().count(), 2);
+    for (Eigen::Index k = 0; k < vertices.rows(); ++k) {
+        vertices.row(k) = closed.pointAt(arc[k]);
     }
-    const ExactOutline outline(reference), shaped(*reshaped);
-    const Steps steps(shaped, plan);
+    const auto ofLine = crossingsOf(line.points), ofVertices = crossingsOf(vertices);
+    std::vector<double> places;
+    if (ofLine.empty() && ofVertices.empty()) {
+        return places;
+    }
+    const std::size_t before = crossingsOf(exact.byArc().points()).size();
+    const auto add = [&](const std::vector<OutlineCrossing>& found, const std::vector<double>& at) {
+        for (std::size_t k = 0; k < found.size() && found.size() > before; ++k) {
+            for (const int edge : {found[k].first, found[k].second}) {
+                places.push_back(0.5 * (at[edge] + at[edge + 1]));
+            }
+        }
+    };
+    add(ofLine, line.arc);
+    add(ofVertices, arc);
+    return places;
+}
+
+/// Places at which a line crossed itself, and how far around them it is to stay nearer to the exact
+/// outline, mm.
+struct Yield {
+    std::vector<double> places;
+    double reach = 0;
+};
+
+FairProblem problemOf(const OutlinePlan& plan, const ExactOutline& shaped, const Steps& steps,
+                      const std::vector<Yield>& yields) {
     FairProblem problem;
     problem.reference.resize(steps.count(), 2);
     for (int k = 0; k < steps.count(); ++k) {
@@ -241,27 +286,40 @@ Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePla
     problem.steps = Eigen::Map<const Eigen::VectorXd>(steps.steps().data(), steps.count());
     problem.tolerance = Eigen::Map<const Eigen::VectorXd>(steps.tolerance().data(), steps.count());
     boundByWidth(problem.reference, steps.steps(), problem.tolerance);
+    for (const Yield& yield : yields) {
+        for (int k = 0; k < steps.count(); ++k) {
+            const double at = shaped.arcAt(steps.flat(k));
+            if (std::ranges::any_of(yield.places, [&](double place) {
+                    return shaped.byArc().apart(place, at) < yield.reach;
+                })) {
+                problem.tolerance[k] *= kYieldingPart;
+            }
+        }
+    }
     const double meanStep = problem.steps.sum() / static_cast<double>(problem.steps.size());
     problem.smoothing = std::min(plan.smoothing, kMaxSmoothedSteps * meanStep);
     problem.straight = steps.straight();
     problem.corners = cornersOf(plan, shaped, steps);
-    const auto fair = fairLine(problem, progress);
-    if (!fair) {
-        return fair.error();
-    }
+    return problem;
+}
+
+/// The line through the nodes of a solved problem, and along the darts that kept their shape.
+FlatLine lineThrough(const FairLine& fair, const FairProblem& problem, const Steps& steps,
+                     const OutlinePlan& plan, const ExactOutline& outline,
+                     const ExactOutline& shaped) {
     std::vector<MovedDart> darts;
     for (std::size_t d = 0; d < plan.darts.size(); ++d) {
         const int from = steps.mouth(static_cast<int>(d)), to = (from + 1) % steps.count();
         darts.emplace_back(Chord{problem.reference.row(from), problem.reference.row(to)},
-                           Chord{fair->points.row(from), fair->points.row(to)});
+                           Chord{fair.points.row(from), fair.points.row(to)});
     }
     FlatLine line;
     line.points.resize(static_cast<Eigen::Index>(steps.line().size()), 2);
-    line.iterations = fair->iterations;
-    line.converged = fair->converged;
+    line.iterations = fair.iterations;
+    line.converged = fair.converged;
     for (std::size_t k = 0; k < steps.line().size(); ++k) {
         const auto& [flat, node, dart] = steps.line()[k];
-        const Eigen::RowVector2d point = node >= 0 ? Eigen::RowVector2d(fair->points.row(node))
+        const Eigen::RowVector2d point = node >= 0 ? Eigen::RowVector2d(fair.points.row(node))
                                                    : darts[dart](shaped.flat().pointAt(flat));
         line.points.row(static_cast<Eigen::Index>(k)) = point;
         line.arc.push_back(shaped.arcAt(flat));
@@ -270,6 +328,35 @@ Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePla
     }
     line.arc.push_back(line.arc.front() + outline.byArc().length());
     return line;
+}
+
+}  // namespace
+
+Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
+                             const Progress& progress) {
+    const auto reshaped = reshapedOutline(reference, plan, progress);
+    if (!reshaped) {
+        return reshaped.error();
+    }
+    const ExactOutline outline(reference), shaped(*reshaped);
+    std::vector<Yield> yields;
+    double fineness = 1;
+    for (int k = 0; k <= kMaxYields; ++k, fineness *= kFinerSteps) {
+        const Steps steps(shaped, plan, fineness);
+        const FairProblem problem = problemOf(plan, shaped, steps, yields);
+        const auto fair = fairLine(problem, progress);
+        if (!fair) {
+            return fair.error();
+        }
+        FlatLine line = lineThrough(*fair, problem, steps, plan, outline, shaped);
+        std::vector<double> crossings = newCrossings(line, shaped);
+        if (crossings.empty()) {
+            line.hasYielded = k > 0;
+            return line;
+        }
+        yields.push_back({std::move(crossings), std::ldexp(kYieldingReach, k)});
+    }
+    return Error{ErrorCode::LineNotDrawn, {}, worded("it would cross itself")};
 }
 
 Points2 verticesOn(const FlatLine& line, const Piece& piece) {

@@ -54,9 +54,12 @@ OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& set
 /// The fair line of an outline: near the exact one, of the same length between any two vertices,
 /// curved as evenly as that allows (fair_line.h). What is to be straight is made straight before,
 /// and darts that are typed are opened (`reshapedOutline`), whatever the tolerance. Where the piece
-/// is a narrow band the tolerance is a quarter of its width.
+/// is a narrow band the tolerance is a quarter of its width. Where the line, or the polygon of the
+/// outline's vertices on it, would cross itself more often than the exact outline, the tolerance is
+/// reduced around the crossings until it does not (`FlatLine::hasYielded`).
 /// @param reference  the exact outline
-/// Errors: those of `reshapedOutline`; Cancelled.
+/// Errors: those of `reshapedOutline`; LineNotDrawn where the line crosses itself however near it
+/// stays; Cancelled.
 /// Cost: n log n in vertices and steps, some milliseconds a metre. Pure.
 Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePlan& plan,
                              const Progress& progress);

@@ -89,6 +89,9 @@ Result<FlatPiece> drawn(const Piece& piece, const PieceResult& exact, const Outl
     auto flat = flattenInside(piece, *exact.flat, verticesOn(*line, piece), exact.options,
                               Progress(progress, kFlatteningShare));
     if (flat) {
+        if (line->hasYielded) {
+            flat->notes.push_back({ErrorCode::LineYields, subjectOf(piece)});
+        }
         flat->line = std::make_shared<const FlatLine>(std::move(*line));
     }
     return flat;

@@ -2124,6 +2124,22 @@ veraltet</translation>
         <translation>der Umriss ließ sich nicht als ausgeglichene Linie zeichnen und ist der genaue</translation>
     </message>
     <message>
+        <source>the fair line would cross itself</source>
+        <translation>die ausgeglichene Linie würde sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>There it stays nearer to the exact outline, and is less smooth; cut the piece, or give its edges more room</source>
+        <translation>Dort bleibt sie näher am genauen Umriss und ist weniger glatt; das Teil schneiden oder seinen Kanten mehr Platz geben</translation>
+    </message>
+    <message>
+        <source>it would cross itself</source>
+        <translation>er würde sich selbst kreuzen</translation>
+    </message>
+    <message>
+        <source>its flat outline would cross itself</source>
+        <translation>sein flacher Umriss würde sich selbst kreuzen</translation>
+    </message>
+    <message>
         <source>no interior without flipped triangles fits the outline as it was moved</source>
         <translation>kein Inneres ohne umgeklappte Dreiecke passt in den verschobenen Umriss</translation>
     </message>
@@ -2698,6 +2714,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>; the piece is nearly closed: its outline of %1 mm cannot lie flat around its %2 cm²</source>
         <translation>; das Teil ist fast geschlossen: sein Umriss von %1 mm kann nicht flach um seine %2 cm² liegen</translation>
+        <source>moving its crossing outline apart adds %1 % of strain</source>
+        <translation>den sich kreuzenden Umriss auseinanderzurücken kostet %1 % Dehnung</translation>
     </message>
     <message>
         <source>%1 of %2 pieces are smaller than 1 cm²</source>
