@@ -133,7 +133,7 @@ bool printFailures(const PieceResults& results, std::ostream& err) {
             err << "toile: " << sentence(*result->error) << '\n';
             failed = true;
         }
-        failed = failed || breaksPromise(*result);
+        failed = failed || breaksPromise(*result) || crossesItself(*result);
         if (result->flat) {
             for (const Error& note : result->flat->notes) {
                 err << "toile: " << sentence(note) << '\n';

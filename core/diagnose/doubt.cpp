@@ -104,11 +104,18 @@ std::optional<Doubt> strainDoubt(const PieceResult& result, int index, const Fab
                              ? sizes.high > std::max(kStrainBeyondCloth, largestLimit(fabric))
                              : sizes.high > kStrainBeyondCloth || sizes.mean > kMeanStrainFault;
     const bool isBeyond = sizes.beyond > kStrainBeyondClothShare;
-    if (!isBeyond && !isFault) {
+    const double apart = result.flat->apartStrain;
+    if (!isBeyond && !isFault && apart <= kApartStrain) {
         return std::nullopt;
     }
     Doubt doubt{DoubtKind::StrainBeyondCloth, subjectOf(piece), index, sizes.worst};
     doubt.isFault = isFault;
+    if (!isBeyond && !isFault) {
+        doubt.badness = apart;
+        doubt.what = worded("moving its crossing outline apart adds %1 % of strain",
+                            {figure(kPercent * apart, 1)});
+        return doubt;
+    }
     doubt.badness = std::max(sizes.beyond, sizes.mean);
     const Wording mean = figure(kPercent * sizes.mean, 1);
     doubt.what =

@@ -26,6 +26,9 @@ inline constexpr double kStrainBeyondCloth = 0.25, kStrainBeyondClothShare = 0.0
 /// The pattern is useless, unless the chosen fabric stretches more, where the mean strain is more
 /// than this, or kStrainBeyondCloth is exceeded on so much of the area. Both weighted by area.
 inline constexpr double kMeanStrainFault = 0.06, kStrainFaultArea = 0.05;
+/// A crossing outline that was moved apart may raise the largest edge strain by so much: more is
+/// compression where a cut is called for.
+inline constexpr double kApartStrain = 0.1;
 /// More scraps than this, each smaller than so much worn cloth, mm2, are debris.
 inline constexpr int kManyScraps = 20;
 inline constexpr double kScrapArea = 100;

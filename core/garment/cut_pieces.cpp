@@ -28,6 +28,9 @@ constexpr double kProposingShare = 0.7;
 /// A piece that the user's cuts part in more than so many is cut enough for proposals.
 constexpr std::size_t kMostParts = 50;
 
+/// Cuts of one piece that part crossings: what needs more is for a person to look at.
+constexpr int kMostCrossingCuts = 8;
+
 /// A point of the reference panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
     Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
@@ -110,7 +113,7 @@ public:
 
     void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
         const int way = automatic_ && proposer_.propose ? proposer_.way : 0;
-        if (asked.empty() && !isToOpen(*whole) && !isToAskAbout(*whole)) {
+        if (asked.empty() && !isToOpen(*whole) && !isToAskAbout(*whole) && !mayCross(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
@@ -125,6 +128,7 @@ public:
         } else {
             done_ = {whole, std::move(asked), automatic_, way, namesPiece_};
             cutAnew(whole, progress);
+            partCrossings(Progress(progress, 0));
         }
         const auto append = [](auto& list, const auto& more) {
             list.insert(list.end(), more.begin(), more.end());
@@ -148,6 +152,11 @@ private:
     bool isToAskAbout(const Piece& piece) const {
         return automatic_ && proposer_.propose &&
                (isToOpen(piece) || (proposer_.isForDisks && !piece.defect));
+    }
+
+    /// Whether a piece is to be parted if its flat outline crosses itself.
+    bool mayCross(const Piece& piece) const {
+        return automatic_ && proposer_.partCrossing && !piece.defect;
     }
 
     /// Whether its parts can be called what they were called.
@@ -345,6 +354,46 @@ private:
                                   positionsOf(piece.mesh, proposal->cuts[c])});
         }
         piece = std::move(parts->front());
+    }
+
+    /// Parts what would cross itself in the plane, and the parts in turn.
+    void partCrossings(const Progress& progress) {
+        int count = 0;
+        for (std::size_t p = 0; p < done_.pieces.size() && count < kMostCrossingCuts;) {
+            const PiecePointer piece = done_.pieces[p];
+            const std::vector<int> way =
+                mayCross(*piece) ? proposer_.partCrossing(*piece, progress) : std::vector<int>{};
+            if (way.empty() || !divideAlong(piece, way, count, progress)) {
+                ++p;
+                continue;
+            }
+            ++count;
+        }
+    }
+
+    /// Replaces a piece of the record by what a way along its edges makes of it.
+    bool divideAlong(const PiecePointer& piece, const std::vector<int>& way, int number,
+                     const Progress& progress) {
+        const PathPolyline path = polylineOf(SurfaceLinks(piece->mesh, piece->table), way);
+        const CutId id{hashOf({piece->id.value, 'x', static_cast<std::uint64_t>(number)})};
+        std::vector<OpenedCut> opened;
+        auto parts = cutPiece(*piece, {path}, {id}, {}, progress, opened);
+        if (!parts || parts->size() < 2) {
+            return false;
+        }
+        done_.cuts.push_back(
+            {piece->name + ", automatic cut " + std::to_string(done_.cuts.size() + 1),
+             CutAuthor::Automatic, UserCut::Kind::Path, piece->name, opened.front().length, id,
+             toile::worded("its flat outline would cross itself"), positionsOf(piece->mesh, path)});
+        const auto at = std::ranges::find(done_.pieces, piece);
+        std::vector<PiecePointer> made;
+        for (Piece& one : *parts) {
+            one.name = names_.numbered(piece->name);
+            nameDefect(one);
+            made.push_back(std::make_shared<Piece>(std::move(one)));
+        }
+        done_.pieces.insert(done_.pieces.erase(at), made.begin(), made.end());
+        return true;
     }
 
     const bool automatic_;

@@ -48,6 +48,9 @@ struct CutProposer {
     std::function<ProposedCuts(const std::shared_ptr<const Piece>&, const std::vector<UserCut>& own,
                                const Progress&)>
         propose{};
+    /// The way along edges that parts a disk whose flat outline would cross itself: vertices from
+    /// outline to outline; empty where none is needed or helps. Null: nobody looks.
+    std::function<std::vector<int>(const Piece&, const Progress&)> partCrossing{};
     int way = 1;              ///< tells it from others that propose otherwise
     bool isForDisks = false;  ///< it is asked about pieces that could lie flat, too
 };
@@ -75,12 +78,13 @@ struct CutPieces {
 /// Makes the user's cuts, each in the piece that lies nearest to its points, and then, where asked,
 /// those that make a disk of every piece that is none: first what is proposed for it, where the
 /// user's own leave anything closed (of disks, too, where the proposer is for them), then what
-/// still is needed (`proposeCuts`). Of proposals those that cannot be made are left out, and all of
-/// them where they leave a part that no cut opens. A piece that comes apart is named by who
-/// proposed its cuts, "leggings, left leg", or numbered: "leggings 1", "leggings 2". A piece
-/// without cuts is handed on as it is, by pointer. A cut that fails leaves the others, and its
-/// piece, alone; a piece that no automatic cut opens keeps its defect, with the reason. Cost: the
-/// cuts'; nothing for the pieces without.
+/// still is needed (`proposeCuts`). Then disks are parted until no flat outline would cross itself
+/// (`CutProposer::partCrossing`), by a few cuts a piece at most. Of proposals those that cannot be
+/// made are left out, and all of them where they leave a part that no cut opens. A piece that comes
+/// apart is named by who proposed its cuts, "leggings, left leg", or numbered: "leggings 1",
+/// "leggings 2". A piece without cuts is handed on as it is, by pointer. A cut that fails leaves
+/// the others, and its piece, alone; a piece that no automatic cut opens keeps its defect, with the
+/// reason. Cost: the cuts'; nothing for the pieces without.
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
 /// @param proposer  where there is one; a closed piece without cuts of the user's for which it has
 ///                  nothing is noted (NoBodySeen)

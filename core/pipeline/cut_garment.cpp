@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/diagnose/crossing_cut.h"
+#include "core/diagnose/doubt.h"
+#include "core/flatten/flatten.h"
 #include "core/garment/file_space.h"
 #include "core/garment/piece.h"
 #include "core/pipeline/pipeline.h"
@@ -21,10 +24,29 @@ namespace {
 constexpr double kJoiningShare = 0.1;
 constexpr double kCuttingShare = 0.6;
 
+/// The cut that a piece needs lest its flat outline cross itself, or be moved apart at the cost of
+/// strain that no cloth takes. The outline of `curvature` takes a fraction of the time and crosses
+/// itself first.
+std::vector<int> cutOfCrossings(const Piece& piece, const Progress& progress) {
+    const auto quick = flatten(piece, {Method::Curvature}, progress);
+    if (!quick || quick->crossings.empty()) {
+        return {};
+    }
+    FlattenOptions draft;
+    draft.quality = Quality::Draft;
+    const auto flat = flatten(piece, draft, progress);
+    if (!flat || (flat->crossings.empty() && flat->apartStrain <= kApartStrain)) {
+        return {};
+    }
+    const FlatPiece& crossing = flat->crossings.empty() ? *quick : *flat;
+    const auto cut = cutForCrossings(piece, crossing.Q, crossing.crossings, progress);
+    return cut && !progress.isCancelled() ? cut->path : std::vector<int>{};
+}
+
 /// What is proposed for each piece, as these options have it.
 CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     if (options.cutStyle == CutStyle::Topology) {
-        return {};
+        return {.partCrossing = cutOfCrossings};
     }
     const AdviceOptions asked{options.isFrontSwapped, options.enoughStrain};
     const bool isForForms = options.cutStyle == CutStyle::Tailor || asked.enoughStrain;
@@ -47,7 +69,7 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
     const int way =
         8 + 4 * static_cast<int>(enough) + (isForForms ? 2 : 0) + (asked.isFrontSwapped ? 1 : 0);
-    return {propose, way, asked.enoughStrain.has_value()};
+    return {propose, cutOfCrossings, way, asked.enoughStrain.has_value()};
 }
 
 /// A hole is no fault, but most methods change the length of its rim, and that is to be said.

@@ -2714,6 +2714,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>; the piece is nearly closed: its outline of %1 mm cannot lie flat around its %2 cm²</source>
         <translation>; das Teil ist fast geschlossen: sein Umriss von %1 mm kann nicht flach um seine %2 cm² liegen</translation>
+    </message>
+    <message>
         <source>moving its crossing outline apart adds %1 % of strain</source>
         <translation>den sich kreuzenden Umriss auseinanderzurücken kostet %1 % Dehnung</translation>
     </message>

@@ -39,6 +39,42 @@ TEST(Contract, FlattenWritesEveryFormatAndPrintsATable) {
     }
 }
 
+/// A strip that winds up twice round an axis: flat it lies on itself.
+std::string windingStrip() {
+    std::string text = "o strip\n";
+    constexpr int kSteps = 72;
+    for (int k = 0; k <= kSteps; ++k) {
+        const double angle = 4 * std::numbers::pi * k / kSteps;
+        for (const double radius : {50.0, 60.0}) {
+            text += "v " + std::to_string(radius * std::cos(angle)) + ' ' +
+                    std::to_string(0.1 * k) + ' ' + std::to_string(radius * std::sin(angle)) + '\n';
+        }
+    }
+    for (int k = 1; k <= 2 * kSteps; k += 2) {
+        const auto face = [&text](int a, int b, int c) {
+            text +=
+                "f " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+        };
+        face(k, k + 2, k + 1);
+        face(k + 1, k + 2, k + 3);
+    }
+    return text;
+}
+
+TEST(Contract, AnOutlineThatCrossesIsStatus1UntilItIsCut) {
+    const test::TemporaryFolder folder;
+    const std::string strip = folder.write("strip.obj", windingStrip()).string();
+    const auto run = test::toileRun({"flatten", strip, "--unit", "mm"});
+    EXPECT_EQ(run.status, 1) << run.out << run.err;
+    EXPECT_NE(run.err.find("the flat outline crosses itself"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("; cut it from ("), std::string::npos) << run.err;
+    EXPECT_EQ(test::toileRun({"flatten", strip, "--unit", "mm", "--fair"}).status, 1);
+
+    const auto cut = test::toileRun({"flatten", strip, "--unit", "mm", "--auto-cut"});
+    EXPECT_EQ(cut.status, 0) << cut.out << cut.err;
+    EXPECT_EQ(cut.err.find("crosses itself"), std::string::npos) << cut.err;
+}
+
 TEST(Contract, CutsAreMadeListedAndPrinted) {
     const test::TemporaryFolder folder;
     const std::string seams =

@@ -57,6 +57,11 @@ inline bool breaksPromise(const PieceResult& result) {
     return result.options.method == Method::Isometric && statusOf(result) == "flipped";
 }
 
+/// Whether the flat outline crosses itself: the piece cannot be cut out of one layer of cloth.
+inline bool crossesItself(const PieceResult& result) {
+    return result.quality && result.quality->outlineCrossings > 0;
+}
+
 /// Whether another result is to take its place before anything is written.
 inline bool isWarm(const PieceResult& result) {
     return result.flat && result.flat->warm;

@@ -89,7 +89,8 @@ void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemo
 }
 
 /// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
-/// from the crossing one with its sides parted, or from the last one; else from a circle.
+/// from the crossing one with its sides parted, or from the last one; else from a circle, as a
+/// coarse piece first. The search ends where the descent will not come near (`wanted`).
 std::optional<isometric::DescentResult> uncross(const Piece& piece, const OutlineTargets& targets,
                                                 const isometric::DescentResult& crossing,
                                                 isometric::DescentOptions options,
@@ -97,6 +98,7 @@ std::optional<isometric::DescentResult> uncross(const Piece& piece, const Outlin
                                                 const Progress& progress) {
     options.keepOutlineSimple = true;
     options.sharesModel = false;
+    options.wanted = isometric::nearLimit(crossing.distortion);
     const auto start = warm != nullptr ? warm->simplePositions(crossing.Q, progress) : std::nullopt;
     if (start) {
         isometric::DescentOptions again = options;
@@ -112,11 +114,18 @@ std::optional<isometric::DescentResult> uncross(const Piece& piece, const Outlin
     if (!circle) {
         return std::nullopt;
     }
-    auto simple = descend(piece, targets, *circle, options, progress);
+    auto simple = isometric::lowerFromCoarse(piece.mesh, piece.table, outlineOf(piece, targets),
+                                             *circle, options, progress);
     if (!simple || !isometric::isNear(simple->distortion, crossing.distortion)) {
         return std::nullopt;
     }
     return std::move(*simple);
+}
+
+double largestStrain(const Piece& piece, const Points2& Q) {
+    return edgeStrain(edgeLengths3d(piece.mesh.V, piece.table.edges),
+                      edgeLengths2d(Q, piece.table.edges))
+        .lpNorm<Eigen::Infinity>();
 }
 
 /// What follows the descent: a look at the outline, and at the clock.
@@ -141,6 +150,7 @@ Result<FlatPiece> finish(const Piece& piece, const OutlineTargets& targets,
         if (simple) {
             flat.notes.push_back(uncrossedNote(piece, crossings));
             flat.interiorIterations += simple->iterations;
+            flat.apartStrain = largestStrain(piece, simple->Q) - largestStrain(piece, flat.Q);
             flat.Q = std::move(simple->Q);
             isSimple = outlineIsSimple(flat.Q, piece.boundary);
         }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/flatten/isometric/refactorisation_policy.h"
 #include "core/quality/measures.h"
@@ -30,6 +31,10 @@ constexpr int kRelaxingPasses = 3;
 /// A step with an old factorisation that promises no more than this many times the tolerance would
 /// need a new one to find more: not worth it.
 constexpr double kStaleTolerance = 2;
+/// A descent is hopeless where as many steps again as the last few, this many times over, would not
+/// bring it to the wanted distortion: it slows down on the way.
+constexpr int kLookBack = 6;
+constexpr double kHopeless = 10;
 /// An excess of energy below this is rounding.
 constexpr double kNoExcess = 1e-10;
 
@@ -245,11 +250,15 @@ DescentOptions descentOptions(Quality quality) {
     return options;
 }
 
-bool isNear(double energy, double before) {
+double nearLimit(double before) {
     constexpr double kSlight = 2 * 0.05 * 0.05;
     constexpr double kMax = 2 * 0.16 * 0.16;
     constexpr double kShare = 10;  // of the energy, which is the square of the strain
-    return energy - before <= std::max(kSlight, std::min(kMax, kShare * (before - 1)));
+    return before + std::max(kSlight, std::min(kMax, kShare * (before - 1)));
+}
+
+bool isNear(double energy, double before) {
+    return energy <= nearLimit(before);
 }
 
 Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTable& table,
@@ -270,6 +279,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
     }
     const Points2 exactStart = result.Q;
     RefactorisationPolicy policy(options.model == nullptr);
+    std::vector<double> reached{at.total};
     while (result.iterations < options.maxIterations && !progress.isCancelled()) {
         const bool fresh = policy.isFresh();
         if (fresh) {
@@ -309,6 +319,14 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         }
         if (policy.wasStopped()) {
             descent.relax(result.Q, at);
+        }
+        reached.push_back(at.total);
+        if (reached.size() > kLookBack) {
+            const double fallen = reached[reached.size() - 1 - kLookBack] - at.total;
+            if (at.total - options.wanted > kHopeless * fallen) {
+                result.isHopeless = true;
+                break;
+            }
         }
         progress.step();
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "core/base/progress.h"
@@ -18,6 +19,9 @@ struct DescentOptions {
     /// it, or has lowered it by less than twice that.
     double tolerance = 1e-4;
     int maxIterations = 500;
+    /// A distortion that is wanted. The descent ends as hopeless where it goes down so slowly that
+    /// it would not come there in several times the steps that it has had.
+    double wanted = std::numeric_limits<double>::infinity();
     /// Keeps the outline, and every rim, from crossing itself (outline_terms.h). At the start
     /// none may.
     bool keepOutlineSimple = false;
@@ -39,6 +43,8 @@ DescentOptions descentOptions(Quality quality);
 /// (strain e in both directions costs 2 e^2). Cloth that cannot lie flat without strain anyway may
 /// be asked for some three times as much, up to 16 %. Beyond, a cut serves it better than force.
 bool isNear(double energy, double before);
+/// The energy up to which it is.
+double nearLimit(double before);
 
 struct DescentResult {
     Points2 Q;
@@ -46,6 +52,7 @@ struct DescentResult {
     int iterations = 0;
     Eigen::VectorXd multipliers{};            ///< of the boundary lengths: how much each edge pulls
     bool converged = false;                   ///< the tolerance was met
+    bool isHopeless = false;                  ///< `DescentOptions::wanted` is out of reach
     std::shared_ptr<const KktModel> model{};  ///< the last; null where not asked for, or large
 };
 

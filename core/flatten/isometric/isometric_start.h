@@ -25,6 +25,7 @@ struct KktModel;
 struct IsometricStart {
     Points2 Q;
     Eigen::VectorXd multipliers{};  ///< of the boundary lengths; empty where none are known
+    bool isHopeless = false;        ///< the coarse descent was
 };
 
 /// A start near the end for a piece that is strained much: the descent of a piece with a tenth of
@@ -33,13 +34,14 @@ struct IsometricStart {
 /// its exact lengths.
 /// @param mesh, table, outline  a disk without degenerate triangles
 /// @param Q  exact lengths, no flipped triangle
-/// @param tolerance  of the coarse descents (DescentOptions)
+/// @param fine  of the descent that follows: its tolerance, whether the outline is kept simple, and
+///              what is wanted are those of the coarse descents too
 /// @return no flipped triangle, exact lengths, energy at most that of Q; Q itself where it is
 ///         strained little, the piece small, or no way back is found. Once cancelled unspecified,
 ///         but of that kind.
 /// Cost: a fifth of a factorisation of size 2 #V, about.
 IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
-                            const EdgeLoops& outline, const Points2& Q, double tolerance,
+                            const EdgeLoops& outline, const Points2& Q, const DescentOptions& fine,
                             const Progress& progress);
 
 /// The descent from such a start: `lowerIsometricEnergy`, with its errors.

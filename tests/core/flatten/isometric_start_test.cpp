@@ -108,7 +108,7 @@ TEST(IsometricStart, IsNearerToTheEndWithExactLengths) {
     const Points2 Q = onCircle(*piece);
     const Progress progress;
     const isometric::IsometricStart start =
-        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress);
+        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, {}, progress);
     const auto lowest = isometric::lowerIsometricEnergy(piece->mesh, piece->table, piece->boundary,
                                                         Q, {}, progress);
     ASSERT_TRUE(lowest);
@@ -125,7 +125,7 @@ TEST(IsometricStart, LeavesWhatIsHardlyStrained) {
     const Points2 Q = piece->mesh.V.leftCols<2>();
     const Progress progress;
     EXPECT_EQ(
-        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, 1e-4, progress).Q,
+        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, {}, progress).Q,
         Q);
 }
 
