@@ -20,7 +20,9 @@ constexpr const char* kTooMany = translatable("it holds %1 files; unpack it and 
 constexpr const char* kNoneIn = translatable("none of its %1 files is one of %2");
 constexpr const char* kEncrypted =
     translatable("%1 in it is encrypted; unpack it and open the mesh");
-constexpr const char* kTooLarge = translatable("%1 in it is too large: %2 MB unpacked");
+constexpr const char* kTooLarge = translatable(
+    "it is too large: its meshes are %1 MB unpacked, too much for an archive of %2 MB; unpack it "
+    "and open the mesh");
 constexpr const char* kNotUnpacked = translatable("%1 in it cannot be unpacked: %2");
 constexpr const char* kDamaged = translatable("the archive is damaged");
 constexpr const char* kNoArchive = translatable("it is no .zip archive: %1");
@@ -31,7 +33,7 @@ constexpr const char* kNoArchive = translatable("it is no .zip archive: %1");
 namespace toile::io {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates nothing
+constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates little
 
 struct Discard {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -46,13 +48,14 @@ using Archive = std::unique_ptr<zip_t, Discard>;
 struct Entry {
     zip_uint64_t index;
     std::string name;
-    long long size, packed;
+    long long size;
     bool encrypted;
 };
 
 class ZipReader {
 public:
-    ZipReader(std::string_view bytes, const std::string& name) : name_(name) {
+    ZipReader(std::string_view bytes, const std::string& name)
+        : name_(name), packed_(static_cast<long long>(bytes.size())) {
         zip_error_t error;
         zip_error_init(&error);
         zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -70,7 +73,7 @@ public:
             return malformed();
         }
         const long long count = zip_get_num_entries(archive_.get(), 0);
-        if (count > kMostZipEntries) {
+        if (count > kMaxZipEntries) {
             return refused(worded(kTooMany, {figure(static_cast<double>(count))}));
         }
         std::vector<Entry> meshes;
@@ -78,24 +81,46 @@ public:
         for (const std::string_view ending : endings) {
             listed += (listed.empty() ? "" : ", ") + std::string(ending);
             if (meshes.empty()) {
-                meshes = meshesIn(count, ending);
+                meshes = entriesWith(count, ending);
             }
         }
         if (meshes.empty()) {
             return Error{ErrorCode::NoGeometry, Subject::file(name_),
                          worded(kNoneIn, {figure(static_cast<double>(count)), Wording(listed)})};
         }
+        // Over the whole archive: many small entries, or entries of the same bytes, add up.
+        const long long most =
+            std::min(kMaxUnzippedBytes, kSmallUnzippedBytes + kMaxUnpackingRatio * packed_);
         std::vector<UnzippedFile> files;
         long long bytes = 0;
         for (const Entry& mesh : meshes) {
-            auto file = unpacked(mesh, kMostUnzippedBytes - bytes, progress);
+            bytes += std::min(mesh.size, kMaxUnzippedBytes);
+        }
+        if (bytes > most) {
+            return refused(worded(kTooLarge, {figure(static_cast<double>(bytes) / 1e6, 1),
+                                              figure(static_cast<double>(packed_) / 1e6, 1)}));
+        }
+        for (const Entry& mesh : meshes) {
+            auto file = unpacked(mesh, progress);
             if (!file) {
                 return file.error();
             }
-            bytes += mesh.size;
             files.push_back(*std::move(file));
         }
         return files;
+    }
+
+    /// The first bytes of the first file with this ending; empty where none can be read.
+    std::string startOf(std::string_view ending) const {
+        const auto found = archive_ ? entriesWith(zip_get_num_entries(archive_.get(), 0), ending)
+                                    : std::vector<Entry>();
+        const std::unique_ptr<zip_file_t, Close> file(
+            found.empty() ? nullptr : zip_fopen_index(archive_.get(), found.front().index, 0));
+        constexpr std::size_t kLooked = 1 << 16;
+        std::string bytes(kLooked, '\0');
+        const zip_int64_t count = file ? zip_fread(file.get(), bytes.data(), kLooked) : 0;
+        bytes.resize(static_cast<std::size_t>(std::max<zip_int64_t>(count, 0)));
+        return bytes;
     }
 
 private:
@@ -108,13 +133,13 @@ private:
         return name.starts_with("__MACOSX/") || name.substr(name.rfind('/') + 1).starts_with('.');
     }
 
-    std::vector<Entry> meshesIn(long long count, std::string_view ending) const {
+    std::vector<Entry> entriesWith(long long count, std::string_view ending) const {
         std::vector<Entry> found;
         for (long long i = 0; i < count; ++i) {
             zip_stat_t stat;
             zip_stat_init(&stat);
             const auto index = static_cast<zip_uint64_t>(i);
-            constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE;
+            constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE;
             if (zip_stat_index(archive_.get(), index, ZIP_FL_ENC_GUESS, &stat) != 0 ||
                 (stat.valid & kNeeded) != kNeeded || isHidden(stat.name)) {
                 continue;
@@ -123,26 +148,17 @@ private:
                 const bool encrypted = (stat.valid & ZIP_STAT_ENCRYPTION_METHOD) != 0 &&
                                        stat.encryption_method != ZIP_EM_NONE;
                 constexpr zip_uint64_t kMost = std::numeric_limits<long long>::max();
-                found.push_back(
-                    {index, stat.name, static_cast<long long>(std::min(stat.size, kMost)),
-                     static_cast<long long>(std::min(stat.comp_size, kMost)), encrypted});
+                found.push_back({index, stat.name,
+                                 static_cast<long long>(std::min(stat.size, kMost)), encrypted});
             }
         }
         return found;
     }
 
-    /// @param most  bytes, beside what has been unpacked
-    Result<UnzippedFile> unpacked(const Entry& entry, long long most,
-                                  const Progress& progress) const {
+    Result<UnzippedFile> unpacked(const Entry& entry, const Progress& progress) const {
         const Wording called(readableName(entry.name));
         if (entry.encrypted) {
             return refused(worded(kEncrypted, {called}));
-        }
-        const bool isTight =
-            entry.size > kSmallUnzippedBytes && entry.size / kTightestPacking > entry.packed;
-        if (entry.size > most || isTight) {
-            return refused(
-                worded(kTooLarge, {called, figure(static_cast<double>(entry.size) / 1e6)}));
         }
         const std::unique_ptr<zip_file_t, Close> file(
             zip_fopen_index(archive_.get(), entry.index, 0));
@@ -156,8 +172,9 @@ private:
                 return Error{ErrorCode::Cancelled, Subject::file(name_)};
             }
             const std::size_t at = bytes->size();
-            bytes->resize(at + kChunk);
-            more = zip_fread(file.get(), bytes->data() + at, kChunk);
+            const std::size_t chunk = std::min(kChunk, size - at + 1);  // one more: is it longer?
+            bytes->resize(at + chunk);
+            more = zip_fread(file.get(), bytes->data() + at, chunk);
             bytes->resize(at + static_cast<std::size_t>(std::max<zip_int64_t>(more, 0)));
             if (more < 0 || bytes->size() > size) {
                 return malformed();
@@ -177,11 +194,16 @@ private:
     }
 
     std::string name_;
+    long long packed_;  ///< bytes of the archive
     Archive archive_;
     std::string why_;  ///< it could not be opened
 };
 
 }  // namespace
+
+std::string startOfZipEntry(std::string_view archive, std::string_view ending) {
+    return ZipReader(archive, {}).startOf(ending);
+}
 
 Result<std::vector<UnzippedFile>> meshesInZip(std::string_view archive, const std::string& name,
                                               std::span<const std::string_view> endings,

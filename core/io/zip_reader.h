@@ -12,10 +12,10 @@
 
 namespace toile::io {
 
-/// Entries of an archive, and bytes of the meshes in it; what goes beyond is refused, and so is
-/// what was packed more tightly than any mesh can be.
-inline constexpr long long kMostZipEntries = 1000, kMostUnzippedBytes = (1LL << 31) - 1;
-inline constexpr long long kTightestPacking = 300, kSmallUnzippedBytes = 1LL << 26;
+/// Limits of an archive: entries, and bytes of all its meshes together. Those are limited by the
+/// archive's size too: meshes as text pack 3 to 15 times, so more than that is no mesh.
+inline constexpr long long kMaxZipEntries = 1000, kMaxUnzippedBytes = (1LL << 31) - 1;
+inline constexpr long long kMaxUnpackingRatio = 30, kSmallUnzippedBytes = 1LL << 25;
 
 struct UnzippedFile {
     std::string name;  ///< in the archive
@@ -33,5 +33,9 @@ struct UnzippedFile {
 Result<std::vector<UnzippedFile>> meshesInZip(std::string_view archive, const std::string& name,
                                               std::span<const std::string_view> endings,
                                               const Progress& progress);
+
+/// The first 64 KiB of the first file in an archive whose name ends so, in any case; empty where
+/// none can be read.
+std::string startOfZipEntry(std::string_view archive, std::string_view ending);
 
 }  // namespace toile::io

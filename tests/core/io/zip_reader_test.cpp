@@ -159,8 +159,19 @@ TEST_F(ZippedMesh, BombsAreRefusedBeforeTheyAreUnpacked) {
     EXPECT_NE(tight.error().detail.find("too large"), std::string::npos);
 }
 
+TEST_F(ZippedMesh, ManySmallEntriesAddUp) {
+    std::vector<ZipEntry> entries;
+    for (int k = 0; k < 100; ++k) {
+        entries.push_back({std::to_string(k) + ".obj", kSquare, false, 1'000'000, 8});
+    }
+    const auto soup = readAs(entries);
+    ASSERT_FALSE(soup);
+    EXPECT_EQ(soup.error().code, ErrorCode::FileUnreadable);
+    EXPECT_NE(soup.error().detail.find("too large"), std::string::npos);
+}
+
 TEST_F(ZippedMesh, TooManyEntriesAreRefused) {
-    const std::vector<ZipEntry> many(io::kMostZipEntries + 1, {"a.txt", ""});
+    const std::vector<ZipEntry> many(io::kMaxZipEntries + 1, {"a.txt", ""});
     const auto soup = readAs(many);
     ASSERT_FALSE(soup);
     EXPECT_EQ(soup.error().code, ErrorCode::FileUnreadable);
