@@ -5,30 +5,103 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <new>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <assimp/BaseImporter.h>
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
+#include <assimp/importerdesc.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include "core/base/characters.h"
-#include "core/base/file.h"
 #include "core/base/text.h"
 #include "core/geometry/point_index.h"
+#include "core/io/child_process.h"
 #include "core/io/gltf_buffers.h"
 #include "core/io/soup_builder.h"
-#include "core/io/tried_apart.h"
+#include "core/io/soup_bytes.h"
+#include "core/io/zip_reader.h"
 
 namespace toile {
 namespace {
 
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
+
+constexpr const char* kHoldsOther = translatable("it holds %1, not %2 as its ending says");
+constexpr const char* kHoldsNone = translatable("it does not begin as %1 does");
+constexpr const char* kTakesMuch = translatable(
+    "reading it takes more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it "
+    "is damaged, or places its meshes too often");
+constexpr const char* kPlacesMany = translatable(
+    "it places %1 objects, too much for its size; export the garment alone, without instances");
+constexpr const char* kElsewhere = translatable(
+    "it names \"%1\", which is not in its folder; export it again with its files beside it, or as "
+    ".glb");
+constexpr const char* kNo3mfParts = translatable(
+    "a 3MF file whose meshes are in parts of their own, as slicers save projects, is not read");
+constexpr const char* kNoJoints = translatable(
+    "the joints of a skin are not found by their names; export the mesh without its rig");
+
+struct Format {
+    std::string_view ending;
+    const char* name;
+};
+
+/// Endings that assimp reads, and what such files hold.
+constexpr Format kFormats[] = {{".glb", translatable("binary glTF")},
+                               {".gltf", translatable("glTF as text")},
+                               {".fbx", "FBX"},
+                               {".dae", "Collada"},
+                               {".3mf", translatable("a ZIP archive, as 3MF is")}};
+constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+
+/// Whether a file may be of the format with this ending, by its first bytes.
+bool beginsAs(std::string_view ending, std::string_view bytes) {
+    constexpr std::size_t kLooked = 4096;
+    const std::string_view start = bytes.substr(0, kLooked);
+    const std::size_t blanks = start.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+    const char first = blanks == std::string_view::npos ? '\0' : start[blanks];
+    return ending == ".glb"    ? start.starts_with("glTF")
+           : ending == ".gltf" ? first == '{'
+           : ending == ".3mf"  ? start.starts_with("PK")
+           : ending == ".dae"
+               ? first == '<' || start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")
+               : first != '{' && first != '<' && start.find("FBX") != std::string_view::npos;
+}
+
+/// What a file holds that does not begin as its ending says.
+Wording otherContent(std::string_view ending, std::string_view bytes) {
+    constexpr std::pair<std::string_view, const char*> kStarts[] = {
+        {"LWSC", translatable("a LightWave scene")},
+        {"ply", "PLY"},
+        {"OFF", "OFF"},
+        {"COFF", "OFF"},
+        {"solid", "STL"},
+        {"#usda", "USD"},
+        {"mtllib", "OBJ"},
+        {"v ", "OBJ"},
+        {"o ", "OBJ"},
+        {"g ", "OBJ"},
+        {"# Blender", "OBJ"}};
+    const auto* format = std::ranges::find_if(
+        kFormats, [bytes](const Format& known) { return beginsAs(known.ending, bytes); });
+    const auto* start = std::ranges::find_if(
+        kStarts, [bytes](const auto& known) { return bytes.starts_with(known.first); });
+    const auto* own = std::ranges::find(kFormats, ending, &Format::ending);
+    return start != std::end(kStarts) ? worded(kHoldsOther, {start->second, worded(own->name)})
+           : format != std::end(kFormats)
+               ? worded(kHoldsOther, {worded(format->name), worded(own->name)})
+               : worded(kHoldsNone, {worded(own->name)});
+}
 
 std::string_view textOf(const aiString& text) {
     return {text.data, text.length};
@@ -48,63 +121,76 @@ Vector3d vectorOf(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// The unit of the coordinates that assimp gives for a file with this ending (".fbx", in any case).
-struct AssimpUnit {
-    std::optional<StatedUnit> stated;  ///< none where neither format nor file says it
-    double scale = 1;                  ///< factor from assimp's coordinates to that unit
-};
-
-/// FBX states how many centimetres its unit has; assimp leaves the coordinates as they are.
-AssimpUnit unitOfFbx(const aiScene& scene) {
-    float stated = 0;
-    const bool known =
-        scene.mMetaData != nullptr && scene.mMetaData->Get("UnitScaleFactor", stated);
-    if (!known || !std::isfinite(stated) || stated <= 0) {
-        return {};
-    }
-    const auto factor = static_cast<double>(stated);
-    constexpr double kSame = 1e-6;  // the factor is a float
+/// A unit of so many millimetres: one that has a name, else millimetres, with the positions scaled.
+LengthUnit takeUnit(double millimetres, std::vector<Vector3d>& positions) {
+    constexpr double kSame = 1e-6;  // FBX states a float
     for (const LengthUnit unit : kLengthUnits) {
-        const double centimetres = millimetresPer(unit) / 10;
-        if (std::abs(factor / centimetres - 1) < kSame) {
-            return {StatedUnit{unit, worded("stated in the FBX file")}};
+        if (std::abs(millimetres / millimetresPer(unit) - 1) < kSame) {
+            return unit;
         }
     }
-    return {StatedUnit{LengthUnit::Centimetre,
-                       worded("the FBX file's own unit is %1 cm", {figure(factor, 3)})},
-            factor};
+    for (Vector3d& position : positions) {
+        position *= millimetres;
+    }
+    return LengthUnit::Millimetre;
 }
 
-AssimpUnit unitOf(const aiScene& scene, std::string_view ending) {
-    if (equalsIgnoringCase(ending, ".glb") || equalsIgnoringCase(ending, ".gltf")) {
-        return {StatedUnit{LengthUnit::Metre, worded("glTF files are in metres")}};
-    }
-    if (equalsIgnoringCase(ending, ".dae")) {
-        // Assimp scales the root by the unit that the file states, metres where it states none.
-        return {StatedUnit{LengthUnit::Metre,
-                           worded("Collada files state their unit; read as metres")}};
-    }
-    return equalsIgnoringCase(ending, ".fbx") ? unitOfFbx(scene) : AssimpUnit{};
+/// FBX states how many centimetres its unit has; assimp leaves the coordinates as they are.
+double millimetresOfFbx(const aiScene& scene) {
+    float stated = 0;
+    const bool isKnown =
+        scene.mMetaData != nullptr && scene.mMetaData->Get("UnitScaleFactor", stated);
+    return isKnown && std::isfinite(stated) && stated > 0 ? 10 * static_cast<double>(stated) : 0;
 }
 
-/// The up axis of the coordinates that assimp gives for a file with this ending. Assimp turns
-/// Collada files so that y is up, and leaves the others as they are written.
-std::optional<StatedUp> upOf(const aiScene& scene, std::string_view ending) {
-    if (equalsIgnoringCase(ending, ".glb") || equalsIgnoringCase(ending, ".gltf")) {
-        return StatedUp{UpAxis::Y, worded("glTF files have y up")};
+/// 3MF states its unit at the start of the model, and means millimetres if it states none.
+double millimetresOf3mf(std::string_view archive) {
+    using Unit = std::pair<std::string_view, double>;
+    constexpr Unit kUnits[] = {
+        {"micron", 0.001}, {"centimeter", 10}, {"inch", 25.4}, {"foot", 304.8}, {"meter", 1000}};
+    const std::string start = io::startOfZipEntry(archive, "3dmodel.model");
+    const std::size_t model = std::min(start.find("<model"), start.size());
+    std::string tag = start.substr(model, start.find('>', model) - model);
+    std::ranges::replace_if(
+        tag, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    const std::size_t open = tag.find_first_of("\"'", std::min(tag.find(" unit"), tag.size()));
+    const std::string value =
+        open < tag.size() ? tag.substr(open + 1, tag.find(tag[open], open + 1) - open - 1) : "";
+    const auto* const found = std::ranges::find(kUnits, value, &Unit::first);
+    return found == std::end(kUnits) ? 1 : found->second;
+}
+
+/// The axis that FBX states, by its number, if it is y or z.
+std::optional<StatedUp> upOfFbx(const aiScene& scene) {
+    std::int32_t axis = 0;
+    const bool isKnown = scene.mMetaData != nullptr && scene.mMetaData->Get("UpAxis", axis);
+    return isKnown && (axis == 1 || axis == 2)
+               ? std::optional(StatedUp{axis == 1 ? UpAxis::Y : UpAxis::Z, {}})
+               : std::nullopt;
+}
+
+/// The unit and the up axis that the format or the file states. Assimp turns Collada files so that
+/// y is up, and leaves the others as they are written.
+void stateConventions(std::string_view ending, std::string_view bytes, PolygonSoup& soup) {
+    if (ending == ".glb" || ending == ".gltf") {
+        soup.statedUnit = StatedUnit{LengthUnit::Metre, worded("glTF files are in metres")};
+        soup.statedUp = StatedUp{UpAxis::Y, worded("y is up in glTF files")};
+    } else if (ending == ".dae") {
+        // Assimp scales the root by the unit that the file states, metres if it states none.
+        soup.statedUnit =
+            StatedUnit{LengthUnit::Metre, worded("Collada files state their unit; read as metres")};
+        soup.statedUp = StatedUp{UpAxis::Y, worded("Collada files state their up axis; read as y")};
+    } else if (ending == ".3mf") {
+        soup.statedUnit = StatedUnit{takeUnit(millimetresOf3mf(bytes), soup.positions),
+                                     worded("stated in the 3MF file")};
+        soup.statedUp = StatedUp{UpAxis::Z, worded("z is up in 3MF files")};
     }
-    if (equalsIgnoringCase(ending, ".dae")) {
-        return StatedUp{UpAxis::Y, worded("Collada files state their up axis; read as y")};
+    if (ending == ".fbx" && soup.statedUnit) {
+        soup.statedUnit->reason = worded("stated in the FBX file");
     }
-    if (equalsIgnoringCase(ending, ".3mf")) {
-        return StatedUp{UpAxis::Z, worded("3MF files have z up")};
+    if (ending == ".fbx" && soup.statedUp) {
+        soup.statedUp->reason = worded("stated in the FBX file");
     }
-    std::int32_t axis = -1;  // of FBX: 0 is x
-    if (scene.mMetaData == nullptr || !scene.mMetaData->Get("UpAxis", axis) || axis < 1 ||
-        axis > 2) {
-        return std::nullopt;
-    }
-    return StatedUp{axis == 2 ? UpAxis::Z : UpAxis::Y, worded("stated in the FBX file")};
 }
 
 /// Positions and texture coordinates of one object, equal ones merged.
@@ -120,14 +206,14 @@ public:
         return {firstPosition_ + index, isNew};
     }
 
-    /// Texture coordinates are one where they are equal and belong to one position.
+    /// Equal texture coordinates of one position are one.
     int uv(int position, const aiVector3D& uv) {
         const auto known = uvIndex_.insert(
             {static_cast<double>(position), static_cast<double>(uv.x), static_cast<double>(uv.y)});
         return firstUv_ + known.first;
     }
 
-    /// Hands the texture coordinates over; the positions have been taken as they came.
+    /// Appends its texture coordinates; its positions are in the soup already.
     void appendUvs(std::vector<Eigen::Vector2d>& uvs) const {
         for (const Vector3d& uv : uvs_) {
             uvs.emplace_back(uv.y(), uv.z());
@@ -144,54 +230,73 @@ private:
 
 class SceneReader {
 public:
-    SceneReader(const aiScene& scene, const std::string& name, AssimpUnit unit,
-                std::optional<StatedUp> up)
-        : scene_(scene), builder_(name, "face"), soup_(builder_.soup()), scale_(unit.scale) {
-        soup_.statedUnit = std::move(unit.stated);
-        soup_.statedUp = std::move(up);
-    }
+    /// @param most  corners and vertices that may be placed
+    SceneReader(const aiScene& scene, const std::string& name, std::uint64_t most)
+        : scene_(scene), builder_(name, "face"), soup_(builder_.soup()), most_(most) {}
 
-    Result<PolygonSoup> read(const Progress& progress) {
-        std::vector<std::pair<const aiNode*, Matrix4d>> open;  // a tree may be deep: no recursion
-        if (scene_.mRootNode != nullptr) {
-            open.emplace_back(scene_.mRootNode, matrixOf(scene_.mRootNode->mTransformation));
+    Result<PolygonSoup> read(bool hasSkins) {
+        placeNodes();
+        if (placed_ > most_) {
+            return Error{ErrorCode::FileUnreadable, Subject::file(builder_.name()),
+                         worded(kPlacesMany, {figure(static_cast<double>(nodes_.size()))})};
         }
-        while (!open.empty()) {
-            const auto [node, placement] = open.back();
-            open.pop_back();
-            if (progress.isCancelled()) {
-                return builder_.cancelled();
-            }
-            if (!readObject(*node, placement)) {
-                return builder_.malformed("more corners than can be counted");
-            }
-            for (unsigned i = node->mNumChildren; i-- > 0;) {  // the first child is the next
-                const aiNode* child = node->mChildren[i];
-                open.emplace_back(child, placement * matrixOf(child->mTransformation));
+        for (const auto& [node, placement] : nodes_) {
+            if (!readObject(*node, placement, hasSkins)) {
+                return Error{ErrorCode::MalformedFile, Subject::file(builder_.name()),
+                             worded(kNoJoints)};
             }
         }
         return builder_.finish();
     }
 
 private:
-    /// False where the corners would no longer fit an index.
-    bool readObject(const aiNode& node, const Matrix4d& placement) {
-        if (node.mNumMeshes == 0) {
-            return true;
+    using PlacedNode = std::pair<const aiNode*, Matrix4d>;
+
+    /// Lists the nodes that have meshes and counts what they place, before any of it is copied: a
+    /// small file may place one mesh very often.
+    void placeNodes() {
+        constexpr std::uint64_t kPerObject = 150;  // an object costs as much as so many corners
+        std::vector<std::uint64_t> sizes(scene_.mNumMeshes, 0);
+        for (unsigned m = 0; m < scene_.mNumMeshes; ++m) {
+            const aiMesh& mesh = *scene_.mMeshes[m];
+            sizes[m] = std::uint64_t{mesh.mNumVertices} + kPerObject;
+            for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+                sizes[m] += mesh.mFaces[f].mNumIndices;
+            }
         }
+        std::vector<PlacedNode> open;  // a tree may be deep: no recursion
+        if (scene_.mRootNode != nullptr) {
+            open.emplace_back(scene_.mRootNode, matrixOf(scene_.mRootNode->mTransformation));
+        }
+        while (!open.empty()) {
+            const PlacedNode at = open.back();
+            const aiNode& node = *at.first;
+            open.pop_back();
+            for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+                placed_ += sizes[node.mMeshes[i]];
+            }
+            (node.mNumMeshes > 0 ? nodes_ : joints_[std::string(textOf(node.mName))]).push_back(at);
+            for (unsigned i = node.mNumChildren; i-- > 0;) {  // the first child is the next
+                const aiNode* child = node.mChildren[i];
+                open.emplace_back(child, at.second * matrixOf(child->mTransformation));
+            }
+        }
+    }
+
+    /// False if the joints of a skin cannot be found.
+    bool readObject(const aiNode& node, const Matrix4d& placement, bool hasSkins) {
         objects_.change(textOf(node.mName), soup_.faceCount());
-        const bool mirrored = placement.topLeftCorner<3, 3>().determinant() < 0;
         ObjectCorners corners(soup_);
         for (unsigned i = 0; i < node.mNumMeshes; ++i) {
             const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
             materials_.change(materialOf(mesh), soup_.faceCount());
+            const bool isSkinned = hasSkins && mesh.HasBones();
+            if (!(isSkinned ? placeBySkin(mesh) : placeByNode(mesh, placement))) {
+                return false;
+            }
             for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-                const aiFace& face = mesh.mFaces[f];
-                if (face.mNumIndices > kMaxCorners - soup_.corners.size()) {
-                    return false;
-                }
-                if (face.mNumIndices >= 3) {
-                    readFace(mesh, face, placement, mirrored, corners);
+                if (mesh.mFaces[f].mNumIndices >= 3) {  // no points and lines
+                    readFace(mesh, mesh.mFaces[f], corners);
                 }
             }
         }
@@ -199,12 +304,51 @@ private:
         return true;
     }
 
-    void readFace(const aiMesh& mesh, const aiFace& face, const Matrix4d& placement, bool mirrored,
-                  ObjectCorners& corners) {
+    bool placeByNode(const aiMesh& mesh, const Matrix4d& placement) {
+        positions_.resize(mesh.HasPositions() ? mesh.mNumVertices : 0);
+        for (std::size_t v = 0; v < positions_.size(); ++v) {
+            positions_[v] = (placement * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
+        }
+        isMirrored_ = placement.topLeftCorner<3, 3>().determinant() < 0;
+        return true;
+    }
+
+    /// Joints and inverse bind matrices alone place a mesh with a skin, not its node (glTF 2.0,
+    /// 3.7.3). Assimp names joints by the names of their nodes.
+    bool placeBySkin(const aiMesh& mesh) {
+        std::vector<double> weights(mesh.mNumVertices, 0);
+        std::vector<Vector3d> sums(mesh.mNumVertices, Vector3d::Zero());
+        for (unsigned b = mesh.mNumBones; b-- > 0;) {
+            const aiBone& bone = *mesh.mBones[b];
+            const auto joint = joints_.find(std::string(textOf(bone.mName)));
+            if (joint == joints_.end() || joint->second.size() != 1) {
+                return false;
+            }
+            const Matrix4d pose = joint->second.front().second * matrixOf(bone.mOffsetMatrix);
+            if (b == 0) {  // vertices without weights go with the first joint, as in viewers
+                placeByNode(mesh, pose);
+            }
+            for (unsigned w = 0; w < bone.mNumWeights; ++w) {
+                const unsigned v = bone.mWeights[w].mVertexId;
+                const auto weight = static_cast<double>(bone.mWeights[w].mWeight);
+                if (v < mesh.mNumVertices) {
+                    sums[v] +=
+                        weight * (pose * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
+                    weights[v] += weight;
+                }
+            }
+        }
+        for (std::size_t v = 0; v < positions_.size(); ++v) {
+            positions_[v] = weights[v] > 0 ? Vector3d(sums[v] / weights[v]) : positions_[v];
+        }
+        return true;
+    }
+
+    void readFace(const aiMesh& mesh, const aiFace& face, ObjectCorners& corners) {
         const int place = soup_.faceCount() + 1;
         for (unsigned k = 0; k < face.mNumIndices; ++k) {
-            readCorner(mesh, face.mIndices[mirrored ? face.mNumIndices - 1 - k : k], placement,
-                       place, corners);
+            readCorner(mesh, face.mIndices[isMirrored_ ? face.mNumIndices - 1 - k : k], place,
+                       corners);
         }
         if (builder_.endFace(place)) {
             objects_.addFace();
@@ -213,16 +357,13 @@ private:
     }
 
     /// Assimp does not check the indices of every format; the builder leaves out what is not there.
-    void readCorner(const aiMesh& mesh, unsigned v, const Matrix4d& placement, int place,
-                    ObjectCorners& corners) {
+    void readCorner(const aiMesh& mesh, unsigned v, int place, ObjectCorners& corners) {
         int position = io::kNoSuchPosition, uv = io::kNoUv;
-        if (mesh.HasPositions() && v < mesh.mNumVertices) {
-            const Vector3d placed =
-                scale_ * (placement * vectorOf(mesh.mVertices[v]).homogeneous()).head<3>();
-            const auto found = corners.position(placed);
+        if (v < positions_.size()) {
+            const auto found = corners.position(positions_[v]);
             position = found.first;
             if (found.second) {
-                builder_.addPosition(placed, place);
+                builder_.addPosition(positions_[v], place);
             }
             uv = mesh.HasTextureCoords(0) ? corners.uv(position, mesh.mTextureCoords[0][v])
                                           : io::kNoUv;
@@ -240,51 +381,113 @@ private:
         return textOf(name) == AI_DEFAULT_MATERIAL_NAME ? "" : std::string(textOf(name));
     }
 
-    static constexpr std::size_t kMaxCorners = std::numeric_limits<int>::max();
-
     const aiScene& scene_;
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
-    double scale_;
+    std::uint64_t most_, placed_ = 0;
+    std::vector<PlacedNode> nodes_;                          ///< those that have meshes
+    std::map<std::string, std::vector<PlacedNode>> joints_;  ///< all others, by name
+    std::vector<Vector3d> positions_;                        ///< of the mesh that is read
+    bool isMirrored_ = false;
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
 };
 
-/// Of processor time: no garment takes this long, and some damaged files never end.
-constexpr int kMostSeconds = 120;
-
-/// Assimp looks for the files that a glTF names by their URIs as these are written. Only a file is
-/// opened: a pipe or a device may have no end.
-class FilesByUri : public Assimp::DefaultIOSystem {
+/// Opens the file itself and, to read only, what `pathBelow` finds in its folder.
+class FolderFiles : public Assimp::DefaultIOSystem {
 public:
-    bool Exists(const char* file) const override {
-        return DefaultIOSystem::Exists(file) ||
-               DefaultIOSystem::Exists(io::withoutEscapes(file).c_str());
-    }
-    Assimp::IOStream* Open(const char* file, const char* mode) override {
-        Assimp::IOStream* const asWritten = openFile(file, mode);
-        return asWritten != nullptr ? asWritten : openFile(io::withoutEscapes(file), mode);
+    FolderFiles(std::filesystem::path file, std::string& refused)
+        : file_(std::move(file)), refused_(refused) {}
+
+    bool Exists(const char* name) const override { return !find(name).empty(); }
+    Assimp::IOStream* Open(const char* name, const char* mode) override {
+        const std::string path = *mode == 'r' ? find(name) : "";
+        return path.empty() ? nullptr : DefaultIOSystem::Open(path.c_str(), mode);
     }
 
 private:
-    Assimp::IOStream* openFile(const std::string& file, const char* mode) {
+    /// The path of a regular file, or nothing. URIs may have escapes.
+    std::string find(const char* name) const {
         std::error_code unknown;
-        return std::filesystem::is_regular_file(file, unknown)
-                   ? DefaultIOSystem::Open(file.c_str(), mode)
-                   : nullptr;
+        if (file_ == name) {
+            return std::filesystem::is_regular_file(file_, unknown) ? name : "";
+        }
+        for (const std::string& written : {std::string(name), io::withoutEscapes(name)}) {
+            if (std::filesystem::exists(written, unknown)) {
+                const auto path = io::pathBelow(file_.parent_path(), written);
+                if (!path && refused_.empty()) {
+                    refused_ = written;
+                }
+                return path && std::filesystem::is_regular_file(*path, unknown) ? path->string()
+                                                                                : "";
+            }
+        }
+        return "";
     }
+
+    std::filesystem::path file_;
+    std::string& refused_;  ///< the first name that leads outside the folder
 };
 
-const aiScene* importFile(Assimp::Importer& importer, const std::filesystem::path& path) {
-    importer.SetIOHandler(new FilesByUri);  // the importer's from now on
+/// Leaves only the importers of an ending (".glb"): assimp would choose by content otherwise.
+void keepImportersOf(std::string_view ending, Assimp::Importer& importer) {
+    for (std::size_t k = importer.GetImporterCount(); k-- > 0;) {
+        Assimp::BaseImporter* const other = importer.GetImporter(k);
+        const std::string endings =
+            " " + std::string(importer.GetImporterInfo(k)->mFileExtensions) + " ";
+        if (endings.find(" " + std::string(ending.substr(1)) + " ") == std::string::npos) {
+            importer.UnregisterLoader(other);
+            delete other;  // no longer the importer's
+        }
+    }
+}
+
+/// What reading a file of so many bytes may take. Garments need about a tenth of it.
+io::ChildLimits limitsFor(std::size_t bytes) {
+    constexpr std::uintmax_t kMemory = 400'000'000, kMemoryPerByte = 100;
+    constexpr double kSeconds = 4, kSecondsPerByte = 1.2e-6;
+    return {static_cast<int>(kSeconds + kSecondsPerByte * static_cast<double>(bytes)),
+            kMemory + kMemoryPerByte * bytes};
+}
+
+std::uint64_t maxCornersFor(std::size_t bytes) {
+    constexpr std::uint64_t kCorners = 1'500'000, kCornersPerByte = 4;
+    return std::min<std::uint64_t>(kCorners + kCornersPerByte * bytes,
+                                   std::numeric_limits<int>::max());
+}
+
+/// In the child process. Throws std::bad_alloc.
+Result<PolygonSoup> readScene(const std::filesystem::path& path, std::string_view ending,
+                              const std::string& name, std::uint64_t maxCorners) {
+    std::string outside;
+    Assimp::Importer importer;
+    keepImportersOf(ending, importer);
+    importer.SetIOHandler(new FolderFiles(path, outside));  // the importer's from now on
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION  // newer versions turn FBX files to y up
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true);
 #endif
-    return importer.ReadFile(path.string(), 0);
+    const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    if (!outside.empty()) {
+        return Error{ErrorCode::FileUnreadable, Subject::file(name),
+                     worded(kElsewhere, {shownText(outside)})};
+    }
+    if (scene == nullptr) {
+        const std::string why = importer.GetErrorString();
+        if (why.find("bad_alloc") != std::string::npos) {
+            throw std::bad_alloc();
+        }
+        return Error{ErrorCode::MalformedFile, Subject::file(name), readableName(why)};
+    }
+    auto soup = SceneReader(*scene, name, maxCorners).read(ending == ".gltf" || ending == ".glb");
+    if (soup && ending == ".fbx") {
+        if (const double unit = millimetresOfFbx(*scene); unit > 0) {
+            soup->statedUnit = StatedUnit{takeUnit(unit, soup->positions), {}};
+        }
+        soup->statedUp = upOfFbx(*scene);
+    }
+    return soup;
 }
-
-constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
 
 }  // namespace
 
@@ -306,33 +509,40 @@ double precisionOfFloats(const PolygonSoup& soup) {
     return largest * static_cast<double>(std::numeric_limits<float>::epsilon()) / 2;
 }
 
-Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std::string& name,
-                                   Progress& progress) {
-    const auto trial = io::triedApart(
-        [&path] {
-            Assimp::Importer importer;
-            return importFile(importer, path) != nullptr ||
-                   std::string_view(importer.GetErrorString()).find("bad_alloc") ==
-                       std::string_view::npos;
-        },
-        kMostSeconds, progress);
-    if (trial != io::Trial::Returns) {
-        return trial == io::Trial::Cancelled
-                   ? Error{ErrorCode::Cancelled, Subject::file(name)}
-                   : Error{ErrorCode::MalformedFile, Subject::file(name),
-                           worded("the library that reads this format does not survive it")};
+Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, std::string_view bytes,
+                                   const std::string& name, Progress& progress) {
+    const auto* const known = std::ranges::find_if(kEndings, [&path](std::string_view ending) {
+        return equalsIgnoringCase(path.extension().string(), ending);
+    });
+    const std::string_view ending = known == std::end(kEndings) ? kEndings[0] : *known;
+    const Subject subject = Subject::file(name);
+    if (!beginsAs(ending, bytes)) {
+        return Error{ErrorCode::MalformedFile, subject, otherContent(ending, bytes)};
     }
-    Assimp::Importer importer;
-    const aiScene* scene = importFile(importer, path);
-    if (scene == nullptr) {
-        // Assimp does not say whether the file or its bytes are at fault.
-        const Result<std::string> bytes = readFile(path);
-        return bytes ? Error{ErrorCode::MalformedFile, Subject::file(name),
-                             readableName(importer.GetErrorString())}
-                     : bytes.error();
+    const io::ChildLimits limits = limitsFor(bytes.size());
+    const io::ChildResult child = io::runInChild(
+        [&] { return io::packedSoup(readScene(path, ending, name, maxCornersFor(bytes.size()))); },
+        limits, progress);
+    if (child.end == io::ChildEnd::Cancelled) {
+        return Error{ErrorCode::Cancelled, subject};
     }
-    const std::string ending = path.extension().string();
-    return SceneReader(*scene, name, unitOf(*scene, ending), upOf(*scene, ending)).read(progress);
+    if (child.end == io::ChildEnd::BeyondLimits) {
+        return Error{ErrorCode::FileUnreadable, subject,
+                     worded(kTakesMuch, {figure(limits.seconds),
+                                         figure(static_cast<double>(limits.memory) / 1e6),
+                                         figure(static_cast<double>(bytes.size()) / 1e6, 3)})};
+    }
+    if (child.end == io::ChildEnd::Crashed) {
+        return Error{ErrorCode::MalformedFile, subject,
+                     worded("the library that reads this format crashes on it")};
+    }
+    Result<PolygonSoup> soup = io::unpackedSoup(child.output, name);
+    if (soup) {
+        stateConventions(ending, bytes, *soup);
+    } else if (soup.error().code == ErrorCode::NoGeometry && ending == ".3mf") {
+        return Error{ErrorCode::NoGeometry, subject, worded(kNo3mfParts)};
+    }
+    return soup;
 }
 
 }  // namespace toile

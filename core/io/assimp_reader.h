@@ -12,23 +12,25 @@
 
 namespace toile {
 
-/// Reads glTF, FBX, Collada and 3MF files through assimp. Every node that carries meshes is an
-/// object, placed by its own and its parents' transforms; a node that mirrors has its faces turned
-/// back. Assimp repeats a vertex wherever its normal or texture coordinate changes, so equal
-/// positions are merged within an object, never across objects, and so are equal texture
-/// coordinates at one position: islands of the UV map hang together by index as they do in an OBJ
-/// file. Points and lines are passed over. The unit is stated where the format or the file fixes it
-/// and assimp passes it on: not for 3MF. Coordinates have a float's precision, as assimp has.
-/// Damaged files may end assimp, or never end: it reads each once in a process that is thrown away.
-/// `name` is the file, for messages. Errors: FileUnreadable, MalformedFile, NoGeometry, Cancelled
-/// (looked at between objects). Cost: assimp's own twice, and linear in the corners of all
-/// instances. Re-entrant.
-Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, const std::string& name,
-                                   Progress& progress);
+/// Reads glTF, FBX, Collada and 3MF files through assimp, in a child process with limits of time
+/// and memory by the size of the file, and with no access to files outside its folder. The first
+/// bytes must fit the ending. Every node that carries meshes is an object, placed by its own and
+/// its parents' transforms, or by its skin; a node that mirrors has its faces turned back. Assimp
+/// repeats a vertex wherever its normal or texture coordinate changes, so equal positions are
+/// merged within an object, never across objects, and so are equal texture coordinates at one
+/// position: islands of the UV map are connected by index as in an OBJ file. Points and lines are
+/// not read. The unit is stated where the format or the file states it, and z is up in 3MF.
+/// Coordinates have the precision of a float, as in assimp.
+/// @param bytes  of the file  @param name  the file, for messages
+/// Errors: FileUnreadable (beyond the limits, a path outside the folder), MalformedFile,
+/// NoGeometry, Cancelled. Cost: that of assimp, and linear in the corners of all instances.
+/// Re-entrant.
+Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, std::string_view bytes,
+                                   const std::string& name, Progress& progress);
 
-/// Endings of the files that are read so, lower case with the dot.
+/// Endings of these files, lower case with the dot.
 std::span<const std::string_view> assimpEndings();
-/// Whether one of them is this, in any case.
+/// Whether an ending is one of them, in any case.
 bool isForAssimp(std::string_view ending);
 
 /// How far a coordinate may lie from the one that was meant, where all of them have passed through

@@ -17,8 +17,7 @@ namespace toile {
 namespace {
 
 constexpr const char* kBufferElsewhere = translatable(
-    "its buffer \"%1\" does not lie in its folder; export it anew with its files beside it, or as "
-    ".glb");
+    "its buffer \"%1\" is not in its folder; export it again with its files beside it, or as .glb");
 constexpr const char* kBufferNoFile = translatable(
     "its buffer \"%1\" is no file but a folder, pipe or device; put the file itself there");
 constexpr const char* kBuffersTooLong = translatable(
@@ -32,12 +31,23 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A path that leads from a folder to something in it or below.
+/// Judged by its words alone, as it may not be there.
 bool staysBelow(const fs::path& path) {
     return !path.has_root_path() && std::ranges::find(path, "..") == path.end();
 }
 
 }  // namespace
+
+std::optional<fs::path> pathBelow(const fs::path& folder, const fs::path& path) {
+    std::error_code unknown, missing;
+    const fs::path top = fs::canonical(folder.empty() ? "." : folder, unknown);
+    const fs::path found = fs::canonical(path, missing);
+    if (unknown || missing ||
+        std::mismatch(top.begin(), top.end(), found.begin(), found.end()).first != top.end()) {
+        return std::nullopt;
+    }
+    return found;
+}
 
 std::string withoutEscapes(std::string_view uri) {
     std::string path;
@@ -87,6 +97,9 @@ Result<std::uint64_t> hashWithBuffers(const fs::path& path, std::string_view tex
             fs::exists(beside, unknown) ? beside : path.parent_path() / withoutEscapes(written);
         if (!fs::exists(at, unknown)) {
             continue;  // assimp says so
+        }
+        if (!pathBelow(path.parent_path(), at)) {
+            return refused(kBufferElsewhere, written);
         }
         if (!fs::is_regular_file(at, unknown)) {
             return refused(kBufferNoFile, written);

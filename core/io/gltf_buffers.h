@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,11 @@ namespace toile::io {
 
 /// A path as a URI has it, without its escapes: "my mesh.bin" for "my%20mesh.bin". Pure.
 std::string withoutEscapes(std::string_view uri);
+
+/// The path with links resolved, if something is there that is in this folder or below.
+/// @param folder  empty: the working folder
+std::optional<std::filesystem::path> pathBelow(const std::filesystem::path& folder,
+                                               const std::filesystem::path& path);
 
 /// Bytes of all the buffers of a .gltf together; what goes beyond is refused.
 inline constexpr std::uintmax_t kMostBufferBytes = (1ULL << 31) - 1;

@@ -157,7 +157,7 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
     if (!hash) {
         return hash.error();
     }
-    Result<PolygonSoup> soup = isForAssimp(ending) ? readWithAssimp(path, name, progress)
+    Result<PolygonSoup> soup = isForAssimp(ending) ? readWithAssimp(path, *bytes, name, progress)
                                : isZip
                                    ? readZipped(*bytes, name, progress)
                                    : readOwn(std::make_shared<const std::string>(std::move(*bytes)),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/assimp_reader.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -9,6 +10,7 @@
 #include "core/pipeline/pipeline.h"
 #include "tests/core/io/soup_checks.h"
 #include "tests/core/io/zip_archive.h"
+#include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile::test {
@@ -171,8 +173,8 @@ TEST_F(AssimpReader, FbxStatesItsUnitInCentimetres) {
     }
     const Result<PolygonSoup> feet = readAs("a.fbx", fbxWithUnit("30.48"));
     ASSERT_TRUE(feet);
-    EXPECT_EQ(feet.value().statedUnit->unit, LengthUnit::Centimetre);
-    EXPECT_NEAR(feet.value().positions[2].x(), 304.8, 1e-4);
+    EXPECT_EQ(feet.value().statedUnit->unit, LengthUnit::Millimetre);
+    EXPECT_NEAR(feet.value().positions[2].x(), 3048, 1e-3);
 }
 
 TEST_F(AssimpReader, SurvivesWhatItsLibraryDoesNot) {
@@ -238,6 +240,97 @@ TEST_F(AssimpReader, AGltfMayNameButFilesInItsFolder) {
     const auto tooLong = readWithBuffers(buffer("a.bin") + ", " + buffer("b.bin"));
     ASSERT_FALSE(tooLong);
     EXPECT_NE(sentence(tooLong.error()).find("2 GiB"), std::string::npos);
+}
+
+/// A triangle whose node is scaled by 100 and has a skin. Its joint stands 2 m high; the inverse
+/// bind matrix moves by 1 m down. The last vertex has no weights.
+std::string gltfWithSkin(const std::string& jointName) {
+    return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+"nodes": [{"name": "shirt", "mesh": 0, "skin": 0, "scale": [100, 100, 100]},
+          {"name": "armature", "translation": [0, 2, 0], "children": [2]}, )" +
+           jointName + R"(],
+"skins": [{"joints": [2], "inverseBindMatrices": 3}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2}}]}],
+"accessors": [
+  {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+   "min": [0, 0, 0], "max": [1, 1, 0]},
+  {"bufferView": 1, "componentType": 5121, "count": 3, "type": "VEC4"},
+  {"bufferView": 2, "componentType": 5126, "count": 3, "type": "VEC4"},
+  {"bufferView": 3, "componentType": 5126, "count": 1, "type": "MAT4"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36},
+                {"buffer": 0, "byteOffset": 36, "byteLength": 12},
+                {"buffer": 0, "byteOffset": 48, "byteLength": 48},
+                {"buffer": 0, "byteOffset": 96, "byteLength": 64}],
+"buffers": [{"byteLength": 160, "uri": "skin.bin"}]})";
+}
+
+TEST_F(AssimpReader, ASkinPlacesItsMeshWithoutItsNode) {
+    folder_.write("skin.bin", bytesOfFloats({0, 0, 0, 1, 0, 0, 1, 1, 0}) + std::string(12, '\0') +
+                                  bytesOfFloats({1, 0, 0, 0, 0.5F, 0, 0, 0, 0, 0, 0, 0}) +
+                                  bytesOfFloats({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1}));
+    const auto soup = readAs("skin.gltf", gltfWithSkin(R"({"name": "hips"})"));
+    ASSERT_TRUE(soup) << sentence(soup.error());
+    ASSERT_EQ(soup->positions.size(), 3U);
+    EXPECT_EQ(soup->positions[0], Eigen::Vector3d(0, 1, 0));
+    EXPECT_EQ(soup->positions[1], Eigen::Vector3d(1, 1, 0));  // weights need not sum to 1
+    EXPECT_EQ(soup->positions[2], Eigen::Vector3d(1, 2, 0));
+    // A joint that cannot be told from another node is no reason to guess.
+    const auto unclear = readAs("skin.gltf", gltfWithSkin(R"({"name": "armature"})"));
+    ASSERT_FALSE(unclear);
+    EXPECT_NE(unclear.error().detail.find("joints"), std::string::npos);
+    // A mesh of the same name as the joint is told from it.
+    EXPECT_TRUE(readAs("skin.gltf", gltfWithSkin(R"({"name": "shirt"})")));
+}
+
+std::string threeMf(const std::string& attributes) {
+    return zipOf(
+        {{"_rels/.rels",
+          R"(<Relationships><Relationship Target="/3D/3dmodel.model" Id="r" )"
+          R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
+         {"3D/3dmodel.model",
+          "<?xml version=\"1.0\"?>\n<model " + attributes +
+              R"( xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
+<object id="1" type="model"><mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="10" y="0" z="0"/>
+<vertex x="0" y="30" z="0"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>
+</object></resources><build><item objectid="1"/></build></model>)"}});
+}
+
+TEST_F(AssimpReader, ThreeMfStatesItsUnitAndMeansMillimetresWithoutOne) {
+    const std::pair<const char*, double> units[] = {
+        {"unit=\"micron\"", 0.001}, {"unit=\"millimeter\"", 1}, {"unit=\"centimeter\"", 10},
+        {"unit = \"meter\"", 1000}, {"unit='inch'", 25.4},      {"unit=\"foot\"", 304.8},
+        {"xml:lang=\"en-US\"", 1}};
+    for (const auto& [attribute, millimetres] : units) {
+        const auto soup = readAs("a.3mf", threeMf(attribute));
+        ASSERT_TRUE(soup) << sentence(soup.error());
+        ASSERT_TRUE(soup->statedUnit);
+        EXPECT_DOUBLE_EQ(soup->positions[2].y() * millimetresPer(soup->statedUnit->unit),
+                         30 * millimetres)
+            << attribute;
+        ASSERT_TRUE(soup->statedUp);
+        EXPECT_EQ(soup->statedUp->axis, UpAxis::Z);
+    }
+}
+
+TEST_F(AssimpReader, SharedFilesHaveTheirTrueSize) {
+    const std::pair<const char*, double> files[] = {{"3mf-unit/as_box.3mf", 30},
+                                                    {"gltf-skin/gltf_plain.gltf", 400},
+                                                    {"gltf-skin/gltf_skin_armature001.gltf", 400},
+                                                    {"gltf-skin/gltf_skin_node_scaled.gltf", 400}};
+    for (const auto& [name, millimetres] : files) {
+        const auto path = sharedFile(std::string("reports/") + name);
+        TOILE_NEEDS_SHARED(path);
+        Progress progress;
+        const auto soup = readSoup(path, progress);
+        ASSERT_TRUE(soup) << sentence(soup.error());
+        Eigen::AlignedBox3d box;
+        for (const auto& position : soup->positions) {
+            box.extend(position);
+        }
+        EXPECT_NEAR(box.sizes().maxCoeff() * millimetresPer(soup->statedUnit->unit), millimetres,
+                    millimetres * 1e-5)
+            << name;
+    }
 }
 
 TEST_F(AssimpReader, APipeIsNotWaitedFor) {

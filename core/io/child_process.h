@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "core/base/progress.h"
+
+namespace toile::io {
+
+/// Limits of a child process.
+struct ChildLimits {
+    int seconds = 0;            ///< of processor time
+    std::uintmax_t memory = 0;  ///< bytes of addresses beyond what the program has, and of output
+};
+
+enum class ChildEnd { Finished, BeyondLimits, Crashed, Cancelled };
+
+struct ChildResult {
+    ChildEnd end = ChildEnd::Crashed;
+    /// What the work returned, if it finished; incomplete if somebody else has reaped the child.
+    std::string output{};
+};
+
+/// Runs work in a child process, which has a copy of this program's memory, and hands back the
+/// bytes that the work returns. A library that crashes, never returns or takes too much memory does
+/// so there. The child prints nothing, writes no file, and ends with its parent.
+/// @param work      it must not ask for locks that other threads may hold; std::bad_alloc counts as
+///                  BeyondLimits, any other exception as a crash
+/// @param progress  if it is cancelled, the child is ended at once
+/// If no child can be started, it counts as crashed.
+/// Cost: that of the work, a fork, and a copy of the output. Any thread.
+ChildResult runInChild(const std::function<std::string()>& work, const ChildLimits& limits,
+                       const Progress& progress);
+
+}  // namespace toile::io
