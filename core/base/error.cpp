@@ -46,7 +46,7 @@ constexpr Words kWords[] = {
      TR("Open an older copy of it, or correct the place named with a text editor")},
     {NewerProject, "newer-project", TR("the project was saved by a newer version of Toile"),
      TR("Open it with that version")},
-    {UnitGuessed, "unit-guessed", TR("the file states no unit and its size leaves doubt"),
+    {UnitGuessed, "unit-guessed", TR("the size leaves doubt about the unit"),
      TR("State the unit if the size is wrong"), true},
     {IndexOutOfRange, "index-out-of-range", TR("faces name vertices that the file does not have"),
      TR("They are left out; export the file again if something is missing"), true},

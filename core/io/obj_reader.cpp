@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <charconv>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"
@@ -16,6 +21,39 @@ namespace {
 int fromZero(int index, std::size_t count, int none) {
     const int resolved = index > 0 ? index - 1 : static_cast<int>(count) + index;
     return index == 0 || resolved < 0 ? none : resolved;
+}
+
+/// Millimetres in the unit that a comment states: "1 unit = 8ft", "Units: millimetres", or by its
+/// program; 0 if it states none.
+double unitOfComment(std::string text) {
+    constexpr std::pair<std::string_view, double> kWords[] = {
+        {"mm", 1},       {"millimet", 1},  {"cm", 10},   {"centimet", 10},
+        {"dm", 100},     {"decimet", 100}, {"in", 25.4}, {"ft", 304.8},
+        {"feet", 304.8}, {"foot", 304.8},  {"m", 1000}};
+    std::ranges::transform(text, text.begin(), [](char c) { return lowered(c); });
+    if (text.find("mesh file for makehuman") != std::string::npos) {
+        return millimetresPer(LengthUnit::Decimetre);
+    }
+    const auto skip = [&text](std::size_t at, const char* skipped) {
+        return std::min(text.find_first_not_of(skipped, at), text.size());
+    };
+    const std::size_t unit = text.find("unit");
+    std::size_t at = unit == std::string::npos ? text.size() : skip(unit + 4, "s \t");
+    if (at == text.size() || (text[at] != '=' && text[at] != ':')) {
+        return 0;
+    }
+    at = skip(at + 1, " \t");
+    double number = 1;
+    const char* const start = text.data();
+    at = skip(static_cast<std::size_t>(
+                  std::from_chars(start + at, start + text.size(), number).ptr - start),
+              " \t");
+    const auto* const word = std::ranges::find_if(kWords, [&](const auto& known) {
+        return text.compare(at, known.first.size(), known.first) == 0;
+    });
+    return word != std::end(kWords) && FileUnit::ofMillimetres(number * word->second)
+               ? number * word->second
+               : 0;
 }
 
 class ObjReader {
@@ -37,7 +75,11 @@ public:
         if (!soup_.uvs.empty()) {
             soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
         }
-        return builder_.finish();
+        Result<PolygonSoup> soup = builder_.finish();
+        if (soup) {
+            soup->problems.insert(soup->problems.end(), notes_.begin(), notes_.end());
+        }
+        return soup;
     }
 
 private:
@@ -55,6 +97,23 @@ private:
             groups_.change(cursor_.restOfLine(), soup_.faceCount());
         } else if (keyword == "usemtl") {
             materials_.change(cursor_.restOfLine(), soup_.faceCount());
+        } else if (keyword.starts_with('#') && soup_.positions.empty() && !soup_.statedUnit) {
+            noteUnit(unitOfComment(std::string(keyword) + " " + std::string(cursor_.restOfLine())));
+        }
+    }
+
+    /// A unit without a name is left to the user, as positions keep the file's digits.
+    void noteUnit(double millimetres) {
+        const auto unit = FileUnit::ofMillimetres(millimetres);
+        if (unit && unit->named()) {
+            soup_.statedUnit =
+                StatedUnit{*unit->named(), worded("stated in a comment of the file")};
+        } else if (unit && notes_.empty()) {
+            notes_.push_back(
+                {ErrorCode::UnitGuessed, Subject::file(builder_.name()),
+                 worded("a comment of the file states a unit of %1, which is not used; "
+                        "--unit takes it",
+                        {Wording(unitText(*unit))})});
         }
     }
 
@@ -147,6 +206,7 @@ private:
 
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
+    Problems notes_;
     io::TextCursor cursor_;
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames groups_{soup_.groups, soup_.faceGroup};

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "core/base/stopwatch.h"
+#include "core/base/text.h"
 #include "core/base/unique_names.h"
 #include "core/garment/divide.h"
 #include "core/garment/slits.h"
@@ -35,23 +40,46 @@ double largestExtentOf(const PolygonSoup& soup) {
     return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
+/// Why a garment of this size is unlikely, with a unit that the user has not stated; nothing if the
+/// size is usual: 100 to 2300 mm, or the range of what the name of the file says. A doll's dress
+/// cannot be told from a dress in the wrong unit.
+/// @param largestExtent  mm
+std::optional<Wording> sizeDoubt(double largestExtent, std::string_view fileName) {
+    static constexpr double kHead[2] = {80, 800}, kBody[2] = {450, 2500}, kTent[2] = {1000, 30'000};
+    constexpr std::pair<std::string_view, const double*> kKinds[] = {
+        {"hat", kHead},  {"cap", kHead},   {"beret", kHead}, {"beanie", kHead},   {"fedora", kHead},
+        {"sock", kHead}, {"glove", kHead}, {"dress", kBody}, {"jumpsuit", kBody}, {"gown", kBody},
+        {"coat", kBody}, {"tent", kTent},  {"tarp", kTent}};
+    constexpr double kGarment[2] = {100, 2300};
+    const std::string words = "-" + slug(fileName) + "-";
+    const auto* const kind = std::ranges::find_if(kKinds, [&words](const auto& known) {
+        return words.find("-" + std::string(known.first) + "-") != std::string::npos;
+    });
+    const double* const usual = kind == std::end(kKinds) ? kGarment : kind->second;
+    if (largestExtent <= 0 || (largestExtent >= usual[0] && largestExtent <= usual[1])) {
+        return std::nullopt;
+    }
+    return kind == std::end(kKinds)
+               ? worded("a garment of %1 mm is unusual", {figure(largestExtent)})
+               : worded("%1 mm is unusual for \"%2\" in its name",
+                        {figure(largestExtent), Wording(std::string(kind->first))});
+}
+
 void chooseUnit(SourceFile& file, const std::optional<FileUnit>& stated, double largestExtent) {
     if (stated) {
         file.unit = *stated;
         return;
     }
-    if (file.soup->statedUnit) {
-        file.unit = file.soup->statedUnit->unit;
-        file.unitReason = file.soup->statedUnit->reason;
-        return;
-    }
+    const std::string name = file.path.filename().string();
+    const auto& own = file.soup->statedUnit;
     const UnitGuess guess = guessUnit(largestExtent);
-    file.unit = guess.unit;
-    file.unitReason = guess.reason;
-    file.unitInDoubt = guess.inDoubt;
-    if (guess.inDoubt) {
-        file.problems.push_back(
-            {ErrorCode::UnitGuessed, Subject::file(file.path.filename().string()), guess.reason});
+    file.unit = own ? own->unit : guess.unit;
+    file.unitReason = own ? own->reason : guess.reason;
+    const auto doubt = sizeDoubt(largestExtent * millimetresPer(file.unit), name);
+    file.unitInDoubt = !own && (guess.inDoubt || doubt);
+    if (file.unitInDoubt || doubt) {
+        const Wording reason = doubt ? worded("%1; %2", {file.unitReason, *doubt}) : guess.reason;
+        file.problems.push_back({ErrorCode::UnitGuessed, Subject::file(name), reason});
     }
 }
 

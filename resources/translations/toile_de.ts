@@ -1000,8 +1000,8 @@ veraltet</translation>
         <translation>Öffnen Sie es mit dieser Fassung</translation>
     </message>
     <message>
-        <source>the file states no unit and its size leaves doubt</source>
-        <translation>die Datei nennt keine Einheit, und ihre Größe lässt Zweifel</translation>
+        <source>the size leaves doubt about the unit</source>
+        <translation>die Größe lässt Zweifel an der Einheit</translation>
     </message>
     <message>
         <source>State the unit if the size is wrong</source>

@@ -271,5 +271,38 @@ TEST(ObjReader, FillsUpCornersWithoutUvs) {
     EXPECT_TRUE(readObjSoup(kThreePoints + "f 1 2/2 3\n").cornerUvs.empty());
 }
 
+TEST(ObjReader, AUnitThatAHeaderCommentStatesIsStated) {
+    const std::pair<const char*, double> table[] = {
+        {"# Units: millimetres. +Y up", 1},
+        {"#units=cm", 10},
+        {"# File units = Meters", 1000},
+        {"# 1 unit = 2.54 cm", 25.4},
+        {"# Unit: in", 25.4},
+        {"# This is a mesh file for MakeHuman", 100},
+        {"# For more units in metres, see the community", 0},
+        {"# units: furlongs", 0},
+        {"# unit", 0},
+        {"# Units:", 0},
+        {"# Units: -1 m", 0},
+        {"# Units: nan m", 0}};
+    for (const auto& [comment, millimetres] : table) {
+        const PolygonSoup soup =
+            readObjSoup(std::string("# a garment\n") + comment + "\n" + kThreePoints + "f 1 2 3\n");
+        ASSERT_EQ(soup.statedUnit.has_value(), millimetres > 0) << comment;
+        if (soup.statedUnit) {
+            EXPECT_EQ(millimetresPer(soup.statedUnit->unit), millimetres) << comment;
+        }
+    }
+    // A unit without a name is left to the user.
+    const PolygonSoup poser =
+        readObjSoup("# Scale: Poser (1 unit = 8ft)\n" + kThreePoints + "f 1 2 3\n");
+    EXPECT_FALSE(poser.statedUnit);
+    ASSERT_EQ(poser.problems.size(), 1U);
+    EXPECT_EQ(poser.problems[0].code, ErrorCode::UnitGuessed);
+    EXPECT_NE(poser.problems[0].detail.find("2438.4"), std::string::npos);
+    // Comments among the data are no header.
+    EXPECT_FALSE(readObjSoup(kThreePoints + "# Units: mm\nf 1 2 3\n").statedUnit);
+}
+
 }  // namespace
 }  // namespace toile::test

@@ -56,6 +56,32 @@ TEST(Pipeline, GuessesTheUnitWithAReasonAndAsksWhereInDoubt) {
     EXPECT_NEAR(stated.pieces[0]->mesh.V.maxCoeff(), 200 * 25.4, 1e-9);
 }
 
+TEST(Pipeline, DoubtsASizeThatNoGarmentHasUntilTheUserStatesTheUnit) {
+    const test::TemporaryFolder folder;
+    const struct {
+        const char* name;
+        double metres;
+        bool isUsual;
+    } table[] = {{"shirt.obj", 0.41, true},  {"shirt.obj", 2.3, true}, {"shirt.obj", 2.6, false},
+                 {"shirt.obj", 0.09, false}, {"hat.obj", 0.3, true},   {"fedora_1.obj", 2.6, false},
+                 {"dress.obj", 0.41, false}, {"my tent.obj", 2.5, true}, {"my tent.obj", 0.3, false},
+                 {"that chat.obj", 2, true}};
+    for (const auto& row : table) {
+        SCOPED_TRACE(std::string(row.name) + " " + std::to_string(row.metres));
+        const std::string size = std::to_string(row.metres);
+        const std::string mesh = "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n";
+        for (const char* stated : {"", "# Units: m\n"}) {
+            const Garment garment = load({folder.write(row.name, stated + mesh)}, std::nullopt);
+            const SourceFile& file = *garment.files[0];
+            ASSERT_EQ(file.unit, LengthUnit::Metre);
+            ASSERT_EQ(file.problems.empty(), row.isUsual);
+            EXPECT_EQ(file.unitInDoubt, !row.isUsual && *stated == '\0');
+            EXPECT_TRUE(row.isUsual || file.problems[0].code == ErrorCode::UnitGuessed);
+        }
+        EXPECT_TRUE(load({folder / row.name}, LengthUnit::Metre).files[0]->problems.empty());
+    }
+}
+
 TEST(Pipeline, TellsWhichFileCannotBeRead) {
     const test::TemporaryFolder folder;
     Progress progress;
