@@ -1832,7 +1832,7 @@ veraltet</translation>
         <translation>glTF-Dateien sind in Metern</translation>
     </message>
     <message>
-        <source>glTF files have y up</source>
+        <source>y is up in glTF files</source>
         <translation>in glTF-Dateien zeigt y nach oben</translation>
     </message>
     <message>
@@ -1840,7 +1840,7 @@ veraltet</translation>
         <translation>Collada-Dateien nennen ihre Hochachse; als y gelesen</translation>
     </message>
     <message>
-        <source>3MF files have z up</source>
+        <source>z is up in 3MF files</source>
         <translation>in 3MF-Dateien zeigt z nach oben</translation>
     </message>
     <message>
