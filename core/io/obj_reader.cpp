@@ -107,13 +107,13 @@ private:
         const auto unit = FileUnit::ofMillimetres(millimetres);
         if (unit && unit->named()) {
             soup_.statedUnit =
-                StatedUnit{*unit->named(), worded("stated in a comment of the file")};
+                StatedUnit{*unit->named(), toile::worded("stated in a comment of the file")};
         } else if (unit && notes_.empty()) {
             notes_.push_back(
                 {ErrorCode::UnitGuessed, Subject::file(builder_.name()),
-                 worded("a comment of the file states a unit of %1, which is not used; "
-                        "--unit takes it",
-                        {Wording(unitText(*unit))})});
+                 toile::worded("a comment of the file states a unit of %1, which is not used; "
+                               "--unit takes it",
+                               {Wording(unitText(*unit))})});
         }
     }
 

@@ -896,8 +896,84 @@ veraltet</translation>
 <context>
     <name>toile</name>
     <message>
-        <source>its buffer &quot;%1&quot; does not lie in its folder; export it anew with its files beside it, or as .glb</source>
-        <translation>ihr Puffer „%1“ liegt nicht in ihrem Ordner; exportieren Sie sie neu mit ihren Dateien daneben oder als .glb</translation>
+        <source>a comment of the file states a unit of %1, which is not used; --unit takes it</source>
+        <translation>ein Kommentar der Datei nennt eine Einheit von %1, die nicht verwendet wird; --unit nimmt sie an</translation>
+    </message>
+    <message>
+        <source>a 3MF file whose meshes are in parts of their own, as slicers save projects, is not read</source>
+        <translation>eine 3MF-Datei, deren Netze in eigenen Teilen liegen, wie Slicer Projekte speichern, wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a garment of %1 mm is unusual</source>
+        <translation>ein Kleidungsstück von %1 mm ist ungewöhnlich</translation>
+    </message>
+    <message>
+        <source>stated in a comment of the file</source>
+        <translation>in einem Kommentar der Datei angegeben</translation>
+    </message>
+    <message>
+        <source>it holds %1, not %2 as its ending says</source>
+        <translation>sie enthält %1, nicht %2, wie ihre Endung sagt</translation>
+    </message>
+    <message>
+        <source>a ZIP archive, as 3MF is</source>
+        <translation>ein ZIP-Archiv, wie es 3MF ist</translation>
+    </message>
+    <message>
+        <source>a LightWave scene</source>
+        <translation>eine LightWave-Szene</translation>
+    </message>
+    <message>
+        <source>the library that reads this format crashes on it</source>
+        <translation>die Bibliothek, die dieses Format liest, stürzt an ihr ab</translation>
+    </message>
+    <message>
+        <source>its buffer &quot;%1&quot; is not in its folder; export it again with its files beside it, or as .glb</source>
+        <translation>ihr Puffer „%1“ liegt nicht in ihrem Ordner; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
+    </message>
+    <message>
+        <source>reading it takes more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it is damaged, or places its meshes too often</source>
+        <translation>sie zu lesen braucht mehr als %1 s Rechenzeit oder %2 MB Speicher, zu viel für %3 MB; sie ist beschädigt oder setzt ihre Netze zu oft</translation>
+    </message>
+    <message>
+        <source>it does not begin as %1 does</source>
+        <translation>sie beginnt nicht wie %1</translation>
+    </message>
+    <message>
+        <source>%1 mm is unusual for &quot;%2&quot; in its name</source>
+        <translation>%1 mm ist ungewöhnlich für „%2“ in ihrem Namen</translation>
+    </message>
+    <message>
+        <source>z is up in 3MF files</source>
+        <translation>in 3MF-Dateien ist z oben</translation>
+    </message>
+    <message>
+        <source>it places %1 objects, too much for its size; export the garment alone, without instances</source>
+        <translation>sie setzt %1 Objekte, zu viel für ihre Größe; exportieren Sie das Kleidungsstück allein, ohne Instanzen</translation>
+    </message>
+    <message>
+        <source>the joints of a skin are not found by their names; export the mesh without its rig</source>
+        <translation>die Gelenke eines Skins sind an ihren Namen nicht zu finden; exportieren Sie das Netz ohne sein Rig</translation>
+    </message>
+    <message>
+        <source>it is too large: its meshes are %1 MB unpacked, too much for an archive of %2 MB; unpack it and open the mesh</source>
+        <translation>sie ist zu groß: ihre Netze haben entpackt %1 MB, zu viel für ein Archiv von %2 MB; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>stated in the 3MF file</source>
+        <translation>in der 3MF-Datei angegeben</translation>
+    </message>
+    <message>
+        <source>binary glTF</source>
+        <translation>binäres glTF</translation>
+    </message>
+    <message>
+        <source>it names &quot;%1&quot;, which is not in its folder; export it again with its files beside it, or as .glb</source>
+        <translation>sie nennt „%1“, das nicht in ihrem Ordner liegt; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
+    </message>
+    <message>
+        <source>glTF as text</source>
+        <translation>glTF als Text</translation>
     </message>
     <message>
         <source>its buffer &quot;%1&quot; is no file but a folder, pipe or device; put the file itself there</source>
@@ -1822,10 +1898,6 @@ veraltet</translation>
     <message>
         <source>stated in the FBX file</source>
         <translation>in der FBX-Datei angegeben</translation>
-    </message>
-    <message>
-        <source>the FBX file&apos;s own unit is %1 cm</source>
-        <translation>die Einheit der FBX-Datei ist %1 cm</translation>
     </message>
     <message>
         <source>glTF files are in metres</source>
@@ -2756,10 +2828,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 ist USD in binärer Form; speichern Sie die Datei als .usda</translation>
     </message>
     <message>
-        <source>the library that reads this format does not survive it</source>
-        <translation>die Bibliothek, die dieses Format liest, übersteht sie nicht</translation>
-    </message>
-    <message>
         <source>it is no USD text</source>
         <translation>es ist kein USD-Text</translation>
     </message>
@@ -2798,10 +2866,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 in it is encrypted; unpack it and open the mesh</source>
         <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
-    </message>
-    <message>
-        <source>%1 in it is too large: %2 MB unpacked</source>
-        <translation>%1 darin ist zu groß: %2 MB entpackt</translation>
     </message>
     <message>
         <source>%1 in it cannot be unpacked: %2</source>
