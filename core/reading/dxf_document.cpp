@@ -4,11 +4,20 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/base/text.h"
+#include "core/base/units.h"
+#include "core/reading/dxf_text.h"
 
 namespace toile {
 namespace {
+
+constexpr double kFarthestFactor = 1e9;            // of an INSERT
+constexpr std::size_t kMaxInserted = 200000;       // entities and blocks, with copies
+constexpr int kMaxLevels = 16, kMaxRepeats = 500;  // of blocks in blocks; rows, columns
+constexpr long kFrameVertex = 16;                  // flag of a spline's control point
+constexpr double kUpright = 1e-6;  // how far an extrusion direction may lean off the z axis
 
 std::optional<double> parsedNumber(std::string_view text) {
     text.remove_prefix(!text.empty() && text.front() == '+' ? 1 : 0);
@@ -60,7 +69,15 @@ private:
 /// Builds the document pair by pair: an entity lasts until the next pair of code 0.
 class DocumentBuilder {
 public:
-    void take(const DxfGroup& group) {
+    /// @param decoded  keeps the values that are not as in the file
+    explicit DocumentBuilder(std::shared_ptr<std::deque<std::string>> decoded) {
+        document_.decoded = std::move(decoded);
+    }
+
+    void take(DxfGroup group) {
+        if (group.code > 0 && group.code < 9 && hasDxfEscapes(group.value)) {
+            group.value = document_.decoded->emplace_back(withoutDxfEscapes(group.value));
+        }
         if (group.code == 0) {
             finish();
             begin(group.value);
@@ -111,6 +128,13 @@ private:
 
     void finish() {
         const std::string_view kind = entity_.kind;
+        if (kind == "MTEXT") {
+            for (DxfGroup& group : entity_.groups) {
+                if (group.code == 1 && group.value.find_first_of("\\{}") != std::string::npos) {
+                    group.value = document_.decoded->emplace_back(plainMText(group.value));
+                }
+            }
+        }
         entity_.layer = entity_.text(8);
         if (section_ == "TABLES" && kind == "LAYER" && !entity_.text(2).empty()) {
             const double colour = entity_.number(62).value_or(7);
@@ -130,61 +154,156 @@ private:
 
     void add(std::vector<DxfEntity>& there) {
         if (entity_.kind == "VERTEX" && isInPolyline_) {
-            addVertex(entity_.point());
+            const auto vertex = entity_.point();
+            if (vertex && (flagsOf(entity_) & kFrameVertex) != 0) {
+                frame_.push_back(*vertex);
+            } else if (vertex) {
+                addVertex(*vertex, entity_.number(42).value_or(0));
+            }
             return;
         }
         if (entity_.kind == "SEQEND" || entity_.kind.empty()) {
             return;
         }
-        const auto flags =
-            static_cast<long>(std::clamp(entity_.number(70).value_or(0), 0.0, 65535.0));
         isInPolyline_ = entity_.kind == "POLYLINE";
         if (entity_.kind == "LWPOLYLINE") {
             readLightVertices();
         }
-        entity_.closed = (isInPolyline_ || entity_.kind == "LWPOLYLINE") && (flags & 1) != 0;
+        entity_.closed =
+            (isInPolyline_ || entity_.kind == "LWPOLYLINE") && (flagsOf(entity_) & 1) != 0;
+        readPlane();
         there.push_back(std::move(entity_));
         if (there.back().kind == "LWPOLYLINE") {
             endPolyline(there);
         }
     }
 
-    void addVertex(const std::optional<Eigen::Vector2d>& vertex) {
-        if (vertex) {
-            vertices_.push_back(*vertex);
+    static long flagsOf(const DxfEntity& entity) {
+        return static_cast<long>(std::clamp(entity.number(70).value_or(0), 0.0, 65535.0));
+    }
+
+    /// The plane of the entities that lie in one, by the arbitrary axis algorithm of the DXF
+    /// reference: upside down the x axis is turned round.
+    void readPlane() {
+        static constexpr std::string_view kPlanar[] = {"POLYLINE", "LWPOLYLINE", "ARC",    "CIRCLE",
+                                                       "INSERT",   "TEXT",       "ELLIPSE"};
+        if (std::ranges::find(kPlanar, entity_.kind) == std::end(kPlanar)) {
+            return;
         }
+        const Eigen::Vector3d normal(entity_.number(210).value_or(0),
+                                     entity_.number(220).value_or(0),
+                                     entity_.number(230).value_or(1));
+        if (normal.head<2>().norm() > kUpright * std::abs(normal.z())) {
+            entity_.map.linear().setZero();
+        } else if (normal.z() < 0 && entity_.kind != "ELLIPSE") {  // its axes are the drawing's
+            entity_.map.linear()(0, 0) = -1;
+        }
+    }
+
+    void addVertex(const Eigen::Vector2d& vertex, double bulge) {
+        vertices_.push_back(vertex);
+        bulges_.push_back(bulge);
     }
 
     void readLightVertices() {
         double x = std::nan("");
+        bool isVertex = false;  // the last place was one; a bulge belongs to it
         for (const DxfGroup& group : entity_.groups) {
             if (group.code == 10) {
                 x = group.number().value_or(std::nan(""));
-            } else if (group.code == 20 && std::isfinite(x)) {
-                if (const auto y = group.number()) {
-                    addVertex(Eigen::Vector2d(x, *y));
+            } else if (group.code == 20) {
+                const auto y = group.number();
+                isVertex = y && std::isfinite(x);
+                if (isVertex) {
+                    addVertex(Eigen::Vector2d(x, *y), 0);
                 }
                 x = std::nan("");
+            } else if (group.code == 42 && isVertex) {
+                bulges_.back() = group.number().value_or(0);
             }
         }
+    }
+
+    static Points2 taken(std::vector<Eigen::Vector2d>& vertices) {
+        Points2 points(static_cast<Eigen::Index>(vertices.size()), 2);
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            points.row(static_cast<Eigen::Index>(k)) = vertices[k].transpose();
+        }
+        vertices.clear();
+        return points;
     }
 
     /// The polyline before has all its vertices.
     void endPolyline(std::vector<DxfEntity>& there) {
         isInPolyline_ = false;
-        Points2& points = there.back().points;
-        points.resize(static_cast<Eigen::Index>(vertices_.size()), 2);
-        for (std::size_t k = 0; k < vertices_.size(); ++k) {
-            points.row(static_cast<Eigen::Index>(k)) = vertices_[k].transpose();
-        }
-        vertices_.clear();
+        there.back().points = taken(vertices_);
+        there.back().frame = taken(frame_);
+        there.back().bulges = std::exchange(bulges_, {});
     }
 
     DxfDocument document_;
     DxfEntity entity_{};
-    std::vector<Eigen::Vector2d> vertices_;
+    std::vector<Eigen::Vector2d> vertices_, frame_;
+    std::vector<double> bulges_;
     std::string_view section_, variable_;
     bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false;
+};
+
+/// Copies entities with their inserted blocks, level by level.
+class BlockInserter {
+public:
+    explicit BlockInserter(const DxfDocument& document) {
+        for (const DxfBlock& block : document.blocks) {
+            blocks_.emplace(block.name, &block);
+        }
+    }
+
+    void add(const std::vector<DxfEntity>& entities, const Eigen::Affine2d& map,
+             std::string_view layer, int level) {
+        for (const DxfEntity& entity : entities) {
+            const auto block =
+                entity.kind == "INSERT" ? blocks_.find(entity.text(2)) : blocks_.end();
+            const std::string_view own =
+                entity.layer == "0" && !layer.empty() ? layer : entity.layer;
+            const auto place = [&] {
+                placed_.push_back(entity);
+                placed_.back().map = map * entity.map;
+                placed_.back().layer = own;
+            };
+            if (block == blocks_.end() || level >= kMaxLevels || isFull()) {
+                place();
+                continue;
+            }
+            const Eigen::Affine2d inserted = insertionOf(*block->second, entity);
+            const double turn = std::fmod(entity.number(50).value_or(0), 360.0) * kDegree;
+            const auto repeats = [&entity](int code) {
+                return std::clamp(entity.number(code).value_or(1), 1.0, 1.0 * kMaxRepeats);
+            };
+            for (int row = 0; row < repeats(71) && !isFull(); ++row) {
+                for (int column = 0; column < repeats(70) && !isFull(); ++column) {
+                    ++inserted_;
+                    const Eigen::Vector2d step(column * entity.number(44).value_or(0),
+                                               row * entity.number(45).value_or(0));
+                    const Eigen::Vector2d moved =
+                        entity.map.linear() * (Eigen::Rotation2Dd(turn) * step);
+                    add(block->second->entities, map * Eigen::Translation2d(moved) * inserted, own,
+                        level + 1);
+                }
+            }
+            if (isFull()) {
+                place();  // some of it is left out
+            }
+        }
+    }
+
+    std::vector<DxfEntity> taken() { return std::move(placed_); }
+
+private:
+    bool isFull() const { return placed_.size() + inserted_ >= kMaxInserted; }
+
+    std::map<std::string_view, const DxfBlock*> blocks_;
+    std::vector<DxfEntity> placed_;
+    std::size_t inserted_ = 0;
 };
 
 Error malformedDxf(const std::string& what) {
@@ -212,6 +331,24 @@ std::optional<Eigen::Vector2d> DxfEntity::point(int first) const {
     return x && y ? std::optional(Eigen::Vector2d(*x, *y)) : std::nullopt;
 }
 
+Eigen::Affine2d insertionOf(const DxfBlock& block, const DxfEntity& insert) {
+    const auto factor = [&insert](int code) {
+        const double value = insert.number(code).value_or(1);
+        return value != 0 && std::abs(value) < kFarthestFactor ? value : 1;
+    };
+    const double turn = std::fmod(insert.number(50).value_or(0), 360.0) * kDegree;
+    return insert.map * Eigen::Translation2d(insert.point().value_or(Eigen::Vector2d(0, 0))) *
+           Eigen::Rotation2Dd(turn) * Eigen::Scaling(factor(41), factor(42)) *
+           Eigen::Translation2d(-block.base);
+}
+
+std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
+                                          const std::vector<DxfEntity>& entities) {
+    BlockInserter inserter(document);
+    inserter.add(entities, Eigen::Affine2d::Identity(), {}, 0);
+    return inserter.taken();
+}
+
 Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     constexpr std::string_view kBinary = "AutoCAD Binary DXF";
     if (bytes.starts_with(kBinary)) {
@@ -221,8 +358,13 @@ Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     if (bytes.starts_with(kByteOrderMark)) {
         bytes.remove_prefix(kByteOrderMark.size());
     }
+    const auto decoded = std::make_shared<std::deque<std::string>>();
+    std::vector<Wording> notes;
+    if (auto text = decodedDxf(bytes, notes)) {
+        bytes = decoded->emplace_back(std::move(*text));
+    }
     Groups groups(bytes);
-    DocumentBuilder builder;
+    DocumentBuilder builder(decoded);
     bool hasSections = false;
     while (const auto group = groups.next()) {
         hasSections |= group->code == 0 && group->value == "SECTION";
@@ -233,6 +375,7 @@ Result<DxfDocument> readDxfDocument(std::string_view bytes) {
                             (groups.fault() ? " is no group code" : ": it has no sections"));
     }
     DxfDocument document = builder.taken();
+    document.notes = std::move(notes);
     if (document.blocks.empty() && document.entities.empty()) {
         return malformedDxf("it has neither blocks nor entities");
     }

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <deque>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "core/base/result.h"
+#include "core/base/wording.h"
 #include "core/mesh/mesh_arrays.h"
 
 namespace toile {
@@ -17,7 +22,7 @@ namespace toile {
 /// A group code and its value, without blanks around it.
 struct DxfGroup {
     int code = 0;
-    std::string_view value{};  ///< of the bytes read
+    std::string_view value{};  ///< UTF-8, without escapes such as \U+00E9 or %%d
 
     std::optional<double> number() const;
 };
@@ -26,8 +31,13 @@ struct DxfEntity {
     std::string_view kind{};   ///< "POLYLINE", "TEXT"
     std::string_view layer{};  ///< empty where none is named
     std::vector<DxfGroup> groups{};
-    Points2 points = Points2(0, 2);  ///< of POLYLINE and LWPOLYLINE
-    bool closed = false;             ///< likewise
+    Points2 points = Points2(0, 2);  ///< vertices of POLYLINE and LWPOLYLINE
+    std::vector<double> bulges{};    ///< of the edge after each vertex, tan(angle / 4) of its arc
+    Points2 frame = Points2(0, 2);   ///< control points of a spline-fit POLYLINE
+    bool closed = false;             ///< of POLYLINE and LWPOLYLINE
+    /// From the entity's coordinates to those of the drawing, or of its block: by its extrusion
+    /// direction and the blocks it is inserted with. Zero if it lies in a tilted plane.
+    Eigen::Affine2d map = Eigen::Affine2d::Identity();
 
     /// The first group with this code.
     std::optional<double> number(int code) const;
@@ -42,16 +52,28 @@ struct DxfBlock {
     std::vector<DxfEntity> entities{};
 };
 
-/// Refers to the bytes that were read.
+/// Refers to the bytes that were read, and to `decoded`.
 struct DxfDocument {
     /// By "$NAME": the groups of each variable.
     std::map<std::string_view, std::vector<DxfGroup>> header{};
     std::map<std::string_view, int> layers{};  ///< of the LAYER table: name to colour
     std::vector<DxfBlock> blocks{};
     std::vector<DxfEntity> entities{};
-    bool hasEnd = false;  ///< EOF
+    bool hasEnd = false;           ///< EOF
+    std::vector<Wording> notes{};  ///< on the code page
+    std::shared_ptr<std::deque<std::string>> decoded{};
 };
 
+/// The entities with every INSERT replaced by the entities of its block, copied to their place; on
+/// layer 0 they take the layer of the INSERT. An INSERT of an unknown block stays, and so do those
+/// beyond 200 000 entities or 16 levels. Pure.
+std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
+                                          const std::vector<DxfEntity>& entities);
+
+/// From the coordinates of a block to those of the drawing it is inserted in. Pure.
+Eigen::Affine2d insertionOf(const DxfBlock& block, const DxfEntity& insert);
+
+/// Text is read as UTF-8 if it is valid UTF-8, else by $DWGCODEPAGE; a note says if neither helps.
 /// @param bytes  must outlive the document
 /// Errors: MalformedFile with the line (no pairs of code and value, a binary file, no ENTITIES and
 /// no BLOCKS). Vertices that are no finite numbers are left out. Cost: linear. Pure.

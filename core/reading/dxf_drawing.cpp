@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
+#include "core/reading/dxf_curve.h"
 
 namespace toile {
 namespace {
@@ -25,17 +26,13 @@ void addSaid(DxfGroupOfEntities& group, std::string_view text) {
 }
 
 void addEntity(DxfGroupOfEntities& group, const DxfEntity& entity, double unit) {
-    if (entity.kind == "POLYLINE" || entity.kind == "LWPOLYLINE") {
-        group.polylines.push_back({entity.layer, entity.points * unit, entity.closed});
+    if (auto line = dxfCurve(entity, unit)) {
+        (entity.kind == "LINE" ? group.lines : group.polylines)
+            .push_back({entity.layer, line->points * unit, line->closed});
     } else if (entity.kind == "TEXT") {
         addSaid(group, entity.text(1));
     } else if (const auto point = entity.point(); !point) {
         return;
-    } else if (entity.kind == "LINE") {
-        if (const auto end = entity.point(11)) {
-            const Points2 both = (Points2(2, 2) << point->transpose(), end->transpose()).finished();
-            group.lines.push_back({entity.layer, both * unit, false});
-        }
     } else if (entity.kind == "POINT") {
         group.records.push_back({entity.layer, *point * unit, scaled(entity.number(30), unit),
                                  scaled(entity.number(39), unit),

@@ -32,7 +32,7 @@ struct DxfRecord {
 /// What lies in a block, or on the page.
 struct DxfGroupOfEntities {
     std::string_view name{};           ///< of the block
-    std::vector<DxfLine> polylines{};  ///< in their order
+    std::vector<DxfLine> polylines{};  ///< and curves, in their order
     std::vector<DxfLine> lines{};      ///< LINE: two points
     std::vector<DxfRecord> records{};
     std::vector<std::string_view> texts{};

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/geometry/polygon.h"
+#include "core/reading/dxf_curve.h"
 #include "core/reading/dxf_document.h"
 #include "core/reading/dxf_piece.h"
 #include "core/reading/dxf_unit.h"
@@ -15,29 +20,23 @@
 namespace toile {
 namespace {
 
-constexpr double kFarthestFactor = 1e9;      // of an INSERT
 constexpr std::size_t kMostOutlines = 2000;  // of a drawing without blocks
-constexpr double kMostWork = 5e8;  // points looked at to find in which piece things of it lie
+constexpr double kMostWork = 5e8;    // points looked at to find in which piece things of it lie
+constexpr double kRectangle = 0.98;  // of its box: what fills so much of it is one
+constexpr double kSideNear = 1e-3;   // of a border's size: how near the sides of a title block are
+constexpr double kMostHoles = 0.2;   // of a piece's area
+constexpr double kLargeHole = 0.03;  // likewise: no piece has two of them
 
 /// A block as it is placed: by the first INSERT of it, or as it stands.
 DxfPlace placeOf(const DxfBlock& block, const DxfEntity* insert, double unit) {
     DxfPlace place;
     place.scale = unit;
     place.map.linear() *= unit;
-    if (!insert) {
-        return place;
+    if (insert) {
+        const Eigen::Affine2d map = insertionOf(block, *insert);
+        place.map = place.map * map;
+        place.scale *= map.linear().col(0).norm();
     }
-    const auto factor = [insert](int code) {
-        const double value = insert->number(code).value_or(1);
-        return value != 0 && std::abs(value) < kFarthestFactor ? value : 1;
-    };
-    const double turn = std::fmod(insert->number(50).value_or(0), 360.0) * kDegree;
-    const Eigen::Matrix2d linear = Eigen::Rotation2Dd(turn).toRotationMatrix() *
-                                   Eigen::Vector2d(factor(41), factor(42)).asDiagonal();
-    place.map.linear() = unit * linear;
-    place.map.translation() =
-        unit * (insert->point().value_or(Eigen::Vector2d(0, 0)) - linear * block.base);
-    place.scale = unit * std::abs(factor(41));
     return place;
 }
 
@@ -80,34 +79,6 @@ std::string nameOfBlock(const std::string& block, const std::string& size) {
     return block;
 }
 
-std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document, double unit,
-                                      std::vector<Wording>& notes) {
-    std::map<std::string_view, const DxfEntity*> inserts;
-    for (const DxfEntity& entity : document.entities) {
-        if (entity.kind == "INSERT") {
-            inserts.emplace(entity.text(2), &entity);
-        }
-    }
-    std::vector<FilePiece> pieces;
-    for (const DxfBlock& block : document.blocks) {
-        if (block.name.starts_with('*') || block.name.starts_with('$')) {
-            continue;  // of the drawing itself
-        }
-        const auto insert = inserts.find(block.name);
-        FilePiece piece = dxfPiece(
-            block.entities,
-            placeOf(block, insert == inserts.end() ? nullptr : insert->second, unit), notes);
-        piece.id = readableName(block.name);
-        piece.name = piece.name.empty() ? nameOfBlock(piece.id, piece.size) : piece.name;
-        if (const Wording fault = faultOf(piece); !fault.empty()) {
-            notes.push_back(worded("%1 is left out: %2", {Wording(piece.id), fault}));
-            continue;
-        }
-        pieces.push_back(std::move(piece));
-    }
-    return pieces;
-}
-
 /// What one size says of a piece holds for the others that say nothing.
 void shareTexts(std::vector<FilePiece>& pieces) {
     std::map<std::string, const FilePiece*> told;
@@ -128,28 +99,151 @@ void shareTexts(std::vector<FilePiece>& pieces) {
     }
 }
 
+bool isText(const DxfEntity& entity) {
+    return entity.kind == "TEXT" || entity.kind == "MTEXT";
+}
+
+/// A closed line of a drawing.
+struct DrawnOutline {
+    Points2 points = Points2(0, 2);  ///< anti-clockwise
+    std::string_view layer{};
+    double area = 0;
+    Eigen::AlignedBox2d box{};
+
+    DrawnOutline(Points2 line, std::string_view onLayer)
+        : points(std::move(line)),
+          layer(onLayer),
+          area(geometry::signedAreaOf(points)),
+          box(geometry::boxAround(points)) {}
+
+    bool isRectangle() const { return area > kRectangle * box.volume(); }
+    bool holds(const DrawnOutline& other) const {
+        return box.contains(other.box) &&
+               geometry::isInside(points, other.points.colwise().mean().transpose());
+    }
+    /// How many of its sides lie on those of another.
+    int sidesOn(const DrawnOutline& other) const {
+        const double near = kSideNear * other.box.diagonal().norm();
+        return static_cast<int>(((box.min() - other.box.min()).array().abs() < near).count() +
+                                ((box.max() - other.box.max()).array().abs() < near).count());
+    }
+};
+
+/// Whether the first and largest of some lines is the border of the sheet that the others are
+/// drawn on, and no piece with holes: a rectangle that holds all of them, where there are lines or
+/// texts in one of them, or there are several that are too large for holes.
+/// @param texts  where they are
+bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vector2d>& texts) {
+    constexpr std::size_t kMaxCompared = 200;
+    const DrawnOutline& outer = lines.front();
+    if (lines.size() < 2 || !outer.isRectangle()) {
+        return false;
+    }
+    double held = 0;
+    int large = 0, side = 0;
+    bool isAlone = true, isNested = false;
+    for (std::size_t k = 1; k < lines.size(); ++k) {
+        if (!outer.holds(lines[k])) {
+            return false;
+        }
+        isAlone = isAlone && lines[k].layer != outer.layer;
+        bool isInner = false;
+        for (std::size_t other = 1; other < std::min(k, kMaxCompared) && k < kMaxCompared;
+             ++other) {
+            isInner = isInner || lines[other].holds(lines[k]);
+        }
+        isNested = isNested || isInner ||
+                   (k < kMaxCompared && std::ranges::any_of(texts, [&](const Eigen::Vector2d& at) {
+                        return lines[k].box.contains(at) && geometry::isInside(lines[k].points, at);
+                    }));
+        side += isInner ? 0 : 1;
+        held += isInner ? 0 : lines[k].area;
+        large += lines[k].area > kLargeHole * outer.area ? 1 : 0;
+    }
+    const bool areLarge = held > kMostHoles * outer.area || large > 1 || (isAlone && large > 0);
+    return isNested || (side > 1 && areLarge);
+}
+
+/// Takes the borders of a sheet away, and rectangles on their layer or in their corners.
+/// @param lines  largest first
+void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vector2d>& texts,
+                 std::vector<Wording>& notes) {
+    while (!lines.empty() && hasBorder(lines, texts)) {
+        const DrawnOutline border = lines.front();
+        const bool isOwnLayer = std::ranges::all_of(lines, [&border](const DrawnOutline& line) {
+            return line.layer != border.layer || line.isRectangle();
+        });
+        std::vector<DrawnOutline> rest;
+        std::copy_if(
+            lines.begin() + 1, lines.end(), std::back_inserter(rest),
+            [&](const DrawnOutline& line) {
+                return !line.isRectangle() ||
+                       (line.sidesOn(border) < 2 && !(isOwnLayer && line.layer == border.layer));
+            });
+        if (rest.empty()) {
+            rest.assign(lines.begin() + 1, lines.end());  // rectangles are all there is
+        }
+        notes.push_back(
+            worded("the border of the sheet is left out: %1 on layer \"%2\"",
+                   {countWording(static_cast<long long>(lines.size() - rest.size()), "rectangle"),
+                    Wording(readableName(border.layer))}));
+        lines = std::move(rest);
+    }
+}
+
+/// Says of pieces with large holes that these may be pieces.
+void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& notes) {
+    constexpr double kLeastDoubt = 0.002;  // of a rectangle: a larger hole may be a small piece
+    for (const FilePiece& piece : pieces) {
+        const DrawnOutline outer(outlineOf(piece), {});
+        double held = 0, largest = 0;
+        for (const Points2& hole : piece.holes) {
+            const double area = std::abs(geometry::signedAreaOf(hole));
+            held += area;
+            largest = std::max(largest, area);
+        }
+        if (held > kMostHoles * outer.area ||
+            (outer.isRectangle() && largest > kLeastDoubt * outer.area)) {
+            notes.push_back(
+                worded("in doubt: %1 has %2, which take %3 % of it; if they are pieces, take the "
+                       "line around them out of the drawing",
+                       {Wording(piece.name),
+                        countWording(static_cast<long long>(piece.holes.size()), "hole"),
+                        figure(100 * held / outer.area, 1)}));
+        }
+    }
+}
+
 /// A drawing: outer lines are pieces, what lies in one belongs to it.
 class DrawingPieces {
 public:
-    DrawingPieces(const DxfDocument& document, double unit) : document_(document) {
-        place_.scale = unit;
-        place_.map.linear() *= unit;
-    }
+    DrawingPieces(const std::vector<DxfEntity>& entities, const DxfPlace& place,
+                  std::vector<Wording>& notes)
+        : entities_(entities), place_(place), notes_(notes) {}
 
     std::vector<FilePiece> taken() {
         addOutlines(DxfRole::Cut);
         addOutlines(DxfRole::Sew);
+        std::set<DxfRole> unread{DxfRole::Text,    DxfRole::Fold,         DxfRole::FineCut,
+                                 DxfRole::FineSew, DxfRole::FineInternal, DxfRole::FineCutOut};
         if (pieces_.empty()) {
             addOutlines(DxfRole::Other);  // names that say nothing
+        } else {
+            unread.insert(DxfRole::Other);
         }
-        for (const DxfEntity& entity : document_.entities) {
-            addEntity(entity);
+        addOutlines(DxfRole::CutOut);
+        DxfLeftOut left;
+        left.addUnread(entities_, unread);
+        for (const DxfEntity& entity : entities_) {
+            addEntity(entity, left);
         }
+        left.tell(notes_);
         for (std::size_t k = 0; k < pieces_.size(); ++k) {
             if (pieces_[k].name.empty()) {
                 pieces_[k].name = "piece " + std::to_string(k + 1);
             }
         }
+        doubtHoles(pieces_, notes_);
         return std::move(pieces_);
     }
 
@@ -170,58 +264,86 @@ private:
 
     /// Largest first, so that what is inside comes after what it is in.
     void addOutlines(DxfRole role) {
-        std::vector<Points2> closed;
-        for (const FileLine& line : dxfLines(document_.entities, role, place_)) {
+        std::vector<DrawnOutline> closed;
+        DxfLayersAt layers;
+        long long open = 0, beside = 0;
+        for (const FileLine& line : dxfLines(entities_, role, place_, &layers)) {
             if (line.closed && line.points.rows() > 2) {
-                closed.push_back(geometry::antiClockwise(line.points));
+                closed.emplace_back(geometry::antiClockwise(line.points),
+                                    layers[{line.points(0, 0), line.points(0, 1)}]);
+            } else {
+                ++open;
             }
         }
-        std::ranges::stable_sort(closed, [](const Points2& a, const Points2& b) {
-            return geometry::signedAreaOf(a) > geometry::signedAreaOf(b);
-        });
-        for (const Points2& line : closed) {
+        std::ranges::stable_sort(closed, std::greater{}, &DrawnOutline::area);
+        std::vector<Eigen::Vector2d> texts;
+        for (const DxfEntity& entity : entities_) {
+            if (const auto at = isText(entity) ? entity.point() : std::nullopt) {
+                texts.push_back(placedPoint(entity, *at, place_));
+            }
+        }
+        if (role != DxfRole::CutOut) {
+            takeBorders(closed, texts, notes_);
+        }
+        for (const DrawnOutline& outline : closed) {
+            const Points2& line = outline.points;
             FilePiece* const outer = around(line.row(0).transpose());
             if (outer && role == DxfRole::Sew && outer->sew.rows() == 0) {
                 outer->sew = line;
             } else if (outer) {
                 outer->holes.emplace_back(line.colwise().reverse());
-            } else if (pieces_.size() < kMostOutlines) {
+            } else if (pieces_.size() < kMostOutlines && role != DxfRole::CutOut) {
                 FilePiece& piece = pieces_.emplace_back();
                 (role == DxfRole::Sew ? piece.sew : piece.cut) = line;
-                boxes_.push_back(boxOfOutline(piece));
+                boxes_.push_back(outline.box);
+            } else {
+                ++beside;
             }
+        }
+        if (open > 0) {
+            notes_.push_back(toile::worded("left out, since they do not close: %1",
+                                           {countWording(open, "line")}));
+        }
+        if (beside > 0) {
+            notes_.push_back(toile::worded(
+                "left out, since they are in no piece or beyond the largest %2 outlines: %1",
+                {countWording(beside, "closed line"), figure(1.0 * kMostOutlines)}));
         }
     }
 
     /// By which it is in a piece.
-    static std::optional<Eigen::Vector2d> placeOf(const DxfEntity& entity, DxfRole role) {
-        if (entity.points.rows() == 0) {
-            const bool isText = entity.kind == "TEXT" || entity.kind == "MTEXT";
-            return entity.point(isText && entity.point(11) ? 11 : 10);
+    std::optional<Eigen::Vector2d> placeOf(const DxfEntity& entity, DxfRole role) const {
+        const auto line = isText(entity) ? std::nullopt : dxfCurve(entity, place_.scale);
+        if (!line) {
+            const auto point = entity.point(isText(entity) && entity.point(11) ? 11 : 10);
+            return point ? std::optional(placedPoint(entity, *point, place_)) : std::nullopt;
         }
         if (role == DxfRole::Cut || role == DxfRole::Sew) {
-            return entity.points.colwise().mean().transpose();  // its points are on the edge
+            return place_.map * Eigen::Vector2d(line->points.colwise().mean().transpose());
         }
-        return entity.points.row(0).transpose();
+        return place_.map * Eigen::Vector2d(line->points.row(0).transpose());
     }
 
-    void addEntity(const DxfEntity& entity) {
+    void addEntity(const DxfEntity& entity, DxfLeftOut& left) {
         const DxfRole role = dxfRole(entity.layer);
         const std::vector<DxfEntity> alone{entity};
         std::vector<Wording> ignored;
-        const bool isText = entity.kind == "TEXT" || entity.kind == "MTEXT";
+        const bool isDetail = role == DxfRole::Internal || role == DxfRole::Notch ||
+                              role == DxfRole::Drill || role == DxfRole::Grain;
         FilePiece inside;
-        if (!isText && (role == DxfRole::Internal || role == DxfRole::Notch ||
-                        role == DxfRole::Drill || role == DxfRole::Grain)) {
+        if (!isText(entity) && isDetail) {
             inside = dxfPiece(alone, place_, ignored);
         }
         const auto first = placeOf(entity, role);
-        FilePiece* const piece = first ? around(place_.map * *first) : nullptr;
+        FilePiece* const piece = first ? around(*first) : nullptr;
         if (!piece) {
+            if (!isText(entity) && isDetail) {
+                left.add(DxfLeftOut::InNoPiece, entity);
+            }
             return;
         }
         ++piece->layers[readableName(entity.layer)];
-        if (isText && role == DxfRole::Text && piece->name.empty()) {
+        if (isText(entity) && role == DxfRole::Text && piece->name.empty()) {
             piece->name = readableName(entity.text(1));
         }
         std::ranges::move(inside.internals, std::back_inserter(piece->internals));
@@ -230,12 +352,130 @@ private:
         piece->grain = piece->grain ? piece->grain : inside.grain;
     }
 
-    const DxfDocument& document_;
-    DxfPlace place_{};
+    const std::vector<DxfEntity>& entities_;
+    DxfPlace place_;
+    std::vector<Wording>& notes_;
     double work_ = 0;
     std::vector<FilePiece> pieces_;
     std::vector<Eigen::AlignedBox2d> boxes_;
 };
+
+/// Blocks of the drawing itself, such as layouts and dimensions, are no pieces.
+bool isOfDrawing(const DxfBlock& block) {
+    return block.name.starts_with('*') || block.name.starts_with('$');
+}
+
+/// Whether a block without a name holds pieces on a sheet, and is none itself.
+bool isSheet(const FilePiece& piece) {
+    if (!piece.name.empty() || outlineOf(piece).rows() < 3) {
+        return false;
+    }
+    std::vector<DrawnOutline> lines{{outlineOf(piece), {}}};
+    for (const Points2& hole : piece.holes) {
+        lines.emplace_back(geometry::antiClockwise(hole), std::string_view());
+    }
+    std::ranges::stable_sort(lines, std::greater{}, &DrawnOutline::area);
+    return hasBorder(lines, {});
+}
+
+/// @param page  what lies outside of blocks, with its INSERTs as they are
+std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document,
+                                      const std::vector<DxfEntity>& page, double unit,
+                                      std::vector<Wording>& notes) {
+    DxfLeftOut left;
+    std::map<std::string_view, const DxfEntity*> inserts;
+    std::set<std::string_view> known;
+    for (const DxfBlock& block : document.blocks) {
+        if (!isOfDrawing(block)) {
+            known.insert(block.name);
+        }
+    }
+    for (const DxfEntity& entity : page) {
+        if (entity.kind == "INSERT" && known.contains(entity.text(2))) {
+            if (!inserts.emplace(entity.text(2), &entity).second) {
+                notes.push_back(worded("%1 is inserted more than once; it is read once",
+                                       {readableName(entity.text(2))}));
+            }
+        } else if (!isText(entity)) {
+            left.add(DxfLeftOut::InNoPiece, entity);
+        }
+    }
+    std::vector<FilePiece> pieces;
+    for (const DxfBlock& block : document.blocks) {
+        if (isOfDrawing(block)) {
+            continue;
+        }
+        const auto insert = inserts.find(block.name);
+        const DxfPlace place =
+            placeOf(block, insert == inserts.end() ? nullptr : insert->second, unit);
+        const std::vector<DxfEntity> entities = withBlocksInserted(document, block.entities);
+        std::vector<Wording> own;
+        FilePiece piece = dxfPiece(entities, place, own);
+        piece.id = readableName(block.name);
+        if (isSheet(piece)) {
+            own.clear();
+            for (FilePiece& part : DrawingPieces(entities, place, own).taken()) {
+                part.id = piece.id + " " + part.name;
+                pieces.push_back(std::move(part));
+            }
+            std::ranges::move(own, std::back_inserter(notes));
+            continue;
+        }
+        std::ranges::move(own, std::back_inserter(notes));
+        left.addUnread(entities, {DxfRole::Other, DxfRole::Text});
+        piece.name = piece.name.empty() ? nameOfBlock(piece.id, piece.size) : piece.name;
+        if (const Wording fault = faultOf(piece); !fault.empty()) {
+            notes.push_back(worded("%1 is left out: %2", {Wording(piece.id), fault}));
+            continue;
+        }
+        pieces.push_back(std::move(piece));
+    }
+    if (!pieces.empty()) {
+        left.tell(notes);
+        doubtHoles(pieces, notes);
+    }
+    return pieces;
+}
+
+/// Blocks are pieces if one of them has a name or details of a piece, or if nothing else could be;
+/// else what they hold belongs to the drawing.
+std::vector<FilePiece> piecesOf(const DxfDocument& document, double unit,
+                                std::vector<Wording>& notes) {
+    DxfPlace place;
+    place.scale = unit;
+    place.map.linear() *= unit;
+    std::vector<DxfEntity> page = document.entities;
+    std::erase_if(page, [](const DxfEntity& entity) { return entity.number(67) == 1; });
+    const auto hasOutline = [&](DxfRole role) {
+        return std::ranges::any_of(dxfLines(page, role, place), &FileLine::closed);
+    };
+    const auto isDetail = [](const DxfEntity& entity) {
+        const DxfRole role = dxfRole(entity.layer);
+        return role == DxfRole::Sew || role == DxfRole::Notch || role == DxfRole::Grain ||
+               role == DxfRole::Fold;
+    };
+    const bool arePieces = std::ranges::any_of(document.blocks, [&](const DxfBlock& block) {
+        return !isOfDrawing(block) && (dxfFields(block.entities).contains("piece name") ||
+                                       std::ranges::any_of(block.entities, isDetail));
+    });
+    std::vector<Wording> own;
+    std::vector<FilePiece> pieces;
+    if (arePieces ||
+        !(hasOutline(DxfRole::Cut) || hasOutline(DxfRole::Sew) || hasOutline(DxfRole::Other))) {
+        pieces = piecesOfBlocks(document, page, unit, own);
+    }
+    if (pieces.empty()) {
+        own.clear();
+        const std::vector<DxfEntity> entities = withBlocksInserted(document, page);
+        pieces = DrawingPieces(entities, place, own).taken();
+    }
+    if (const auto paper = document.entities.size() - page.size(); paper > 0) {
+        own.push_back(worded("left out, since they lie on the printed sheet (paper space): %1",
+                             {std::to_string(paper)}));
+    }
+    std::ranges::move(own, std::back_inserter(notes));
+    return pieces;
+}
 
 std::string styleField(const DxfFields& fields, const char* key) {
     const auto found = fields.find(key);
@@ -258,9 +498,9 @@ Wording formatOf(const DxfDocument& document, const DxfFields& fields) {
         }
     }
     const bool hasQuality = layers.contains("84");
-    const std::string standard = document.blocks.empty() ? "drawing"
-                                 : isAstm || hasQuality  ? "ASTM"
-                                                         : "AAMA";
+    const std::string standard = std::ranges::all_of(document.blocks, isOfDrawing) ? "drawing"
+                                 : isAstm || hasQuality                            ? "ASTM"
+                                                                                   : "AAMA";
     const std::string who = names("accumark") || names("gerber") ? "AccuMark"
                             : names("clo ") || names("clo virtual") || names("marvelous") ? "CLO"
                             : names("optitex") ? "Optitex"
@@ -278,11 +518,8 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
         return document.error();
     }
     const DxfFields fields = dxfFields(document->entities);
-    const auto read = [&document](double unit, std::vector<Wording>& notes) {
-        std::vector<FilePiece> pieces = piecesOfBlocks(*document, unit, notes);
-        return pieces.empty() ? DrawingPieces(*document, unit).taken() : std::move(pieces);
-    };
     PatternFile file;
+    file.notes = document->notes;
     file.format = formatOf(*document, fields);
     std::vector<Wording> ignored;
     if (stated) {
@@ -290,13 +527,13 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
     } else {
         // How near ends must be is said in mm: what is found of the size in the file's own unit
         // does not hang on it.
-        const DxfUnit found =
-            dxfUnit(*document, styleField(fields, "units"), extentOf(read(1, ignored)));
+        const DxfUnit found = dxfUnit(*document, styleField(fields, "units"),
+                                      extentOf(piecesOf(*document, 1, ignored)));
         file.unit = found.unit;
         file.unitReason = found.reason;
         file.unitInDoubt = found.inDoubt;
     }
-    file.pieces = read(millimetresPer(file.unit), file.notes);
+    file.pieces = piecesOf(*document, millimetresPer(file.unit), file.notes);
     std::erase_if(file.pieces, [](const FilePiece& piece) { return !faultOf(piece).empty(); });
     if (file.pieces.empty()) {
         return Error{ErrorCode::NoGeometry,

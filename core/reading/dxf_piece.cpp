@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "core/base/characters.h"
@@ -11,6 +12,7 @@
 #include "core/base/words.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
+#include "core/reading/dxf_curve.h"
 #include "core/reading/joined_lines.h"
 
 namespace toile {
@@ -34,6 +36,7 @@ constexpr Word<DxfRole> kNumbers[] = {
     {DxfRole::Notch, "notches"},   {DxfRole::Notch, "notch"},   {DxfRole::Internal, "internal"},
     {DxfRole::Text, "text"},       {DxfRole::Drill, "drill"},   {DxfRole::Fold, "fold"},
     {DxfRole::Cut, "outline"},     {DxfRole::Cut, "boundary"},  {DxfRole::Sew, "seam"},
+    {DxfRole::Known, "2"},         {DxfRole::Known, "3"},       {DxfRole::Known, "check"},
 };
 
 std::string trimmedLower(std::string_view text) {
@@ -56,19 +59,12 @@ Eigen::AlignedBox2d boxOf(const Points2& points) {
 }
 
 std::optional<FileLine> lineOf(const DxfEntity& entity, const DxfPlace& place) {
-    FileLine line;
-    if (entity.kind == "POLYLINE" || entity.kind == "LWPOLYLINE") {
-        line = {placed(entity.points, place), entity.closed};
-    } else if (entity.kind == "LINE") {
-        const auto from = entity.point(10), to = entity.point(11);
-        if (from && to) {
-            line.points.resize(2, 2);
-            line.points << (place.map * *from).transpose(), (place.map * *to).transpose();
-        }
+    auto line = dxfCurve(entity, place.map.linear().norm());
+    if (line) {
+        line->points = placed(line->points, place);
     }
-    const bool isLine =
-        line.points.rows() > 1 && (line.points.array().abs() < kFarthestPlace).all();
-    return isLine ? std::optional(std::move(line)) : std::nullopt;
+    const bool isLine = line && (line->points.array().abs() < kFarthestPlace).all();
+    return isLine ? std::move(line) : std::nullopt;
 }
 
 std::vector<Points2> closedOf(const std::vector<FileLine>& lines) {
@@ -178,31 +174,35 @@ void readTexts(const DxfFields& fields, FilePiece& piece) {
 
 /// Notches and drills are points with further figures; in drawings notches are strokes.
 void readPoints(const std::vector<DxfEntity>& entities, const DxfPlace& place, FilePiece& piece) {
-    const auto scaled = [&place](std::optional<double> length) {
-        const double size = std::abs(length.value_or(0)) * place.scale;
+    const auto scaled = [&place](const DxfEntity& entity, double length) {
+        const double size =
+            std::abs(length) * place.scale * std::sqrt(std::abs(entity.map.linear().determinant()));
         return size > 0 && size < kFarthestPlace ? std::optional(size) : std::nullopt;
     };
     for (const DxfEntity& entity : entities) {
         auto point = entity.point();
-        if (point && !((place.map * *point).array().abs() < kFarthestPlace).all()) {
-            point = {};
+        if (point) {
+            point = placedPoint(entity, *point, place);
+            point = (point->array().abs() < kFarthestPlace).all() ? point : std::nullopt;
         }
         const DxfRole role = dxfRole(entity.layer);
         if (role == DxfRole::Notch && entity.kind == "POINT" && point) {
-            FileNotch& notch = piece.notches.emplace_back(FileNotch{place.map * *point});
+            FileNotch& notch = piece.notches.emplace_back(FileNotch{*point});
             if (const auto degrees = entity.number(50)) {
                 const double angle = std::fmod(*degrees, 360.0) * kDegree;
-                const Eigen::Vector2d way =
-                    place.map.linear() * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+                const Eigen::Vector2d way = (place.map * entity.map).linear() *
+                                            Eigen::Vector2d(std::cos(angle), std::sin(angle));
                 notch.angle = std::atan2(way.y(), way.x());
             }
-            notch.depth = scaled(entity.number(30));
+            notch.depth = scaled(entity, entity.number(30).value_or(0));
         } else if (role == DxfRole::Notch) {
             if (const auto line = lineOf(entity, place)) {
                 piece.notches.push_back({line->points.row(0).transpose()});
             }
         } else if (role == DxfRole::Drill && entity.kind == "POINT" && point) {
-            piece.drills.push_back({place.map * *point, scaled(entity.number(30))});
+            piece.drills.push_back({*point, scaled(entity, entity.number(30).value_or(0))});
+        } else if (role == DxfRole::Drill && entity.kind == "CIRCLE" && point) {
+            piece.drills.push_back({*point, scaled(entity, 2 * entity.number(40).value_or(0))});
         }
     }
 }
@@ -230,7 +230,7 @@ std::vector<char> notMirrored(const std::vector<DxfEntity>& entities, const DxfP
             !equalsIgnoringCase(trimmed(entity.text(1)), "nm") || left-- <= 0) {
             continue;
         }
-        const Eigen::Vector2d at = place.map * *point;
+        const Eigen::Vector2d at = placedPoint(entity, *point, place);
         double least = std::numeric_limits<double>::infinity();
         std::size_t nearest = lines.size();
         for (std::size_t k = 0; k < lines.size(); ++k) {
@@ -349,7 +349,7 @@ double dxfNearness(double extent) {
 }
 
 std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole role,
-                               const DxfPlace& place) {
+                               const DxfPlace& place, DxfLayersAt* layers) {
     std::vector<FileLine> lines;
     Eigen::AlignedBox2d box;
     double length = 0;
@@ -358,6 +358,12 @@ std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole r
             if (auto line = lineOf(entity, place)) {
                 box.extend(boxOf(line->points));
                 length += geometry::perimeterOf(line->points) / 2;
+                for (const Eigen::Index row : {Eigen::Index{0}, line->points.rows() - 1}) {
+                    if (layers) {
+                        layers->emplace(std::pair(line->points(row, 0), line->points(row, 1)),
+                                        entity.layer);
+                    }
+                }
                 lines.push_back(std::move(*line));
             }
         }
@@ -371,6 +377,54 @@ std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole r
         return lines;  // ends that meet are no reason to be one
     }
     return joinedLines(lines, near, kGapShare * std::min(length, box.diagonal().norm()));
+}
+
+void DxfLeftOut::add(Reason reason, const DxfEntity& entity) {
+    std::string what(entity.kind);
+    if (reason == LayerNotRead) {
+        what += " (layer " + readableName(entity.layer) + ")";
+    }
+    ++counts_[reason][what];
+}
+
+void DxfLeftOut::addUnread(const std::vector<DxfEntity>& entities, const std::set<DxfRole>& roles) {
+    constexpr double kCoarse = 1e-9;  // mm a unit: only whether it is a line is asked
+    for (const DxfEntity& entity : entities) {
+        const DxfRole role = dxfRole(entity.layer);
+        const bool isPoint = entity.kind == "POINT";
+        if (entity.kind == "TEXT" || entity.kind == "MTEXT" || role == DxfRole::Known) {
+            continue;
+        }
+        const bool isUsed =
+            isPoint ? role == DxfRole::Notch || role == DxfRole::Drill
+                    : !roles.contains(role) && (role != DxfRole::Drill || entity.kind == "CIRCLE");
+        if (!isPoint && !dxfCurve(entity, kCoarse)) {
+            add(KindNotRead, entity);
+        } else if (!isUsed) {
+            add(LayerNotRead, entity);
+        }
+    }
+}
+
+void DxfLeftOut::tell(std::vector<Wording>& notes) const {
+    constexpr std::size_t kMaxKinds = 12;
+    for (const auto& [reason, counts] : counts_) {
+        std::string list;
+        std::size_t count = 0;
+        for (const auto& [what, number] : counts) {
+            if (++count > kMaxKinds) {
+                list += ", ...";
+                break;
+            }
+            list += (list.empty() ? "" : ", ") + std::to_string(number) + " " + what;
+        }
+        notes.push_back(
+            reason == KindNotRead
+                ? toile::worded("left out, since Toile does not read them: %1", {list})
+            : reason == LayerNotRead
+                ? toile::worded("left out, since Toile does not use their layers: %1", {list})
+                : toile::worded("left out, since they belong to no piece: %1", {list}));
+    }
 }
 
 FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place,
@@ -389,7 +443,15 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
     const Outlines holes = linesOf(DxfRole::CutOut, DxfRole::FineCutOut);
     if (!cut.closed.empty()) {
         piece.cut = geometry::antiClockwise(cut.closed.front());
-        piece.holes.assign(cut.closed.begin() + 1, cut.closed.end());
+        std::copy_if(cut.closed.begin() + 1, cut.closed.end(), std::back_inserter(piece.holes),
+                     [&piece](const Points2& line) {
+                         return geometry::isInside(piece.cut, line.colwise().mean().transpose());
+                     });
+        if (const auto beside = cut.closed.size() - 1 - piece.holes.size(); beside > 0) {
+            notes.push_back(worded("%1: left out, since they lie outside of its outline: %2",
+                                   {Wording(piece.name),
+                                    countWording(static_cast<long long>(beside), "closed line")}));
+        }
     }
     if (!sew.closed.empty()) {
         piece.sew = geometry::antiClockwise(sew.closed.front());
@@ -398,7 +460,7 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
     for (Points2& hole : piece.holes) {
         hole = geometry::antiClockwise(hole).colwise().reverse().eval();
     }
-    if (const std::size_t open = cut.open + sew.open; open > 0) {
+    if (const std::size_t open = cut.open + sew.open + holes.open; open > 0) {
         notes.push_back(
             worded("%1: %2 of its outlines that do not close",
                    {Wording(piece.name), countWording(static_cast<long long>(open), "line")}));

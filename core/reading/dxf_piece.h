@@ -3,8 +3,10 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -17,6 +19,7 @@ namespace toile {
 /// What a layer of a pattern in DXF holds, by AAMA's and ASTM's numbers or by its name.
 enum class DxfRole {
     Other,
+    Known,  ///< says nothing that is not in other layers: turn and curve points, the check square
     Cut,
     Sew,
     Internal,
@@ -57,9 +60,33 @@ struct DxfPlace {
 FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place,
                    std::vector<Wording>& notes);
 
-/// The closed lines of these entities in a role, largest first, and open lines of others, mm.
+/// The layers of lines, by the places of their two ends.
+using DxfLayersAt = std::map<std::pair<double, double>, std::string_view>;
+
+/// The lines of these entities in a role, mm, joined where their ends meet; internal lines are not.
+/// @param layers  if given, those of the lines are added
 std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole role,
-                               const DxfPlace& place);
+                               const DxfPlace& place, DxfLayersAt* layers = nullptr);
+
+/// Where a point of an entity lies, mm.
+inline Eigen::Vector2d placedPoint(const DxfEntity& entity, const Eigen::Vector2d& point,
+                                   const DxfPlace& place) {
+    return place.map * (entity.map * point);
+}
+
+/// Entities that are left out, counted by kind.
+class DxfLeftOut {
+public:
+    enum Reason { KindNotRead, LayerNotRead, InNoPiece };
+    void add(Reason reason, const DxfEntity& entity);
+    /// Those whose kind is not read, and those on layers of these roles.
+    void addUnread(const std::vector<DxfEntity>& entities, const std::set<DxfRole>& roles);
+    /// Adds a note for each reason.
+    void tell(std::vector<Wording>& notes) const;
+
+private:
+    std::map<Reason, std::map<std::string, long long>> counts_;
+};
 
 /// How far apart the ends of lines may be that are one, for entities of this extent, mm.
 double dxfNearness(double extent);

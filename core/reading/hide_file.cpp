@@ -12,8 +12,9 @@
 #include "core/base/text.h"
 #include "core/geometry/polygon.h"
 #include "core/nest/item_rings.h"
+#include "core/reading/dxf_curve.h"
 #include "core/reading/dxf_document.h"
-#include "core/reading/dxf_drawing.h"
+#include "core/reading/dxf_piece.h"
 #include "core/reading/dxf_unit.h"
 #include "core/reading/joined_lines.h"
 #include "core/reading/svg_reader.h"
@@ -40,38 +41,47 @@ void addHideLine(LinesOfLayers& layers, std::string_view layer, FileLine line) {
     found->second.push_back(std::move(line));
 }
 
-/// The numbers as they are. @param extent  the larger side of all
-LinesOfLayers linesOf(const DxfDrawing& drawing, double& extent) {
-    LinesOfLayers layers;
-    Eigen::AlignedBox2d box;
-    const auto addGroup = [&](const DxfGroupOfEntities& group) {
-        for (const auto* lines : {&group.polylines, &group.lines}) {
-            for (const DxfLine& line : *lines) {
-                for (const auto& point : line.points.rowwise()) {
-                    box.extend(point.transpose());
-                }
-                addHideLine(layers, line.layer, {line.points, line.closed});
-            }
-        }
-    };
-    addGroup(drawing.page);
-    std::ranges::for_each(drawing.blocks, addGroup);
-    extent = box.isEmpty() ? 0 : box.sizes().maxCoeff();
-    return layers;
-}
-
 Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>& notes) {
     const auto document = readDxfDocument(bytes);
     if (!document) {
         return document.error();
     }
-    double extent = 0;
-    linesOf(dxfDrawing(*document, 1), extent);
+    notes = document->notes;
+    std::vector<DxfEntity> entities = withBlocksInserted(*document, document->entities);
+    const auto extentOf = [&entities] {
+        Eigen::AlignedBox2d box;
+        for (const DxfEntity& entity : entities) {
+            if (const auto line = dxfCurve(entity, 1)) {
+                box.extend(geometry::boxAround(line->points));
+            }
+        }
+        return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
+    };
+    double extent = extentOf();
+    if (extent == 0) {  // it is in blocks that are not inserted
+        for (const DxfBlock& block : document->blocks) {
+            const auto more = withBlocksInserted(*document, block.entities);
+            entities.insert(entities.end(), more.begin(), more.end());
+        }
+        extent = extentOf();
+    }
     const DxfUnit unit = dxfUnit(*document, "", extent);
     if (unit.inDoubt) {
         notes.push_back(worded(kHideUnit, {std::string(symbol(unit.unit)), unit.reason}));
     }
-    return linesOf(dxfDrawing(*document, millimetresPer(unit.unit)), extent);
+    const double millimetres = millimetresPer(unit.unit);
+    LinesOfLayers layers;
+    DxfLeftOut left;
+    for (const DxfEntity& entity : entities) {
+        if (auto line = dxfCurve(entity, millimetres)) {
+            line->points *= millimetres;
+            addHideLine(layers, entity.layer, std::move(*line));
+        } else if (entity.kind != "TEXT" && entity.kind != "MTEXT") {
+            left.add(DxfLeftOut::KindNotRead, entity);
+        }
+    }
+    left.tell(notes);
+    return layers;
 }
 
 Result<LinesOfLayers> readSvgLines(std::string_view bytes) {
@@ -95,8 +105,9 @@ struct HideLine {
 };
 
 /// The largest first.
-std::vector<HideLine> closedLines(const LinesOfLayers& layers) {
+std::vector<HideLine> closedLines(const LinesOfLayers& layers, std::vector<Wording>& notes) {
     std::vector<HideLine> closed;
+    long long open = 0;
     for (const auto& [layer, lines] : layers) {
         for (const FileLine& line : joinedLines(lines, kHideEndsNear, kHideEndsNear)) {
             Eigen::Index count = line.points.rows();
@@ -104,6 +115,7 @@ std::vector<HideLine> closedLines(const LinesOfLayers& layers) {
                 --count;
             }
             if (!line.closed || count < 3) {
+                open += 1;
                 continue;
             }
             const auto points = geometry::antiClockwise(line.points.topRows(count));
@@ -112,6 +124,10 @@ std::vector<HideLine> closedLines(const LinesOfLayers& layers) {
                 closed.push_back({points, layer, area});
             }
         }
+    }
+    if (open > 0) {
+        notes.push_back(
+            worded("left out, since they do not close: %1", {countWording(open, "line")}));
     }
     std::ranges::stable_sort(closed, std::greater{}, &HideLine::area);
     return closed;
@@ -141,7 +157,7 @@ Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind) {
     if (!layers) {
         return layers.error();
     }
-    const std::vector<HideLine> closed = closedLines(*layers);
+    const std::vector<HideLine> closed = closedLines(*layers, file.notes);
     if (closed.empty()) {
         return Error{ErrorCode::NoGeometry, {}, worded(kNoHide)};
     }

@@ -455,5 +455,101 @@ TEST(DxfPattern, LeavesOutWhatIsNowhere) {
     EXPECT_FALSE(piece.grain);
 }
 
+Points2 rectangleFrom(double x, double y, double width, double height) {
+    return lineThrough({{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}});
+}
+
+bool hasNote(const PatternFile& file, std::string_view words) {
+    return std::ranges::any_of(
+        file.notes, [words](const Wording& note) { return note.find(words) != std::string::npos; });
+}
+
+/// Closed lines on a sheet, in mm, each with its layer.
+std::string sheetFile(const std::vector<std::pair<const char*, Points2>>& lines) {
+    DxfBuilder text;
+    text.section("HEADER").tag(9, "$INSUNITS").tag(70, "4").end().section("ENTITIES");
+    for (const auto& [layer, line] : lines) {
+        text.polyline(layer, line, true);
+    }
+    return text.end().take();
+}
+
+TEST(DxfPattern, LeavesTheBorderOfASheetOut) {
+    const Points2 front = kPanelOutline.rowwise() + Eigen::RowVector2d(60, 60);
+    const Points2 back = kPanelOutline.rowwise() + Eigen::RowVector2d(600, 60);
+    const Points2 border = rectangleFrom(0, 0, 1189, 841);
+    const Points2 margin = rectangleFrom(10, 10, 1169, 821);
+    const Points2 title = rectangleFrom(1000, 10, 179, 50);
+    for (const char* layer : {"0", "FRAME"}) {
+        const PatternFile file = readAll(sheetFile(
+            {{"0", front}, {layer, border}, {"0", back}, {layer, margin}, {layer, title}}));
+        ASSERT_EQ(file.pieces.size(), 2u) << layer;
+        for (const FilePiece& piece : file.pieces) {
+            EXPECT_NEAR(geometry::perimeterOf(piece.cut), 1700, 1e-6);
+            EXPECT_TRUE(piece.holes.empty());
+        }
+        EXPECT_TRUE(hasNote(file, "the border of the sheet is left out"));
+    }
+    // A border of lines in a block of its own.
+    DxfBuilder text;
+    text.section("BLOCKS").block("sheet").line("0", 0, 0, 1189, 0).line("0", 1189, 0, 1189, 841);
+    text.line("0", 1189, 841, 0, 841).line("0", 0, 841, 0, 0).endBlock().end();
+    text.section("ENTITIES").tag(0, "INSERT").tag(8, "0").tag(2, "sheet").at(0, 0);
+    text.polyline("0", front, true).polyline("0", back, true);
+    EXPECT_EQ(readAll(text.end().take(), LengthUnit::Millimetre).pieces.size(), 2u);
+}
+
+TEST(DxfPattern, APieceWithHolesIsNoBorder) {
+    const PatternFile patch = readAll(sheetFile({{"0", rectangleFrom(0, 0, 200, 160)},
+                                                 {"0", rectangleFrom(20, 20, 12, 2)},
+                                                 {"0", rectangleFrom(60, 20, 12, 2)}}));
+    ASSERT_EQ(patch.pieces.size(), 1u);
+    EXPECT_EQ(patch.pieces[0].holes.size(), 2u);
+    EXPECT_TRUE(patch.notes.empty());
+    // One large hole of a rectangle may be a piece.
+    const PatternFile doubtful =
+        readAll(sheetFile({{"0", rectangleFrom(0, 0, 600, 500)}, {"0", kPanelOutline * 0.5}}));
+    ASSERT_EQ(doubtful.pieces.size(), 1u);
+    EXPECT_TRUE(hasNote(doubtful, "in doubt: piece 1 has 1 hole"));
+}
+
+TEST(DxfPattern, CountsWhatItLeavesOut) {
+    DxfBuilder text;
+    text.section("HEADER").tag(9, "$INSUNITS").tag(70, "4").end().section("ENTITIES");
+    text.polyline("CUT", kPanelOutline, true).line("SKETCH", 10, 10, 20, 20);
+    text.line("CUT", 900, 0, 950, 0).line("INTERNAL", 900, 0, 950, 0);
+    text.tag(0, "HATCH").tag(8, "CUT").tag(0, "HATCH").tag(8, "CUT").insert("nowhere");
+    text.tag(0, "CIRCLE").tag(8, "0").tag(67, "1").at(0, 0).number(40, 300);
+    const PatternFile file = readAll(text.end().take());
+    EXPECT_EQ(file.pieces.size(), 1u);
+    EXPECT_TRUE(hasNote(file, "does not read them: 2 HATCH, 1 INSERT"));
+    EXPECT_TRUE(hasNote(file, "does not use their layers: 1 LINE (layer SKETCH)"));
+    EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
+    EXPECT_TRUE(hasNote(file, "do not close: 1 line"));
+    EXPECT_TRUE(hasNote(file, "paper space): 1"));
+}
+
+TEST(DxfPattern, SaysWhatLiesBesideItsBlocks) {
+    DxfBuilder text;
+    text.section("BLOCKS").block("a").text("Piece Name: front").polyline("1", kPanelOutline, true);
+    text.polyline("1", rectangleFrom(1000, 0, 50, 50), true).line("99", 0, 0, 1, 1).endBlock();
+    text.end().section("ENTITIES").insert("a").insert("a").line("1", 0, 0, 9, 9);
+    const PatternFile file = readAll(text.text("Units: METRIC").end().take());
+    ASSERT_EQ(file.pieces.size(), 1u);
+    EXPECT_TRUE(file.pieces[0].holes.empty());
+    EXPECT_TRUE(
+        hasNote(file, "front: left out, since they lie outside of its outline: 1 closed line"));
+    EXPECT_TRUE(hasNote(file, "a is inserted more than once"));
+    EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
+    EXPECT_TRUE(hasNote(file, "1 LINE (layer 99)"));
+}
+
+TEST(DxfPattern, BlocksThatInsertThemselvesEnd) {
+    DxfBuilder text;
+    text.section("BLOCKS").block("a").insert("a").tag(70, "500").tag(71, "500").insert("a");
+    text.endBlock().end().section("ENTITIES").insert("a").polyline("0", kPanelOutline, true);
+    EXPECT_EQ(readAll(text.end().take()).pieces.size(), 1u);
+}
+
 }  // namespace
 }  // namespace toile

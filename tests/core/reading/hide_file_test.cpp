@@ -54,6 +54,26 @@ TEST(HideFile, IsReadFromDxfToo) {
     EXPECT_NEAR(read->hide.zones[0].outline.col(0).minCoeff(), 90, 1e-6);
 }
 
+TEST(HideFile, HolesMayBeRound) {
+    const std::string dxf =
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nBLOCKS\n"
+        "0\nBLOCK\n2\nhole\n0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1\n0\nENDBLK\n0\nENDSEC\n"
+        "0\nSECTION\n2\nENTITIES\n" +
+        dxfRing("edge", {{0, 0}, {1000, 0}, {1000, 800}, {0, 800}}) +
+        "0\nCIRCLE\n8\nhole\n10\n300\n20\n300\n40\n100\n"
+        "0\nINSERT\n2\nhole\n8\nhole\n10\n700\n20\n300\n41\n50\n42\n-50\n"
+        "0\nLINE\n8\nhole\n10\n1\n20\n1\n11\n2\n21\n2\n0\nHATCH\n8\n0\n0\nENDSEC\n0\nEOF\n";
+    const auto read = readHide(dxf, PatternFileKind::Dxf);
+    ASSERT_TRUE(read) << sentence(read.error());
+    ASSERT_EQ(read->hide.zones.size(), 2U);
+    EXPECT_NEAR(geometry::perimeterOf(read->hide.zones[0].outline), 200 * 3.14159265, 0.05);
+    EXPECT_NEAR(geometry::perimeterOf(read->hide.zones[1].outline), 100 * 3.14159265, 0.05);
+    EXPECT_NEAR(read->hide.zones[1].outline.col(0).mean(), 700, 1e-6);
+    ASSERT_EQ(read->notes.size(), 2U);
+    EXPECT_NE(read->notes[0].find("1 HATCH"), std::string::npos);
+    EXPECT_NE(read->notes[1].find("1 line"), std::string::npos);
+}
+
 TEST(HideFile, SaysWhatIsWrong) {
     const auto empty = readHide("<svg xmlns='http://www.w3.org/2000/svg'/>", PatternFileKind::Svg);
     ASSERT_FALSE(empty);
