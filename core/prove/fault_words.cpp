@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/prove/fault_words.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "core/garment/garment.h"
@@ -33,6 +36,39 @@ const std::string& calledInFile(const FilePiece& piece) {
 }
 
 }  // namespace
+
+ProofFault clothNowhereNear(double gap, double size) {
+    ProofFault fault{ProofFaultKind::FarOff};
+    fault.amount = gap;
+    fault.told = worded(
+        "the cloth ended %1 mm from the design on average, which is %2 mm large; the pattern or "
+        "its unit is not that of this garment",
+        {figure(gap, 0), figure(size, 0)});
+    return fault;
+}
+
+Wording patternInOtherUnit(double times, const FileUnit& read) {
+    constexpr double kLikely = 1.5;  // a unit that fits better than by this factor is named
+    double off = kLikely;
+    std::optional<LengthUnit> likely;
+    for (const LengthUnit unit : kLengthUnits) {
+        const double left = times * millimetresPer(unit) / millimetresPer(read);
+        if (std::max(left, 1 / left) < off) {
+            off = std::max(left, 1 / left);
+            likely = unit;
+        }
+    }
+    const Wording share = times > 1 ? figure(times, 0) : figure(times, times < 0.01 ? 4 : 2);
+    const Wording was = unitText(read);
+    return likely ? worded(
+                        "its outlines, read in %1, are %2 times as long as those of the "
+                        "garment; it is probably in %3 (--pattern-unit %3)",
+                        {was, share, Wording(std::string(symbol(*likely)))})
+                  : worded(
+                        "its outlines, read in %1, are %2 times as long as those of the "
+                        "garment; state its unit, or that of the garment",
+                        {was, share});
+}
 
 Wording nothingToSew() {
     return worded(

@@ -21,6 +21,12 @@ ProofFault seamSlips(const Garment& garment, int seam, double slip);
 /// @param longer  mm; below 0: shorter
 ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer);
 
+/// All of the cloth is nowhere near the design. @param gap  mean, mm
+ProofFault clothNowhereNear(double gap, double size);
+
+/// The detail of an error: the lengths of the pattern are those of another unit than `read`.
+/// @param times  how many times as long as the design's they are
+Wording patternInOtherUnit(double times, const FileUnit& read);
 /// The detail of an error: nothing of the pattern is to be sewn.
 Wording nothingToSew();
 /// Or nothing of the garment's own is left in a file, whose numbers have an end.

@@ -109,6 +109,27 @@ std::optional<Error> tooFine(double edge, double area) {
     return Error{ErrorCode::OutOfMemory, {}, edgesTooFine(edge, count, least)};
 }
 
+/// Where the outlines of most pieces are much longer or shorter than on the garment.
+std::optional<Error> inOtherUnit(const RestPattern& pattern, const FileUnit& read) {
+    constexpr double kOtherUnit = 8;  // no ease or grading does that, nor inches for centimetres
+    std::vector<double> times;
+    for (const auto& piece : pattern.pieces) {
+        if (piece && !piece->loops.empty() && piece->loops.front()) {
+            const RestLoop& outline = *piece->loops.front();
+            times.push_back(outline.restLength(0, outline.length()) / outline.length());
+        }
+    }
+    if (times.empty()) {
+        return {};
+    }
+    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+    std::ranges::nth_element(times, middle);
+    const bool isRight = *middle<kOtherUnit&& * middle> 1 / kOtherUnit;
+    return isRight
+               ? std::nullopt
+               : std::optional(Error{ErrorCode::NoGeometry, {}, patternInOtherUnit(*middle, read)});
+}
+
 UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {
     std::vector<double> lengths;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
@@ -299,6 +320,9 @@ Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& orde
         return found.error();
     }
     RestPattern& pattern = *found;
+    if (auto error = order.file ? inOtherUnit(pattern, order.file->unit) : std::nullopt) {
+        return *std::move(error);
+    }
     FreshCloth fresh;
     fresh.source = pattern.source;
     fresh.faults = std::move(pattern.faults);

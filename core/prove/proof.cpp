@@ -7,6 +7,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/prove/design_surface.h"
+#include "core/prove/fault_words.h"
 #include "core/prove/fresh_cloth.h"
 #include "core/prove/seam_strain.h"
 #include "core/sew/contact.h"
@@ -135,6 +136,7 @@ constexpr double kGravity = 9.81;  // m/s²
 /// Of the force at seams, what may be left. At half of it the mean gap of garments is another by
 /// less than 1 %; at two and a half times as much by up to 10 %.
 constexpr double kShare = 2e-3;
+constexpr double kNowhereNear = 0.1;  // of the design's size: no garment has such a mean gap
 
 /// What each piece is cut from.
 std::vector<Fabric> fabricsOf(const ExportSource& source) {
@@ -222,6 +224,10 @@ Result<std::shared_ptr<const Proof>> proofOf(const ExportSource& source, const P
         seam.right *= order.scale;
         seam.slip *= order.scale;
         seam.strain = prove::seamStrain(source.garment(), seam, proof->pieces);
+    }
+    const double size = (surface->V.colwise().maxCoeff() - surface->V.colwise().minCoeff()).norm();
+    if (!(proof->gap.mean <= kNowhereNear * size)) {
+        proof->faults.push_back(clothNowhereNear(proof->gap.mean, size));
     }
     proof->edge = meanEdge(fresh->cloth);
     proof->triangles = static_cast<int>(fresh->cloth.F.rows());

@@ -67,12 +67,13 @@ enum class ProofFaultKind {
     LengthDiffers,  ///< a side of a seam has another length than on the design
     NotThere,       ///< the pattern has no such piece
     NotNeeded,      ///< the file has a piece that is none of the garment's
+    FarOff,         ///< the cloth came to rest nowhere near the design
 };
 
-/// "mirrored", "other-fits", "seam-slips", "length-differs", "not-there", "not-needed".
+/// "mirrored", "other-fits", "seam-slips", "length-differs", "not-there", "not-needed", "far-off".
 std::string_view name(ProofFaultKind kind);
 
-/// What is wrong with a pattern before anything is sewn.
+/// What is wrong with a pattern before anything is sewn, or with all of it afterwards.
 struct ProofFault {
     ProofFaultKind kind = ProofFaultKind::NotThere;
     Subject subject{};
@@ -126,7 +127,8 @@ Wording sentence(const Proof& proof, const Garment& garment);
 Wording howHeld(const Proof& proof);
 
 /// Sews the pattern back together over the design and measures how far from it it comes to rest.
-/// Errors: NoGeometry (nothing is flat, or nothing of the file is the garment's), those of
+/// Errors: NoGeometry (nothing is flat, nothing of the file is the garment's, or its lengths are
+/// those of another unit), those of
 /// `sew::settle`, NotReadBack, Cancelled. Same input, same bytes, but for
 /// `seconds`.
 /// Cost: 45 000 triangles take some 24 s on two cores.

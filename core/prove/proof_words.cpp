@@ -11,7 +11,8 @@ namespace {
 constexpr Word<ProofFaultKind> kFaultWords[] = {
     {ProofFaultKind::Mirrored, "mirrored"},    {ProofFaultKind::OtherFits, "other-fits"},
     {ProofFaultKind::SeamSlips, "seam-slips"}, {ProofFaultKind::LengthDiffers, "length-differs"},
-    {ProofFaultKind::NotThere, "not-there"},   {ProofFaultKind::NotNeeded, "not-needed"}};
+    {ProofFaultKind::NotThere, "not-there"},   {ProofFaultKind::NotNeeded, "not-needed"},
+    {ProofFaultKind::FarOff, "far-off"}};
 
 /// From here on pull, slack and what hangs free are told, parts of 1.
 constexpr double kToldStrain = 0.01, kToldFree = 0.1;

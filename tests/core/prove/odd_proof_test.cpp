@@ -79,6 +79,20 @@ TEST(OddProof, OnePieceWithoutSeamsLiesWhereItWas) {
     EXPECT_TRUE((*proof)->faults.empty());
 }
 
+TEST(OddProof, ClothThatEndsNowhereNearTheDesignIsAFault) {
+    const Garment garment = oddGarment({test::planeGrid(6, 6, 20)});
+    const PieceResults results = flatResults(garment);
+    const LaidOutPattern laid = inRows(garment, results);
+    const ExportSource source(garment, results, laid);
+    ProofOrder order;
+    order.scale = 6;
+    const auto proof = proofOf(source, order, {});
+    ASSERT_TRUE(proof) << sentence(proof.error());
+    EXPECT_TRUE(std::ranges::any_of((*proof)->faults, [](const ProofFault& fault) {
+        return fault.kind == ProofFaultKind::FarOff && fault.amount > 0;
+    })) << (*proof)->gap.mean;
+}
+
 TEST(OddProof, PiecesThatDoNotTouchAreProvedSideBySide) {
     const MeshArrays sheet = test::planeGrid(6, 6, 20);
     const Garment garment = oddGarment({sheet, moved(sheet, 500)});

@@ -53,6 +53,24 @@ TEST(PatternFaults, OurOwnFileHasNone) {
     }
 }
 
+TEST(PatternFaults, LengthsOfAnotherUnitAreNamedBeforeSewing) {
+    for (const auto& [times, unit] :
+         {std::pair(1000.0, "m"), {10.0, "cm"}, {0.1, "mm"}, {25.4, "in"}}) {
+        ProofOrder order;
+        order.file = trousers().file();
+        for (FilePiece& piece : order.file->pieces) {
+            const double by = times;
+            test::changePoints(piece, [by](Eigen::Ref<Eigen::RowVector2d> p) { p *= by; });
+        }
+        order.file->unit = times < 1 ? LengthUnit::Millimetre : *parseLengthUnit(unit);
+        const auto fresh = freshCloth(trousers().source(), order, {});
+        ASSERT_FALSE(fresh) << times;
+        EXPECT_EQ(fresh.error().code, ErrorCode::NoGeometry);
+        const std::string expected = times < 1 ? "--pattern-unit cm" : "--pattern-unit mm";
+        EXPECT_NE(fresh.error().detail.find(expected), std::string::npos) << fresh.error().detail;
+    }
+}
+
 TEST(PatternFaults, NamesPiecesThatWereSwapped) {
     PatternFile file = trousers().file();
     FilePiece &left = test::ProvedGarment::pieceOf(file, "front_left"),
