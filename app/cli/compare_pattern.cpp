@@ -106,6 +106,7 @@ int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostrea
         err << "toile: " << sentence(file.error()) << '\n';
         return kExitUnreadable;
     }
+    printPatternNotes(arguments.pattern, *file, err);
     Progress progress;
     const auto garment = readInput(arguments, progress, err);
     if (!garment) {

@@ -190,9 +190,7 @@ int runPatternInfo(const Arguments& arguments, std::ostream& out, std::ostream& 
         printLayers(*file, out);
         out << '\n';
         printPieces(*file, out);
-        for (const Wording& note : file->notes) {
-            err << "toile: " << shownText(path.string(), kMaxOfPlace) << ": " << note << '\n';
-        }
+        printPatternNotes(path, *file, err);
     }
     out.flush();
     return out ? status : kExitUnreadable;

@@ -143,6 +143,14 @@ bool printFailures(const PieceResults& results, std::ostream& err) {
     return failed;
 }
 
+void printPatternNotes(const std::filesystem::path& path, const PatternFile& file,
+                       std::ostream& err) {
+    for (const Wording& note : file.notes) {
+        err << "toile: " << shownText(path.string(), kMaxOfPlace) << ": "
+            << shownText(note, kMaxOfDetail) << '\n';
+    }
+}
+
 void Table::add(std::vector<std::string> row) {
     for (std::string& cell : row) {
         cell = shownText(cell);

@@ -11,6 +11,7 @@
 #include "app/cli/refusal.h"
 #include "core/export/report_tables.h"
 #include "core/pipeline/pipeline.h"
+#include "core/reading/pattern_file.h"
 
 namespace toile::app {
 
@@ -54,6 +55,10 @@ void printTable(const ReportTable& table, std::ostream& out);
 /// line.
 /// @return whether any could not, or is flipped although its method promises that none does
 bool printFailures(const PieceResults& results, std::ostream& err);
+
+/// What was left out or guessed when a pattern was read, a sentence a line.
+void printPatternNotes(const std::filesystem::path& path, const PatternFile& file,
+                       std::ostream& err);
 
 /// A plain text table: first column flush left, the others flush right. Cells are shown as
 /// `shownText`.

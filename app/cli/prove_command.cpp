@@ -219,6 +219,11 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         return refuse(*refusal, err);
     }
     ProofOrder& order = std::get<ProofOrder>(ordered);
+    if (order.file) {
+        const bool isTyped = !arguments.pattern.empty();
+        printPatternNotes(isTyped ? arguments.pattern : arguments.project->reference->path,
+                          *order.file, err);
+    }
     order.watch = teller(err);
     progress.start(1);
     PieceResults results = flattened(arguments, *garment, progress);

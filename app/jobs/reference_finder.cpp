@@ -6,6 +6,7 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/jobs/lay_reference.h"
+#include "app/text/error_text.h"
 #include "core/base/units.h"
 
 namespace toile::app {
@@ -96,6 +97,9 @@ QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
     if (found.file->unitInDoubt) {
         add(tr("its unit is in doubt, taken for %1")
                 .arg(QString::fromStdString(unitText(found.file->unit))));
+    }
+    for (const Wording& note : found.file->notes) {
+        add(wordingText(note));
     }
     return text;
 }

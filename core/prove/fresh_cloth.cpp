@@ -124,10 +124,11 @@ std::optional<Error> inOtherUnit(const RestPattern& pattern, const FileUnit& rea
     }
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
     std::ranges::nth_element(times, middle);
-    const bool isRight = *middle<kOtherUnit&& * middle> 1 / kOtherUnit;
-    return isRight
-               ? std::nullopt
-               : std::optional(Error{ErrorCode::NoGeometry, {}, patternInOtherUnit(*middle, read)});
+    const double median = *middle;
+    if (1 / kOtherUnit < median && median < kOtherUnit) {
+        return {};
+    }
+    return Error{ErrorCode::NoGeometry, {}, patternInOtherUnit(median, read)};
 }
 
 UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {

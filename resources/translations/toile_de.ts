@@ -3411,6 +3411,74 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>it has no closed line that could be a piece; export the outlines of its pieces as closed lines</source>
         <translation>es enthält keine geschlossene Linie, die ein Schnittteil sein könnte; exportieren Sie die Umrisse seiner Teile als geschlossene Linien</translation>
     </message>
+    <message>
+        <source>the cloth ended %1 mm from the design on average, which is %2 mm large; the pattern or its unit is not that of this garment</source>
+        <translation>der Stoff liegt am Ende im Mittel %1 mm vom Entwurf entfernt, der %2 mm groß ist; das Schnittmuster oder seine Einheit ist nicht die dieses Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>its outlines, read in %1, are %2 times as long as those of the garment; it is probably in %3 (--pattern-unit %3)</source>
+        <translation>seine Umrisse, in %1 gelesen, sind %2-mal so lang wie die des Kleidungsstücks; wahrscheinlich ist es in %3 (--pattern-unit %3)</translation>
+    </message>
+    <message>
+        <source>its outlines, read in %1, are %2 times as long as those of the garment; state its unit, or that of the garment</source>
+        <translation>seine Umrisse, in %1 gelesen, sind %2-mal so lang wie die des Kleidungsstücks; geben Sie seine Einheit oder die des Kleidungsstücks an</translation>
+    </message>
+    <message>
+        <source>the border of the sheet is left out: %1 on layer &quot;%2&quot;</source>
+        <translation>der Rahmen des Blattes ist ausgelassen: %1 auf Ebene „%2“</translation>
+    </message>
+    <message>
+        <source>in doubt: %1 has %2, which take %3 % of it; if they are pieces, take the line around them out of the drawing</source>
+        <translation>fraglich: %1 hat %2, zusammen %3 % davon; wenn es Schnittteile sind, entfernen Sie die Linie um sie herum aus der Zeichnung</translation>
+    </message>
+    <message>
+        <source>left out, since they do not close: %1</source>
+        <translation>ausgelassen, da nicht geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>left out, since they are in no piece or beyond the largest %2 outlines: %1</source>
+        <translation>ausgelassen, da in keinem Schnittteil oder nicht unter den %2 größten Umrissen: %1</translation>
+    </message>
+    <message>
+        <source>%1 is inserted more than once; it is read once</source>
+        <translation>%1 ist mehrmals eingefügt; es wird einmal gelesen</translation>
+    </message>
+    <message>
+        <source>left out, since they lie on the printed sheet (paper space): %1</source>
+        <translation>ausgelassen, da auf dem Druckblatt (Papierbereich): %1</translation>
+    </message>
+    <message>
+        <source>left out, since Toile does not read them: %1</source>
+        <translation>ausgelassen, da Toile sie nicht liest: %1</translation>
+    </message>
+    <message>
+        <source>left out, since Toile does not use their layers: %1</source>
+        <translation>ausgelassen, da Toile ihre Ebenen nicht verwendet: %1</translation>
+    </message>
+    <message>
+        <source>left out, since they belong to no piece: %1</source>
+        <translation>ausgelassen, da zu keinem Schnittteil gehörig: %1</translation>
+    </message>
+    <message>
+        <source>%1: left out, since they lie outside of its outline: %2</source>
+        <translation>%1: ausgelassen, da außerhalb seines Umrisses: %2</translation>
+    </message>
+    <message>
+        <source>it states no code page and is read as UTF-8; if its names are wrong, save it with $DWGCODEPAGE</source>
+        <translation>die Datei nennt keine Codepage und ist als UTF-8 gelesen; wenn Namen falsch sind, speichern Sie sie mit $DWGCODEPAGE</translation>
+    </message>
+    <message>
+        <source>some of its characters are none of its code page %1; they are shown as �</source>
+        <translation>einige ihrer Zeichen gehören nicht zu ihrer Codepage %1; sie erscheinen als �</translation>
+    </message>
+    <message>
+        <source>it states no code page, so its names are read as Western European and may be wrong; save it with $DWGCODEPAGE or as UTF-8</source>
+        <translation>die Datei nennt keine Codepage, daher sind Namen als westeuropäisch gelesen und vielleicht falsch; speichern Sie sie mit $DWGCODEPAGE oder als UTF-8</translation>
+    </message>
+    <message>
+        <source>its code page %1 is unknown, so its names are read as Western European and may be wrong; save it as UTF-8</source>
+        <translation>ihre Codepage %1 ist unbekannt, daher sind Namen als westeuropäisch gelesen und vielleicht falsch; speichern Sie sie als UTF-8</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
