@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "core/base/text.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
@@ -23,17 +25,13 @@ int fromZero(int index, std::size_t count, int none) {
     return index == 0 || resolved < 0 ? none : resolved;
 }
 
-/// Millimetres in the unit that a comment states: "1 unit = 8ft", "Units: millimetres", or by its
-/// program; 0 if it states none.
-double unitOfComment(std::string text) {
+/// Millimetres in the unit that a comment in lower case states: "1 unit = 8ft", "units:
+/// millimetres"; 0 if it states none.
+double unitOfComment(const std::string& text) {
     constexpr std::pair<std::string_view, double> kWords[] = {
         {"mm", 1},       {"millimet", 1},  {"cm", 10},   {"centimet", 10},
         {"dm", 100},     {"decimet", 100}, {"in", 25.4}, {"ft", 304.8},
         {"feet", 304.8}, {"foot", 304.8},  {"m", 1000}};
-    std::ranges::transform(text, text.begin(), [](char c) { return lowered(c); });
-    if (text.find("mesh file for makehuman") != std::string::npos) {
-        return millimetresPer(LengthUnit::Decimetre);
-    }
     const auto skip = [&text](std::size_t at, const char* skipped) {
         return std::min(text.find_first_not_of(skipped, at), text.size());
     };
@@ -76,6 +74,9 @@ public:
             soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
         }
         Result<PolygonSoup> soup = builder_.finish();
+        if (soup && isOfMakeHuman_ && !soup->statedUnit) {
+            noteMakeHuman(*soup);
+        }
         if (soup) {
             soup->problems.insert(soup->problems.end(), notes_.begin(), notes_.end());
         }
@@ -98,7 +99,10 @@ private:
         } else if (keyword == "usemtl") {
             materials_.change(cursor_.restOfLine(), soup_.faceCount());
         } else if (keyword.starts_with('#') && soup_.positions.empty() && !soup_.statedUnit) {
-            noteUnit(unitOfComment(std::string(keyword) + " " + std::string(cursor_.restOfLine())));
+            std::string text = std::string(keyword) + " " + std::string(cursor_.restOfLine());
+            std::ranges::transform(text, text.begin(), [](char c) { return lowered(c); });
+            isOfMakeHuman_ = isOfMakeHuman_ || text.find("makehuman") != std::string::npos;
+            noteUnit(unitOfComment(text));
         }
     }
 
@@ -114,6 +118,21 @@ private:
                  toile::worded("a comment of the file states a unit of %1, which is not used; "
                                "--unit takes it",
                                {Wording(unitText(*unit))})});
+        }
+    }
+
+    /// MakeHuman works in decimetres and lets its users export in other units: only a size that
+    /// fits clothes in decimetres is taken for that.
+    static void noteMakeHuman(PolygonSoup& soup) {
+        constexpr double kSmallest = 2, kLargest = 25;
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& position : soup.positions) {
+            box.extend(position);
+        }
+        const double extent = box.sizes().maxCoeff();
+        if (extent >= kSmallest && extent <= kLargest) {
+            soup.statedUnit =
+                StatedUnit{LengthUnit::Decimetre, toile::worded("MakeHuman works in decimetres")};
         }
     }
 
@@ -207,6 +226,7 @@ private:
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
     Problems notes_;
+    bool isOfMakeHuman_ = false;
     io::TextCursor cursor_;
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames groups_{soup_.groups, soup_.faceGroup};

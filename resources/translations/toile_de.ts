@@ -896,6 +896,10 @@ veraltet</translation>
 <context>
     <name>toile</name>
     <message>
+        <source>MakeHuman works in decimetres</source>
+        <translation>MakeHuman arbeitet in Dezimetern</translation>
+    </message>
+    <message>
         <source>a comment of the file states a unit of %1, which is not used; --unit takes it</source>
         <translation>ein Kommentar der Datei nennt eine Einheit von %1, die nicht verwendet wird; --unit nimmt sie an</translation>
     </message>

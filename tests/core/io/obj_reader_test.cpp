@@ -278,7 +278,6 @@ TEST(ObjReader, AUnitThatAHeaderCommentStatesIsStated) {
         {"# File units = Meters", 1000},
         {"# 1 unit = 2.54 cm", 25.4},
         {"# Unit: in", 25.4},
-        {"# This is a mesh file for MakeHuman", 100},
         {"# For more units in metres, see the community", 0},
         {"# units: furlongs", 0},
         {"# unit", 0},
@@ -292,6 +291,15 @@ TEST(ObjReader, AUnitThatAHeaderCommentStatesIsStated) {
         if (soup.statedUnit) {
             EXPECT_EQ(millimetresPer(soup.statedUnit->unit), millimetres) << comment;
         }
+    }
+    // MakeHuman works in decimetres, unless the size speaks against it.
+    for (const auto& [size, isTaken] :
+         {std::pair("2.6", true), {"14", true}, {"1.4", false}, {"140", false}, {"1400", false}}) {
+        const PolygonSoup soup =
+            readObjSoup(std::string("# This is a mesh file for MakeHuman\nv 0 0 0\nv ") + size +
+                        " 0 0\nv 0 1 0\nf 1 2 3\n");
+        EXPECT_EQ(soup.statedUnit && soup.statedUnit->unit == LengthUnit::Decimetre, isTaken)
+            << size;
     }
     // A unit without a name is left to the user.
     const PolygonSoup poser =
