@@ -26,6 +26,7 @@ constexpr double kRectangle = 0.98;  // of its box: what fills so much of it is 
 constexpr double kSideNear = 1e-3;   // of a border's size: how near the sides of a title block are
 constexpr double kMostHoles = 0.2;   // of a piece's area
 constexpr double kLargeHole = 0.03;  // likewise: no piece has two of them
+constexpr double kSeamLine = 0.6;    // likewise: so large a line may be that of the seam
 
 /// A block as it is placed: by the first INSERT of it, or as it stands.
 DxfPlace placeOf(const DxfBlock& block, const DxfEntity* insert, double unit) {
@@ -161,7 +162,8 @@ bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::
         large += lines[k].area > kLargeHole * outer.area ? 1 : 0;
     }
     const bool areLarge = held > kMostHoles * outer.area || large > 1 || (isAlone && large > 0);
-    return isNested || (side > 1 && areLarge);
+    const bool isSeamLine = lines.size() == 2 && held > kSeamLine * outer.area;
+    return (isNested && !isSeamLine) || (side > 1 && areLarge);
 }
 
 /// Takes the borders of a sheet away, and rectangles on their layer or in their corners.

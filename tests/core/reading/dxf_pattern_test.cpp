@@ -511,6 +511,11 @@ TEST(DxfPattern, APieceWithHolesIsNoBorder) {
         readAll(sheetFile({{"0", rectangleFrom(0, 0, 600, 500)}, {"0", kPanelOutline * 0.5}}));
     ASSERT_EQ(doubtful.pieces.size(), 1u);
     EXPECT_TRUE(hasNote(doubtful, "in doubt: piece 1 has 1 hole"));
+    // One so large may be the seam line in the line that is cut along, with a name in it.
+    DxfBuilder text;
+    text.section("ENTITIES").polyline("0", rectangleFrom(-20, -20, 440, 340), true);
+    text.polyline("0", rectangleFrom(-10, -10, 420, 320), true).text("front", "0").end();
+    EXPECT_NEAR(geometry::signedAreaOf(readAll(text.take()).pieces.at(0).cut), 440 * 340, 1e-6);
 }
 
 TEST(DxfPattern, CountsWhatItLeavesOut) {
