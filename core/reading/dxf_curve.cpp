@@ -177,8 +177,7 @@ CurvePoints fitPoints(CurvePoints fit, const std::optional<Vector2d>& startWay,
                       const std::optional<Vector2d>& endWay, bool closed, double tolerance) {
     // Around a closed one it goes on: what lies this many points ahead no longer matters.
     constexpr std::size_t kAround = 24;
-    const auto repeats = std::ranges::unique(fit);
-    fit.erase(repeats.begin(), repeats.end());
+    fit.erase(std::unique(fit.begin(), fit.end()), fit.end());
     if (closed && fit.size() > 1 && fit.front() == fit.back()) {
         fit.pop_back();
     }
