@@ -134,7 +134,8 @@ std::optional<double> axisOf(const PieceResult& result, const DrawnMirror& drawn
 
 /// The direction nearest to an angle of those that are whole steps off the axis.
 double alongAxis(double angle, double axis, double step) {
-    return axis + std::round(std::remainder(angle - axis, 2 * kPi) / step) * step;
+    const double along = axis + std::round(std::remainder(angle - axis, 2 * kPi) / step) * step;
+    return std::remainder(along, 2 * kPi);
 }
 
 std::optional<double> grainBy(GrainRule rule, const Garment& garment, const PieceResult& result,
