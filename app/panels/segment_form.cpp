@@ -297,7 +297,7 @@ void SegmentForm::showTurnPoint(const LineFacts& facts) {
         }
     }
     addPoint_->setEnabled(vertex_ && !(there && there->isCorner));
-    removePoint_->setEnabled(vertex_ && there && there->isCorner);
+    removePoint_->setEnabled(vertex_ && there && keepsTurn(*there));
 }
 
 void SegmentForm::setLength(std::optional<double> length) {

@@ -227,7 +227,7 @@ OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& set
     }
     for (std::size_t k = 0; k < segments.turnPoints.size(); ++k) {
         const TurnPoint& point = segments.turnPoints[k];
-        if (point.isCorner) {
+        if (keepsTurn(point)) {
             plan.corners.push_back({point.at, point.turn + turnChanges[k]});
         }
     }

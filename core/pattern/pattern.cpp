@@ -91,7 +91,7 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
         const Segment& segment = found.segments[k];
         PatternSegment& added = made.segments.emplace_back();
         std::tie(added.from, added.to) = outline.places(segment.at.start, segment.at.end);
-        added.isCorner = k < found.turnPoints.size() && found.turnPoints[k].isCorner;
+        added.isCorner = k < found.turnPoints.size() && keepsTurn(found.turnPoints[k]);
         added.seam = segment.seam + 1;
         added.isRight = segment.isRight;
         added.kind = segment.seam < 0 ? SeamKind::Free : graph.seams[segment.seam].kind;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -15,10 +16,17 @@ namespace toile {
 struct TurnPoint {
     double at = 0;           ///< arc length in 3D along the outline, mm
     double turn = 0;         ///< of the exact flat outline there, radians; positive to the left
-    bool isCorner = false;   ///< the line turns here; else it runs through smoothly
+    bool isCorner = false;   ///< by the rule of corners.h, or by hand
     bool isSeamEnd = false;  ///< of a seam or a free edge
     bool byHand = false;     ///< a person has put it there
 };
+
+/// Whether the line keeps the turn there: at corners, and at ends of seams that turn by more than
+/// 15 degrees. These may be kinks of the designer's; other ends of seams are smoothed over.
+inline bool keepsTurn(const TurnPoint& point) {
+    constexpr double kKink = 0.2617993877991494;  // 15 degrees
+    return point.isCorner || (point.isSeamEnd && !point.byHand && std::abs(point.turn) > kKink);
+}
 
 /// A stretch of outline from one turn point to the next, along the outline.
 struct Segment {

@@ -34,7 +34,7 @@ std::optional<OutlineCorner> cornerAt(const std::vector<OutlineSegments>& segmen
     }
     for (std::size_t k = 0; k < of.turnPoints.size(); ++k) {
         const double off = std::remainder(of.turnPoints[k].at - at, perimeter);
-        if (std::abs(off) < kAtTurnPoint && of.turnPoints[k].isCorner) {
+        if (std::abs(off) < kAtTurnPoint && keepsTurn(of.turnPoints[k])) {
             return OutlineCorner{side.piece, static_cast<int>(k)};
         }
     }
