@@ -195,10 +195,13 @@ TEST(Check, TheReportListsDoubts) {
     const std::string report = (folder / "out.json").string();
     EXPECT_EQ(test::toileRun({"flatten", spike, "--unit", "mm", "-o", report}).status, 1);
     const auto json = nlohmann::json::parse(folder.read("out.json"));
-    ASSERT_EQ(json["doubts"].size(), 1U);
-    EXPECT_EQ(json["doubts"][0]["code"], "strain-beyond-cloth");
-    EXPECT_EQ(json["doubts"][0]["piece"], "spike");
-    EXPECT_EQ(json["doubts"][0]["fault"], true);
+    ASSERT_EQ(json["doubts"].size(), 2U);  // its only opening faces along z
+    EXPECT_EQ(json["doubts"][0]["code"], "up-axis-in-doubt");
+    EXPECT_EQ(json["doubts"][0]["piece"], nullptr);
+    EXPECT_EQ(json["doubts"][0]["fault"], false);
+    EXPECT_EQ(json["doubts"][1]["code"], "strain-beyond-cloth");
+    EXPECT_EQ(json["doubts"][1]["piece"], "spike");
+    EXPECT_EQ(json["doubts"][1]["fault"], true);
 }
 
 TEST(Check, ThickShellsAndScansAreInDoubtHoweverTheyAreCut) {
