@@ -96,6 +96,7 @@ private slots:
             return text ? OrderedJson::parse(*text) : OrderedJson();
         };
         QVERIFY(writeFile(file("other.dxf"), "0\nEOF\n"));
+        writeMesh("body.obj");
         const std::map<std::string, Change> changes{
             {"reading", [](DocumentState& to) { to.inputs.loading.strict = true; }},
             {"seams",
@@ -118,7 +119,7 @@ private slots:
                  plan.settings.gap = 7;
                  to.markers = to.markers.with({}, std::move(plan));
              }},
-            {"proof", [](DocumentState& to) { to.proof.body = "/body.obj"; }},
+            {"proof", [this](DocumentState& to) { to.proof.body = file("body.obj"); }},
             {"reference", [this](DocumentState& to) {
                  to.reference = {file("other.dxf"), std::make_shared<const PatternFile>()};
              }}};
@@ -157,7 +158,8 @@ private slots:
             QVERIFY(read);
             const OrderedJson again =
                 OrderedJson::parse(projectText(read->project, file("recovery")));
-            QVERIFY2(again.at(key) == after.at(key), key.c_str());
+            QVERIFY2(again.at(key) == after.at(key),
+                     (again.at(key).dump() + " for " + after.at(key).dump()).c_str());
             lost.erase(key);
         };
         for (const auto& [key, change] : changes) {
