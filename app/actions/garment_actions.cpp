@@ -79,7 +79,7 @@ void GarmentActions::connectState() {
 }
 
 void GarmentActions::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::View | DocumentChange::Options)) {
+    if (what & (DocumentChange::View | DocumentChange::Options | DocumentChange::Results)) {
         actions_.followChecked(workspace_);
     }
     actions_.followEnabled(workspace_);

@@ -100,7 +100,8 @@ CASES = [
                         ["--fair"], ["--fair=0.5,30"], ["--true"], ["--mirror", "auto"],
                         ["--mirror", "none", "--allowance", "12", "--hem", "20"],
                         ["--notches", "auto", "--allowance", "4"], ["--notches", "none", "--pattern"],
-                        ["--grain", "vertical"], ["--grain", "reference"], ["--grain", "least-strain"]])]),
+                        ["--grain", "vertical"], ["--grain", "reference"], ["--grain", "least-strain"],
+                        ["--mirror", "equal"]])]),
     # Only what is symmetric is cut by half. Of the skirt only tables: where its lines begin is a matter of rounding.
     Case("half", flatten("tshirt.obj", "--half", "--pattern", "-o", "tshirt.svg", "-o", "tshirt.json",
                          "-o", "half.csv"),
