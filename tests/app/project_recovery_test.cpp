@@ -156,8 +156,7 @@ private slots:
                      key.c_str());
             const auto read = readProject(std::filesystem::path(autosave.file().toStdU16String()));
             QVERIFY(read);
-            const OrderedJson again =
-                OrderedJson::parse(projectText(read->project, file("recovery")));
+            const OrderedJson again = OrderedJson::parse(projectText(read->project, {}));
             QVERIFY2(again.at(key) == after.at(key),
                      (again.at(key).dump() + " for " + after.at(key).dump()).c_str());
             lost.erase(key);
