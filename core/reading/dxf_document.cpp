@@ -14,7 +14,7 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestFactor = 1e9;            // of an INSERT
-constexpr std::size_t kMaxInserted = 200000;       // entities and blocks, with copies
+constexpr std::size_t kMaxInserted = 50000;        // entities and blocks, with copies
 constexpr int kMaxLevels = 16, kMaxRepeats = 500;  // of blocks in blocks; rows, columns
 constexpr long kFrameVertex = 16;                  // flag of a spline's control point
 constexpr double kUpright = 1e-6;  // how far an extrusion direction may lean off the z axis

@@ -66,7 +66,7 @@ struct DxfDocument {
 
 /// The entities with every INSERT replaced by the entities of its block, copied to their place; on
 /// layer 0 they take the layer of the INSERT. An INSERT of an unknown block stays, and so do those
-/// beyond 200 000 entities or 16 levels. Pure.
+/// beyond 50 000 entities or 16 levels. Pure.
 std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
                                           const std::vector<DxfEntity>& entities);
 
