@@ -12,7 +12,6 @@
 #include "core/diagnose/doubt.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/flat_trouble.h"
-#include "tests/core/support/growth.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 
@@ -91,14 +90,6 @@ TEST(CrossingOutlines, MovedApartAtMuchStrainAreADoubtOrStillCross) {
     const PieceResults parts = solvedFlat(cut);
     EXPECT_EQ(crossingCountOf(parts), 0);
     EXPECT_TRUE(findDoubts(cut, parts).empty());
-}
-
-TEST(CrossingOutlinesClock, TakeSomeTimesAsLongAsOthers) {
-    // Ten times the program's processor time, of which solving an uncrossed one is less than half.
-    const Garment simple = flounceGarment(340, false, 600);
-    const Garment crossing = flounceGarment(690, false, 600);
-    const double least = test::quickest([&] { solvedFlat(simple); });
-    EXPECT_LE(test::quickest([&] { solvedFlat(crossing); }), 20 * least);
 }
 
 /// Fair lines of every garment for tailors cross nowhere where the exact outlines do not.
