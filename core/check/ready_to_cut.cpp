@@ -258,6 +258,7 @@ private:
 
     void checkHalves() {
         std::vector<DrawnMirror> mirrors = drawnMirrors(plan_.results);
+        mirrors.resize(garment_.pieces.size());  // a window may have results of some pieces only
         if (isOfGarment(plan_.pattern.get())) {  // knows the cutting lines too
             std::ranges::transform(plan_.pattern->pieces, mirrors.begin(), &PatternPiece::mirror);
         }

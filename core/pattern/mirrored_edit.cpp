@@ -194,8 +194,16 @@ bool lieOn(const std::vector<Eigen::Vector3d>& points, const MeshArrays& mesh,
         points, [&](const Eigen::Vector3d& p) { return distanceTo(mesh, line, p) <= most; });
 }
 
-/// Which share of a line on a piece lies beside edges of the piece.
-double shareBesideEdges(const Piece& piece, const PathPolyline& line) {
+std::vector<Eigen::Vector3d> positionsOn(const MeshArrays& mesh, const PathPolyline& line) {
+    std::vector<Eigen::Vector3d> points;
+    for (const SurfacePoint& point : line.points) {
+        points.push_back(positionOf(mesh, point));
+    }
+    return points;
+}
+
+/// Which share of a line lies beside edges of a piece.
+double shareBesideEdges(const Piece& piece, const std::vector<Eigen::Vector3d>& line) {
     constexpr double kStep = 2 * kBesideEdge;  // mm
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
     const auto addLoop = [&](const std::vector<int>& loop) {
@@ -212,9 +220,8 @@ double shareBesideEdges(const Piece& piece, const PathPolyline& line) {
         });
     };
     double beside = 0, length = 0;
-    for (std::size_t i = 1; i < line.points.size(); ++i) {
-        const Eigen::Vector3d a = positionOf(piece.mesh, line.points[i - 1]);
-        const Eigen::Vector3d b = positionOf(piece.mesh, line.points[i]);
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        const Eigen::Vector3d &a = line[i - 1], &b = line[i];
         const double part = (b - a).norm();
         const int steps = 1 + static_cast<int>(std::min(part / kStep, 1e4));
         for (int k = 0; k < steps; ++k) {
@@ -262,12 +269,20 @@ std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& r
     const SurfaceLinks linksThere(there.mesh, there.table);
     auto way = traceUserCut(linksThere, NearestSurface(there.mesh), image, progress);
     constexpr double kMost = 0.8, kLeast = 0.4;  // of the lengths of the image and of the cut
-    const bool isBesideEdges = way && shareBesideEdges(there, *way) > kMost &&
-                               shareBesideEdges(*piece->piece, *line) < kLeast;
-    if (progress.isCancelled() || isBesideEdges) {
+    if (!way || progress.isCancelled()) {
         return std::nullopt;
     }
-    return CutImage{std::move(image), other, way ? std::move(*way) : PathPolyline{}};
+    const std::vector<Eigen::Vector3d> drawn = positionsOn(mesh, *line);
+    std::vector<Eigen::Vector3d> reflected;  // in space: a cut on one side alone bends flat pieces
+    for (const Eigen::Vector3d& point : drawn) {
+        reflected.push_back(symmetry.plane.reflected(point));
+    }
+    if (shareBesideEdges(*piece->piece, drawn) < kLeast &&
+        std::max(shareBesideEdges(there, positionsOn(there.mesh, *way)),
+                 shareBesideEdges(there, reflected)) > kMost) {
+        return std::nullopt;
+    }
+    return CutImage{std::move(image), other, std::move(*way)};
 }
 
 std::optional<UserCut> mirroredCut(const Garment& garment, const PieceResults& results,

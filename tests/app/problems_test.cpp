@@ -123,9 +123,10 @@ private slots:
             test::writeObj(fixture_.path(file).toStdString(), pieces);
         };
         using Pieces = std::vector<std::pair<std::string, MeshArrays>>;
-        write("sheets.obj",
-              Pieces{{"front", test::makeSheet(400, 600, 8, 12)},
-                     {"back", test::makeSheet(400, 600, 8, 12, Eigen::Vector3d(0, 0, -300))}});
+        MeshArrays back = test::makeSheet(400, 600, 8, 12, Eigen::Vector3d(0, 0, -300));
+        write("same-way.obj", Pieces{{"front", test::makeSheet(400, 600, 8, 12)}, {"back", back}});
+        back.F.col(0).swap(back.F.col(1));  // looks outwards
+        write("sheets.obj", Pieces{{"front", test::makeSheet(400, 600, 8, 12)}, {"back", back}});
         write("cap.obj", test::sewnCapParts());
         write("ball.obj",
               Pieces{{"ball", test::makeTetrahedron(300)},
@@ -276,7 +277,7 @@ private slots:
     }
 
     void hiddenPlaceIsSeenFromTheOtherSide() {
-        QVERIFY(open("sheets.obj"));
+        QVERIFY(open("same-way.obj"));
         fixture_.action(ActionId::LookFront).trigger();
         spoil(1, [](Points2& Q) { Q.row(40).array() += 30; });  // behind the other sheet
         click(rowOf(FindingKind::StrainWarp));

@@ -299,9 +299,10 @@ private slots:
     }
 
     void cutsAreListedWhereThereAreAny() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("tube.obj")));
         fixture_.action(ActionId::AutoCut).trigger();
         QVERIFY(fixture_.action(ActionId::AutoCut).isChecked());
-        QVERIFY(fixture_.openAndWait(fixture_.path("tube.obj")));
+        QVERIFY(fixture_.waitForResults());
         QVERIFY(!document().garment()->cuts.empty());
         auto& cuts = fixture_.find<QTreeWidget>("cutTable");
         QVERIFY(cuts.isVisible());
@@ -311,11 +312,12 @@ private slots:
     }
 
     void aSkirtIsCutAsTailorsDo() {
+        QVERIFY(fixture_.openAndWait(fixture_.path("skirt.obj")));
         fixture_.action(ActionId::TailorCuts).trigger();
         QVERIFY(fixture_.action(ActionId::TailorCuts).isChecked());
         QVERIFY(fixture_.action(ActionId::AutoCut).isChecked());
         fixture_.workspace().setUnit(LengthUnit::Millimetre);
-        QVERIFY(fixture_.openAndWait(fixture_.path("skirt.obj")));
+        QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().pieceCount(), 2);  // front and back
         auto& cuts = fixture_.find<QTreeWidget>("cutTable");
         QCOMPARE(cuts.topLevelItemCount(), 2);

@@ -164,7 +164,7 @@ CASES = [
            for split in ("auto", "objects", "groups", "materials", "components", "uv")]),
     Case("automatic_cuts",
          flatten("tube.obj", "--auto-cut", "-o", "tailor.json", "-o", "tailor.svg"),
-         flatten("tube.obj", "--auto-cut", "--cut-style", "topology"),
+         flatten("tube.obj", "--auto-cut", "--cut-style", "topology", "--turn-over"),
          flatten("ball.obj", "--auto-cut", "--cut-style", "auto"),  # how it is turned is a matter of rounding
          flatten("ball.obj", "--auto-cut", "--as", "solid"),
          flatten("layers.obj", "--auto-cut", "--layer", "2", "-o", "layer.json"),
