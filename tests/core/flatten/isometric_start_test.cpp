@@ -125,8 +125,7 @@ TEST(IsometricStart, LeavesWhatIsHardlyStrained) {
     const Points2 Q = piece->mesh.V.leftCols<2>();
     const Progress progress;
     EXPECT_EQ(
-        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, {}, progress).Q,
-        Q);
+        isometric::coarseToFine(piece->mesh, piece->table, piece->boundary, Q, {}, progress).Q, Q);
 }
 
 TEST(SymmetricDirichlet, RelaxingLowersTheEnergyAndLeavesTheFixed) {

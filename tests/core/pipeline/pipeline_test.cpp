@@ -62,10 +62,11 @@ TEST(Pipeline, DoubtsASizeThatNoGarmentHasUntilTheUserStatesTheUnit) {
         const char* name;
         double metres;
         bool isUsual;
-    } table[] = {{"shirt.obj", 0.41, true},  {"shirt.obj", 2.3, true}, {"shirt.obj", 2.6, false},
-                 {"shirt.obj", 0.09, false}, {"hat.obj", 0.3, true},   {"fedora_1.obj", 2.6, false},
-                 {"dress.obj", 0.41, false}, {"my tent.obj", 2.5, true}, {"my tent.obj", 0.3, false},
-                 {"that chat.obj", 2, true}};
+    } table[] = {{"shirt.obj", 0.41, true},   {"shirt.obj", 2.3, true},
+                 {"shirt.obj", 2.6, false},   {"shirt.obj", 0.09, false},
+                 {"hat.obj", 0.3, true},      {"fedora_1.obj", 2.6, false},
+                 {"dress.obj", 0.41, false},  {"my tent.obj", 2.5, true},
+                 {"my tent.obj", 0.3, false}, {"that chat.obj", 2, true}};
     for (const auto& row : table) {
         SCOPED_TRACE(std::string(row.name) + " " + std::to_string(row.metres));
         const std::string size = std::to_string(row.metres);
