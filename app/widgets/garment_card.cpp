@@ -19,10 +19,10 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     up_ = makeRow("upQuestion");
     division_ = makeRow("divisionQuestion");
     symmetry_ = makeRow("symmetryQuestion");
-    auto* keep = new QPushButton(tr("&Keep"), this);
-    keep->setObjectName("keepGuess");
-    keep->setToolTip(tr("The guess is right: do not ask again about this garment"));
-    connect(keep, &QPushButton::clicked, this, &GarmentCard::keep);
+    keep_ = new QPushButton(tr("&Keep"), this);
+    keep_->setObjectName("keepGuess");
+    keep_->setToolTip(tr("The guess is right: do not ask again about this garment"));
+    connect(keep_, &QPushButton::clicked, this, &GarmentCard::keep);
 
     auto* rows = new QVBoxLayout;
     rows->setSpacing(4);
@@ -36,7 +36,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     layout->setContentsMargins(14, 6, 10, 6);
     layout->setSpacing(12);
     layout->addLayout(rows, 1);
-    layout->addWidget(keep, 0, Qt::AlignVCenter);
+    layout->addWidget(keep_, 0, Qt::AlignVCenter);
     hide();
 }
 
@@ -117,6 +117,9 @@ void GarmentCard::ask(const GarmentQuestions& questions) {
     fillRow(up_, questions.up);
     fillRow(division_, questions.division);
     fillRow(symmetry_, questions.symmetry);
+    GarmentQuestions guesses = questions;
+    guesses.symmetry = {};
+    keep_->setVisible(!guesses.empty());
     setVisible(!questions.empty());
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 class QLabel;
+class QPushButton;
 
 namespace toile::app {
 
@@ -71,6 +72,7 @@ private:
     void keep();
 
     Row reading_, half_, unit_, up_, division_, symmetry_;
+    QPushButton* keep_;  ///< for guesses about the file; other questions have such an answer
 };
 
 }  // namespace toile::app
