@@ -99,9 +99,9 @@ std::vector<std::string> wordsAfterProgram(int argc, const char* const* argv) {
     return words;
 }
 
-/// What is said of a first word that is no option, no command and no garment that could be opened,
-/// by its ending or as there is such a file; with the command that is probably meant. Empty where
-/// it is one. Without a full stop. Cost: at most one look at the disk.
+/// The message about a first word that is neither an option nor a command nor a garment (by its
+/// ending, or because such a file exists). It names the command that is probably meant, and has no
+/// full stop. Empty if the word is valid. Looks at the disk once at most.
 std::string unknownFirstWord(const std::vector<std::string>& words,
                              const std::vector<std::string>& commands) {
     const std::string word = words.empty() ? "" : words.front();

@@ -101,13 +101,13 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
     return put ? std::nullopt : std::optional(Refusal(put.error()));
 }
 
-/// A garment may have thousands of things to say; nobody reads so many in a list of garments.
-constexpr std::size_t kMostNotes = 20;
+/// Notes per garment in the summary. A damaged file may cause thousands.
+constexpr std::size_t kMaxNotes = 20;
 
-/// Adds what was said, a sentence a line, as the notes.
-void addNotes(OrderedJson& figures, const std::string& said) {
-    std::istringstream lines(said);
-    for (std::string line; std::getline(lines, line) && figures["notes"].size() < kMostNotes;) {
+/// @param messages  one sentence per line
+void addNotes(OrderedJson& figures, const std::string& messages) {
+    std::istringstream lines(messages);
+    for (std::string line; std::getline(lines, line) && figures["notes"].size() < kMaxNotes;) {
         figures["notes"].push_back(text(withoutSpeaker(line)));
     }
 }

@@ -17,8 +17,8 @@ namespace toile::app {
 namespace {
 
 constexpr double kMicro = 1e-6;
-constexpr double kLeastScale = 0.5, kMostScale = 2;
-constexpr int kMostRounds = 100;
+constexpr double kMinScale = 0.5, kMaxScale = 2;
+constexpr int kMaxRounds = 100;
 constexpr Word<SewnPattern> kTypedSewnWords[] = {{SewnPattern::Designer, "uv"},
                                                  {SewnPattern::Own, "none"}};
 
@@ -85,7 +85,7 @@ void addSewnPattern(CLI::App& command, Arguments& arguments) {
                     "Sew the pattern this many times as large as it is: 0.97 as cloth that shrinks "
                     "by 3 %")
         ->type_name("FACTOR")
-        ->check(within(kLeastScale, kMostScale))
+        ->check(within(kMinScale, kMaxScale))
         ->capture_default_str();
     CLI::Option* body =
         command
@@ -225,7 +225,7 @@ void addProveOutput(CLI::App& command, Arguments& arguments) {
             "--rounds", [&arguments](int rounds) { arguments.prove.rounds = rounds; },
             "At most so many [" + std::to_string(kImproveRounds) + "]")
         ->type_name("N")
-        ->check(within(1, kMostRounds))
+        ->check(within(1, kMaxRounds))
         ->needs(improve);
     command
         .add_option("--report", arguments.prove.report, "Write the proof as JSON (docs/prove.md)")

@@ -17,7 +17,7 @@
 namespace toile::app {
 namespace {
 
-constexpr double kMostApart = 1000;  // mm
+constexpr double kMaxApart = 1000;  // mm
 constexpr int kMostGarments = 1000;
 
 /// Notes that this setting was typed. @param field  of MarkerSettings
@@ -65,7 +65,7 @@ void addCloth(CLI::App& command, MarkerArguments& marker) {
     const auto addLength = [&command](const char* option, double& length, const char* help) {
         return command.add_option(option, length, help)
             ->type_name("MM")
-            ->check(within(0.0, kMostApart))
+            ->check(within(0.0, kMaxApart))
             ->capture_default_str();
     };
     notes<&MarkerSettings::gap>(marker,

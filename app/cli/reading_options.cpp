@@ -10,7 +10,7 @@
 namespace toile::app {
 namespace {
 
-constexpr int kMostLayers = 1000;
+constexpr int kMaxLayers = 1000;
 
 /// What files are, and what is done with them before they are divided.
 void addPreparing(CLI::App& command, Preparation& preparing) {
@@ -23,7 +23,7 @@ void addPreparing(CLI::App& command, Preparation& preparing) {
         .add_option("--layer", preparing.onlyLayer,
                     "Which of several layers of cloth is taken, from the outermost, 1; 0: all")
         ->type_name("N")
-        ->check(within(0, kMostLayers));
+        ->check(within(0, kMaxLayers));
     ScanSteps& scan = preparing.scan;
     command.add_flag_callback(
         "--keep-debris", [&scan] { scan.dropDebris = false; },

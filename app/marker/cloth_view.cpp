@@ -22,7 +22,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kSelvedge = 3;          // pixels
-constexpr double kLeastStripes = 4;      // pixels from one to the next
+constexpr double kMinStripes = 4;        // pixels from one to the next
 constexpr double kArrow = 34, kPin = 5;  // pixels
 constexpr double kWordsAir = 6;
 
@@ -43,7 +43,7 @@ QColor faded(QColor colour, int alpha) {
 /// Lines across a box, one every `step` from `origin`.
 void paintStripes(QPainter& painter, const SheetMap& onScreen, const Eigen::AlignedBox2d& box,
                   int axis, double step, double origin) {
-    if (!(step * onScreen.pixelsPerMillimetre() >= kLeastStripes)) {
+    if (!(step * onScreen.pixelsPerMillimetre() >= kMinStripes)) {
         return;
     }
     const double first = std::ceil((box.min()[axis] - origin) / step);

@@ -20,15 +20,14 @@ class Document;
 class FieldGuard;
 class LengthEdit;
 
-/// What is added to the lines of the pattern: seam allowances by kind, and notches. Says what is to
-/// be said of all pieces.
+/// Seam allowances by kind, and notches, for all pieces. Emits `wanted` with the new settings.
 class AllowanceForm : public QWidget {
     Q_OBJECT
 
 public:
     AllowanceForm(Document& document, FieldGuard& guard, QWidget* parent = nullptr);
 
-    /// Shows what the document says now.
+    /// Shows the settings of the document.
     void refresh();
 
 signals:
@@ -56,7 +55,7 @@ private:
     int gesture_ = -1;
 };
 
-/// What stands on the labels of all pieces: size and date. Says what is to be said.
+/// Size and date on the labels of all pieces. Emits `wanted` with the new settings.
 class LabelForm : public QWidget {
     Q_OBJECT
 
@@ -77,9 +76,8 @@ private:
     QLineEdit *size_, *date_;
 };
 
-/// The dart that is selected: how wide it opens at its mouth, as a length or as the angle at its
-/// tip, and over which leg it is laid. Hidden where no dart is selected. Says what is to be said
-/// of it.
+/// The selected dart: its width as a length or as the angle at its tip, and the leg that it is
+/// folded to. Hidden if no dart is selected. Emits `wanted` with the new settings.
 class DartForm : public QWidget {
     Q_OBJECT
 

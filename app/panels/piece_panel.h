@@ -49,8 +49,8 @@ private:
     std::vector<int> pieces_;  ///< shown: the flat ones
 };
 
-/// What is said about the selected pieces: name, how many are cut, from what, and how the grain
-/// runs. Where several are selected a field shows what they share, and that they differ else.
+/// Name, quantity, material and grain of the selected pieces. If several are selected, a field
+/// shows their common value, or that they differ.
 class PieceForm : public QWidget {
     Q_OBJECT
 

@@ -20,9 +20,8 @@ class FieldGuard;
 class LengthEdit;
 class PercentEdit;
 
-/// The rows of the form of a segment that are about strips along it: by how much a free edge is
-/// drawn out, and how wide its facing is; 0: there is none. Says what is to be said of it and of
-/// its mirror image.
+/// Rows of the segment form about strips along it: the extension of a free edge and the width of
+/// its facing; 0: none. Emits `wanted` with the new settings, which include its mirror image.
 class StripRows : public QObject {
     Q_OBJECT
 
@@ -56,8 +55,7 @@ private:
     int gesture_ = -1;
 };
 
-/// The rows of the form of a segment that are about the seam that it is part of: the ease that is
-/// meant, and its notches.
+/// Rows of the segment form about the seam that it belongs to: its ease and its notches.
 class SewnRows : public QObject {
     Q_OBJECT
 
@@ -86,8 +84,8 @@ private:
     int gesture_ = -1;
 };
 
-/// The rows of the form of a segment that are about its seam allowance: how wide it is, on one side
-/// of the seam or on both, and how it meets the one before. Says what is to be said of it.
+/// Rows of the segment form about the seam allowance: its width on one side of the seam or on both,
+/// and the corner with the segment before. Emits `wanted` with the new settings.
 class AllowanceRows : public QObject {
     Q_OBJECT
 

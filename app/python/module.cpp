@@ -29,7 +29,7 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Ints = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-/// What is said of seams: a file, which the arguments name, or the text of one.
+/// The text of a seams file; none if the arguments name a file.
 using SeamsText = std::optional<std::string>;
 
 /// Takes a `seams` that is no path out of the options.

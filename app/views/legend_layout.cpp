@@ -217,18 +217,18 @@ constexpr int kTop = 7;
 constexpr int kFoot = 9;  ///< with the marks between the colours and their numbers
 constexpr int kLongestBar = 460;
 constexpr int kCornerAir = 10, kCornerGap = 4;
-constexpr int kMostWordLines = 2;  ///< below the title
+constexpr int kMaxWordLines = 2;   ///< below the title
 constexpr double kHighest = 1000;  ///< that words are measured in
 constexpr float kFaint = 0.72F;
 
-/// Words broken into lines of this width; of more than `kMostWordLines` the last ends in "…".
+/// Words broken into lines of this width; of more than `kMaxWordLines` the last ends in "…".
 QStringList wordLines(const QString& words, const QFont& font, int width) {
     QStringList lines;
     QTextLayout layout(words, font);
     layout.beginLayout();
     for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
         line.setLineWidth(width);
-        if (lines.size() + 1 == kMostWordLines) {
+        if (lines.size() + 1 == kMaxWordLines) {
             lines << QFontMetrics(font).elidedText(words.mid(line.textStart()), Qt::ElideRight,
                                                    width);
             break;

@@ -25,14 +25,14 @@ constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 
 /// The size of the strain over a piece, weighted by area. Without a sign: 0.3 is 30 %.
 struct StrainSizes {
-    double mean = 0;    ///< of both principal directions; a triangle counts kMostCounted at most
+    double mean = 0;    ///< of both principal directions; a triangle counts kMaxCounted at most
     double beyond = 0;  ///< share of the area beyond kStrainBeyondCloth in its worst direction
     double high = 0;    ///< exceeded on kStrainFaultArea of the area only
     int worst = -1;     ///< triangle
 };
 
 /// Single triangles, however far they are stretched, do not decide the mean.
-constexpr double kMostCounted = 1;
+constexpr double kMaxCounted = 1;
 
 StrainSizes strainSizes(const PieceResult& result) {
     const auto metrics = wornFaceMetrics(result.piece->mesh, result.flat->Q);
@@ -47,7 +47,7 @@ StrainSizes strainSizes(const PieceResult& result) {
         const double size = std::max(one, other);
         sizeAndArea.emplace_back(size, areas[f]);
         total += areas[f];
-        sizes.mean += areas[f] * std::min((one + other) / 2, kMostCounted);
+        sizes.mean += areas[f] * std::min((one + other) / 2, kMaxCounted);
         sizes.beyond += size > kStrainBeyondCloth ? areas[f] : 0;
         if (size > worst) {
             worst = size;

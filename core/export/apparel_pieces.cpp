@@ -25,7 +25,7 @@ constexpr double kSameStation = 1e-6;  // mm
 constexpr double kNearCut = 1;         // mm; so far a notch is put onto the line that is cut
 constexpr double kLongestGrain = 300;  // mm
 constexpr double kGrainShare = 0.8;    // of the cloth along it
-constexpr double kLeastGrain = 10;     // mm to either side
+constexpr double kMinGrain = 10;       // mm to either side
 
 const PatternPiece& pieceOf(const Pattern& pattern, const DrawnBlock& block) {
     return pattern.pieces[static_cast<std::size_t>(block.piece)];
@@ -116,8 +116,7 @@ Chord chordThrough(const Points2& outline, const Eigen::Vector2d& place, double 
         (at > 0 ? after : before) = std::min(at > 0 ? after : before, std::abs(at));
     }
     const auto kept = [](double room) -> double {
-        return std::isfinite(room) ? std::min(kGrainShare * room, 0.5 * kLongestGrain)
-                                   : kLeastGrain;
+        return std::isfinite(room) ? std::min(kGrainShare * room, 0.5 * kLongestGrain) : kMinGrain;
     };
     return {place - kept(before) * way, place + kept(after) * way};
 }

@@ -26,10 +26,10 @@ constexpr double kTracingShare = 0.7;
 /// Of proposals' time, about, for finding them.
 constexpr double kProposingShare = 0.7;
 /// A piece that the user's cuts part in more than so many is cut enough for proposals.
-constexpr std::size_t kMostParts = 50;
+constexpr std::size_t kMaxParts = 50;
 
 /// Cuts of one piece that part crossings: what needs more is for a person to look at.
-constexpr int kMostCrossingCuts = 8;
+constexpr int kMaxCrossingCuts = 8;
 
 /// A point of the reference panel by its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
@@ -177,7 +177,7 @@ private:
         }
         PartNames nameOf;
         const auto isLeft = [this](const Piece& part) { return isToAskAbout(part); };
-        if (parts.size() <= kMostParts && std::ranges::any_of(parts, isLeft)) {
+        if (parts.size() <= kMaxParts && std::ranges::any_of(parts, isLeft)) {
             nameOf = byProposal(whole, parts, Progress(progress, kByProposalShare));
             if (done_.cuts.empty() && !isToOpen(*whole)) {
                 done_.pieces.push_back(whole);
@@ -359,7 +359,7 @@ private:
     /// Parts what would cross itself in the plane, and the parts in turn.
     void partCrossings(const Progress& progress) {
         int count = 0;
-        for (std::size_t p = 0; p < done_.pieces.size() && count < kMostCrossingCuts;) {
+        for (std::size_t p = 0; p < done_.pieces.size() && count < kMaxCrossingCuts;) {
             const PiecePointer piece = done_.pieces[p];
             const std::vector<int> way =
                 mayCross(*piece) ? proposer_.partCrossing(*piece, progress) : std::vector<int>{};

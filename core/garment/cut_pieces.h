@@ -48,8 +48,8 @@ struct CutProposer {
     std::function<ProposedCuts(const std::shared_ptr<const Piece>&, const std::vector<UserCut>& own,
                                const Progress&)>
         propose{};
-    /// The way along edges that parts a disk whose flat outline would cross itself: vertices from
-    /// outline to outline; empty where none is needed or helps. Null: nobody looks.
+    /// A path of edges, from outline to outline, that divides a disk whose flat outline would cross
+    /// itself. Empty if none is needed or helps. Null: no disk is checked.
     std::function<std::vector<int>(const Piece&, const Progress&)> partCrossing{};
     int way = 1;              ///< tells it from others that propose otherwise
     bool isForDisks = false;  ///< it is asked about pieces that could lie flat, too

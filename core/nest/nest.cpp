@@ -63,16 +63,16 @@ public:
 
 private:
     std::size_t cellOf(double x) const {
-        return static_cast<std::size_t>(std::clamp(x / cell_, 0.0, kMostCells));
+        return static_cast<std::size_t>(std::clamp(x / cell_, 0.0, kMaxCells));
     }
 
-    static constexpr double kMostCells = 1e5;
+    static constexpr double kMaxCells = 1e5;
     double cell_, widest_ = 0, end_ = 0;
     std::vector<std::vector<Laid>> cells_;
 };
 
 constexpr Patience kCrowded{60, 2};
-constexpr std::int64_t kMostEvaluations = 200'000;
+constexpr std::int64_t kMaxEvaluations = 200'000;
 
 /// A nest on cloth that ends, for copies that laying one after the other found no room for: from
 /// these poses, overlaps allowed, by separation. None where that has not found one after a while.
@@ -87,7 +87,7 @@ std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>
     separation.begin(poses, end, kCrowded);
     auto outcome = Separation::Outcome::Going;
     for (std::int64_t evaluations = 0; outcome == Separation::Outcome::Going &&
-                                       evaluations < kMostEvaluations && !progress.isCancelled();
+                                       evaluations < kMaxEvaluations && !progress.isCancelled();
          ++evaluations) {
         outcome = separation.pass(random, evaluations, progress);
     }
@@ -103,9 +103,9 @@ constexpr std::size_t kMostRows = 60;  // that a copy is tried at
 constexpr int kEvenRows = 20;          // and beside obstacles
 /// Of more copies, one is looked for a place for only from near the last one like it on, in fewer
 /// rows: all else was tried for that.
-constexpr std::size_t kManyCopies = 150, kMostRowsOfMany = 30;
-constexpr int kOrdersTried = 8;           // where the cloth ends
-constexpr double kLeastStepShare = 1e-3;  // of the strip's width
+constexpr std::size_t kManyCopies = 150, kMaxRowsOfMany = 30;
+constexpr int kOrdersTried = 8;         // where the cloth ends
+constexpr double kMinStepShare = 1e-3;  // of the strip's width
 
 /// Lays one after the other.
 class FirstNest {
@@ -242,7 +242,7 @@ private:
             }
         }
         std::vector<double> list(places.begin(), places.end());
-        const std::size_t limit = areMany() ? kMostRowsOfMany : kMostRows;
+        const std::size_t limit = areMany() ? kMaxRowsOfMany : kMostRows;
         if (list.size() > limit) {  // evenly chosen, with the edges
             for (std::size_t k = 0; k < limit; ++k) {
                 list[k] = list[k * (list.size() - 1) / (limit - 1)];
@@ -275,7 +275,7 @@ private:
                 return x;
             }
             const double tenth = x + std::max((shape.box.right - shape.box.left) / 10,
-                                              kLeastStepShare * problem_.width());
+                                              kMinStepShare * problem_.width());
             const double after = std::min(next, tenth);
             if (obstacle && x + shape.box.left > obstacle->shape.box.right + problem_.width()) {
                 return HUGE_VAL;
@@ -384,7 +384,7 @@ namespace toile {
 namespace {
 
 constexpr int kCompressEvery = 5;  // rounds, where exploring is stuck
-constexpr int kMostSearches = 64;
+constexpr int kMaxSearches = 64;
 
 }  // namespace
 
@@ -458,7 +458,7 @@ Result<Nester> Nester::make(NestInstance instance, const NestOptions& options,
     if (!start) {
         return start.error();
     }
-    const int count = std::clamp(options.searches, 1, kMostSearches);
+    const int count = std::clamp(options.searches, 1, kMaxSearches);
     for (int k = 0; k < count; ++k) {
         state->searches.push_back(std::make_unique<nest::Search>(
             state->problem, *start, nest::Random(options.seed, static_cast<std::uint64_t>(k), 0)));

@@ -169,10 +169,10 @@ void shuffle(std::vector<std::size_t>& list, Random& random) {
     }
 }
 
-constexpr double kFirstStep = 0.05, kLeastStep = 0.001;
-constexpr double kFirstSqueeze = 0.0005, kLeastSqueeze = 0.00001, kSqueezeFading = 0.9;
+constexpr double kFirstStep = 0.05, kMinStep = 0.001;
+constexpr double kFirstSqueeze = 0.0005, kMinSqueeze = 0.00001, kSqueezeFading = 0.9;
 constexpr double kShareOfLarge = 0.75;  // of the hulls' area
-constexpr std::size_t kMostFailed = 50;
+constexpr std::size_t kMaxFailed = 50;
 constexpr Patience kHasty{15, 1}, kExploring{100, 3}, kCompressing{60, 2};
 constexpr int kEasyPasses = 6;  // after so few a longer step is tried
 
@@ -313,19 +313,19 @@ bool Search::keep(const Lay& lay) {
 void Search::shrink() {
     failed_.clear();
     const double length = std::max(best_.length * (1 - step_), problem_->leastLength);
-    exploring_.begin(best_.poses, length, step_ > kLeastStep ? kHasty : kExploring);
+    exploring_.begin(best_.poses, length, step_ > kMinStep ? kHasty : kExploring);
 }
 
 void Search::afterFailure() {
     isStuck_ = true;
-    if (step_ > kLeastStep) {
-        step_ = std::max(kLeastStep, step_ / 2);
+    if (step_ > kMinStep) {
+        step_ = std::max(kMinStep, step_ / 2);
         shrink();
         return;
     }
     FailedState state{exploring_.best(), exploring_.leastLoss()};
     failed_.insert(std::ranges::upper_bound(failed_, state.loss, {}, &FailedState::loss), state);
-    failed_.resize(std::min(failed_.size(), kMostFailed));
+    failed_.resize(std::min(failed_.size(), kMaxFailed));
     const double share = random_.share();
     auto poses =
         failed_[static_cast<std::size_t>(share * share * static_cast<double>(failed_.size()))]
@@ -405,7 +405,7 @@ void Search::compressPass(const Progress& progress) {
     const auto outcome = compressing_.pass(random_, evaluations_, progress);
     if (outcome != Separation::Outcome::Going) {
         const bool isKept = outcome == Separation::Outcome::Separated && keep(compressing_.lay());
-        squeeze_ = isKept ? squeeze_ : std::max(kLeastSqueeze, squeeze_ * kSqueezeFading);
+        squeeze_ = isKept ? squeeze_ : std::max(kMinSqueeze, squeeze_ * kSqueezeFading);
         beginCompression();
     }
 }

@@ -35,7 +35,7 @@ constexpr double kBandWay = 6;
 /// The part of a band's width that either side may stray.
 constexpr double kBandPart = 0.25;
 /// The least tolerance, mm: below it the line is the exact one for all that one can see.
-constexpr double kLeastTolerance = 0.02;
+constexpr double kMinTolerance = 0.02;
 /// A line that would cross itself is drawn again, so many times at most: each time the tolerance
 /// around its crossings, up to a distance in mm that doubles, becomes this part of what it was, and
 /// all steps become shorter by this factor.
@@ -204,7 +204,7 @@ void boundByWidth(const Points2& line, const std::vector<double>& steps,
                       geometry::distanceToSegment(segments[j].a, segments[i].a, segments[i].b),
                       geometry::distanceToSegment(segments[j].b, segments[i].a, segments[i].b)});
         if (width < margin && isBand(i, j, width)) {
-            const double most = std::max(kLeastTolerance, kBandPart * width);
+            const double most = std::max(kMinTolerance, kBandPart * width);
             for (const int node : {i, (i + 1) % n, j, (j + 1) % n}) {
                 tolerance[node] = std::min(tolerance[node], most);
             }

@@ -268,7 +268,8 @@ std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& r
     const Piece& there = *counterpart->piece;
     const SurfaceLinks linksThere(there.mesh, there.table);
     auto way = traceUserCut(linksThere, NearestSurface(there.mesh), image, progress);
-    constexpr double kMost = 0.8, kLeast = 0.4;  // of the lengths of the image and of the cut
+    // Shares of the length of the image that runs beside edges, and of the drawn cut that may.
+    constexpr double kImageBesideEdges = 0.8, kDrawnBesideEdges = 0.4;
     if (!way || progress.isCancelled()) {
         return std::nullopt;
     }
@@ -277,9 +278,9 @@ std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& r
     for (const Eigen::Vector3d& point : drawn) {
         reflected.push_back(symmetry.plane.reflected(point));
     }
-    if (shareBesideEdges(*piece->piece, drawn) < kLeast &&
+    if (shareBesideEdges(*piece->piece, drawn) < kDrawnBesideEdges &&
         std::max(shareBesideEdges(there, positionsOn(there.mesh, *way)),
-                 shareBesideEdges(there, reflected)) > kMost) {
+                 shareBesideEdges(there, reflected)) > kImageBesideEdges) {
         return std::nullopt;
     }
     return CutImage{std::move(image), other, std::move(*way)};

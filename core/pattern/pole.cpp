@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kMostSquares = 20000;
-constexpr std::size_t kMostLooks = 300000, kMostLooksPerEdge = 60;  // at an edge from a place
+constexpr int kMaxSquares = 20000;
+constexpr std::size_t kMaxLooks = 300000, kMaxLooksPerEdge = 60;  // at an edge from a place
 
 /// A piece of a line; coordinates in which the shape that seeks room is the unit circle, or the
 /// square of half side 1, at room 1.
@@ -193,7 +193,7 @@ public:
         };
         int made = 0;
         looks_ = 0;
-        const std::size_t most = kMostLooks + kMostLooksPerEdge * all_.size();
+        const std::size_t most = kMaxLooks + kMaxLooksPerEdge * all_.size();
         const auto offer = [&](PoleSquare square) {
             if (const std::optional<double> found = rank(square)) {
                 square.rank = *found;
@@ -203,7 +203,7 @@ public:
             }
         };
         offer(this->made(box_.center(), 0.5 * box_.sizes().maxCoeff(), all_));
-        while (!open.empty() && made < kMostSquares && looks_ < most) {
+        while (!open.empty() && made < kMaxSquares && looks_ < most) {
             std::ranges::pop_heap(open, isLater);
             const PoleSquare whole = std::move(open.back());
             open.pop_back();

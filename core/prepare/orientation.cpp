@@ -24,7 +24,7 @@ namespace {
 /// An axis is clear where the openings lie this many times as far apart along it.
 constexpr double kClearlyApart = 2;
 /// Openings that enclose less of the bounding box between them are buttonholes and slits.
-constexpr double kLeastBetween = 0.01;
+constexpr double kMinBetween = 0.01;
 /// Nor is a box that is flatter than this part of its size a measure.
 constexpr double kFlattest = 0.1;
 /// The only opening of a hat or a sock is smaller than this part of the surface. It faces along an
@@ -144,7 +144,7 @@ UpGuess guessUpAxis(const MeshArrays& mesh) {
         between[axis] = surface[axis] > kLevel * surface.w() ? 0 : between[axis];
     }
     const double size = extents.maxCoeff();
-    const double least = kLeastBetween * extents.cwiseMax(kFlattest * size).prod();
+    const double least = kMinBetween * extents.cwiseMax(kFlattest * size).prod();
     const double along = std::max(between.y(), between.z());
     if (along > least && along > 0) {
         if (between.z() > kClearlyApart * between.y()) {
@@ -186,7 +186,7 @@ constexpr int kMaxLooks = 500;
 constexpr int kSeesMore = 2;
 /// A part, or a file, is a sheet where less than this share of it has an inside. Of a part that has
 /// one, this much must look to the same side.
-constexpr double kEnoughSeen = 0.3, kMostLook = 0.8;
+constexpr double kEnoughSeen = 0.3, kMaxLook = 0.8;
 /// Less cloth that looks inwards than this share is a pocket or a facing.
 constexpr double kInwards = 0.1;
 
@@ -234,7 +234,7 @@ struct PartLooks {
 
     bool isMostly(int count) const {
         return outwards + inwards >= kEnoughSeen * looks &&
-               count >= kMostLook * (outwards + inwards);
+               count >= kMaxLook * (outwards + inwards);
     }
 };
 

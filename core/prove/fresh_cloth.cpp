@@ -26,7 +26,7 @@ namespace {
 /// Cost: one factorisation. Pure.
 Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
     /// So that no two triangles across a rim draw an edge apart.
-    constexpr double kLeastWeight = 1e-6;
+    constexpr double kMinWeight = 1e-6;
     const auto known = static_cast<int>(given.rows());
     const auto count = static_cast<int>(mesh.Q.rows());
     Points2 places(count, 2);
@@ -43,7 +43,7 @@ Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
     std::vector<char> isUsed(static_cast<std::size_t>(count - known), 0);
     for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
         const int a = table.edges(e, 0) - known, b = table.edges(e, 1) - known;
-        const double weight = std::max(weights[e], kLeastWeight);
+        const double weight = std::max(weights[e], kMinWeight);
         for (const auto& [here, there] : {std::pair(a, b), std::pair(b, a)}) {
             if (here >= 0) {
                 isUsed[here] = 1;
@@ -74,13 +74,13 @@ Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
     return places;
 }
 
-constexpr double kMostEdge = 30;  // mm
+constexpr double kMaxEdge = 30;  // mm
 /// No edge is shorter than that of a square of which so many make the cloth: it has some 100 000
 /// triangles then, and a doll's may be as short as they are.
-constexpr double kMostSquares = 50000;
+constexpr double kMaxSquares = 50000;
 
 /// More take minutes for each step, and a step cannot be cancelled.
-constexpr double kMostTriangles = 300000;
+constexpr double kMaxTriangles = 300000;
 
 struct UsualEdge {
     double own;   ///< the median of the garment's own triangles' edges, mm
@@ -102,10 +102,10 @@ double flatAreaOf(const Garment& garment, const RestPattern& pattern) {
 std::optional<Error> tooFine(double edge, double area) {
     const double perSquare = 4 / std::sqrt(3.0);  // equal ones
     const double count = perSquare * area / (edge * edge);
-    if (count <= kMostTriangles) {
+    if (count <= kMaxTriangles) {
         return std::nullopt;
     }
-    const double least = std::sqrt(perSquare * area / kMostTriangles);
+    const double least = std::sqrt(perSquare * area / kMaxTriangles);
     return Error{ErrorCode::OutOfMemory, {}, edgesTooFine(edge, count, least)};
 }
 
@@ -142,9 +142,8 @@ UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {
     }
     const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
     std::ranges::nth_element(lengths, middle);
-    const double least =
-        std::min(std::sqrt(flatAreaOf(garment, pattern) / kMostSquares), kMostEdge);
-    return {*middle, std::clamp(*middle, least, kMostEdge)};
+    const double least = std::min(std::sqrt(flatAreaOf(garment, pattern) / kMaxSquares), kMaxEdge);
+    return {*middle, std::clamp(*middle, least, kMaxEdge)};
 }
 
 MeshArrays inSpace(const Points2& flat, const Triangles& F) {

@@ -23,7 +23,7 @@ constexpr double kFarthestCorner = 0.06, kAloneCorner = 0.1;  // of the perimete
 /// Nor are corners farther apart than so many times the lines are, and this share of the perimeter:
 /// of two in one window either may have been taken.
 constexpr double kFartherThanLines = 6, kFartherCorner = 0.005;
-constexpr double kMostCornerTrials = 5e7;
+constexpr double kMaxCornerTrials = 5e7;
 
 /// Places at even shares of a line's length around their middle, from a share of it on.
 CentredPlaces evenPlaces(const ClosedLine& line, double from, double scale) {
@@ -201,7 +201,7 @@ LineMap::LineMap(const ClosedLine& ours, const ClosedLine& theirs, const RoughFi
                 least = cost;
                 best = partner;
             }
-            if (trials > kMostCornerTrials) {
+            if (trials > kMaxCornerTrials) {
                 break;
             }
         }

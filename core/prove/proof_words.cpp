@@ -83,9 +83,9 @@ Wording tellingPlace(const Proof& proof, const Garment& garment) {
 
 /// As typed: with no more decimals than it needs.
 Wording typedFigure(double value) {
-    constexpr int kMostDecimals = 4;
+    constexpr int kMaxDecimals = 4;
     int decimals = 0;
-    for (double ten = value; decimals < kMostDecimals && std::abs(ten - std::round(ten)) > 1e-9;
+    for (double ten = value; decimals < kMaxDecimals && std::abs(ten - std::round(ten)) > 1e-9;
          ++decimals) {
         ten *= 10;
     }

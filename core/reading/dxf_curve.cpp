@@ -14,13 +14,13 @@ namespace {
 using Eigen::Vector2d;
 using CurvePoints = std::vector<Vector2d>;
 
-constexpr double kLeastBulge = 1e-7, kMostBulge = 1e5;  // below a straight line, beyond nonsense
+constexpr double kMinBulge = 1e-7, kMaxBulge = 1e5;  // below a straight line, beyond nonsense
 constexpr int kMaxHalvings = 12, kMaxDegree = 15;
 constexpr std::size_t kMaxCurvePoints = 200000;  // of one entity
 constexpr double kSameEnd = 1e-9;                // of the extent: the first point repeated
 constexpr double kNoSweep = 1e-4;                // radians: angles are rounded
-constexpr double kMostOfFrame = 1.01;  // a spline is no longer than this beside its own chords
-constexpr long kMeshFlags = 16 | 64;   // of a POLYLINE that is no line
+constexpr double kMaxOfFrame = 1.01;  // a spline is no longer than this beside its own chords
+constexpr long kMeshFlags = 16 | 64;  // of a POLYLINE that is no line
 
 /// Chords of one stretch of a smooth curve, without its first point: it is halved until the curve
 /// is nowhere farther than the tolerance from its chords.
@@ -71,7 +71,7 @@ CurvePoints polylinePoints(const DxfEntity& entity, double tolerance) {
         const Vector2d from = entity.points.row(k).transpose();
         points.push_back(from);
         const double bulge = entity.bulges[static_cast<std::size_t>(k)];
-        const bool isArc = std::abs(bulge) > kLeastBulge && std::abs(bulge) < kMostBulge;
+        const bool isArc = std::abs(bulge) > kMinBulge && std::abs(bulge) < kMaxBulge;
         if (!isArc || (k + 1 == n && !entity.closed)) {
             continue;
         }
@@ -167,7 +167,7 @@ CurvePoints splineFitPoints(const DxfEntity& entity, CurvePoints chords, double 
     CurvePoints curve = framePoints(std::move(frame), entity.number(75) == kQuadratic ? 2 : 3,
                                     entity.closed, tolerance);
     const double length = lengthOf(curve, entity.closed), own = lengthOf(chords, entity.closed);
-    const bool isSame = length >= own * (1 - kSameEnd) && length <= own * kMostOfFrame;
+    const bool isSame = length >= own * (1 - kSameEnd) && length <= own * kMaxOfFrame;
     return chords.size() < 2 || isSame ? curve : chords;
 }
 

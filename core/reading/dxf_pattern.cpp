@@ -20,11 +20,11 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kMostOutlines = 2000;  // of a drawing without blocks
-constexpr double kMostWork = 5e8;    // points looked at to find in which piece things of it lie
+constexpr std::size_t kMaxOutlines = 2000;  // of a drawing without blocks
+constexpr double kMaxWork = 5e8;     // points looked at to find in which piece things of it lie
 constexpr double kRectangle = 0.98;  // of its box: what fills so much of it is one
 constexpr double kSideNear = 1e-3;   // of a border's size: how near the sides of a title block are
-constexpr double kMostHoles = 0.2;   // of a piece's area
+constexpr double kMaxHoles = 0.2;    // of a piece's area
 constexpr double kLargeHole = 0.03;  // likewise: no piece has two of them
 constexpr double kSeamLine = 0.6;    // likewise: so large a line may be that of the seam
 
@@ -161,7 +161,7 @@ bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::
         held += isInner ? 0 : lines[k].area;
         large += lines[k].area > kLargeHole * outer.area ? 1 : 0;
     }
-    const bool areLarge = held > kMostHoles * outer.area || large > 1 || (isAlone && large > 0);
+    const bool areLarge = held > kMaxHoles * outer.area || large > 1 || (isAlone && large > 0);
     const bool isSeamLine = lines.size() == 2 && held > kSeamLine * outer.area;
     return (isNested && !isSeamLine) || (side > 1 && areLarge);
 }
@@ -195,7 +195,7 @@ void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vect
 
 /// Says of pieces with large holes that these may be pieces.
 void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& notes) {
-    constexpr double kLeastDoubt = 0.002;  // of a rectangle: a larger hole may be a small piece
+    constexpr double kMinDoubt = 0.002;  // of a rectangle: a larger hole may be a small piece
     for (const FilePiece& piece : pieces) {
         const DrawnOutline outer(outlineOf(piece), {});
         double held = 0, largest = 0;
@@ -204,8 +204,8 @@ void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& note
             held += area;
             largest = std::max(largest, area);
         }
-        if (held > kMostHoles * outer.area ||
-            (outer.isRectangle() && largest > kLeastDoubt * outer.area)) {
+        if (held > kMaxHoles * outer.area ||
+            (outer.isRectangle() && largest > kMinDoubt * outer.area)) {
             notes.push_back(
                 worded("in doubt: %1 has %2, which take %3 % of it; if they are pieces, take the "
                        "line around them out of the drawing",
@@ -251,7 +251,7 @@ public:
 
 private:
     FilePiece* around(const Eigen::Vector2d& point) {
-        for (std::size_t k = 0; k < pieces_.size() && work_ < kMostWork; ++k) {
+        for (std::size_t k = 0; k < pieces_.size() && work_ < kMaxWork; ++k) {
             ++work_;
             if (!boxes_[k].contains(point)) {
                 continue;
@@ -294,7 +294,7 @@ private:
                 outer->sew = line;
             } else if (outer) {
                 outer->holes.emplace_back(line.colwise().reverse());
-            } else if (pieces_.size() < kMostOutlines && role != DxfRole::CutOut) {
+            } else if (pieces_.size() < kMaxOutlines && role != DxfRole::CutOut) {
                 FilePiece& piece = pieces_.emplace_back();
                 (role == DxfRole::Sew ? piece.sew : piece.cut) = line;
                 boxes_.push_back(outline.box);
@@ -309,7 +309,7 @@ private:
         if (beside > 0) {
             notes_.push_back(toile::worded(
                 "left out, since they are in no piece or beyond the largest %2 outlines: %1",
-                {countWording(beside, "closed line"), figure(1.0 * kMostOutlines)}));
+                {countWording(beside, "closed line"), figure(1.0 * kMaxOutlines)}));
         }
     }
 

@@ -19,11 +19,11 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestPlace = 1e9;  // mm: beyond, a coordinate is no place on cloth
-constexpr double kLeastNear = 0.02;     // mm, the ends of lines that are one
+constexpr double kMinNear = 0.02;       // mm, the ends of lines that are one
 constexpr double kNearShare = 1e-4;     // of the extent
 constexpr double kGapShare = 0.05;      // of a line's length: a wider gap is no slip of a pen
-constexpr int kMostNotMirrored = 100;   // lines of a piece: each is looked for among all
-constexpr int kMostQuantity = 100000;   // of what a number may say
+constexpr int kMaxNotMirrored = 100;    // lines of a piece: each is looked for among all
+constexpr int kMaxQuantity = 100000;    // of what a number may say
 
 constexpr Word<DxfRole> kNumbers[] = {
     {DxfRole::Cut, "1"},           {DxfRole::Notch, "4"},       {DxfRole::Fold, "6"},
@@ -154,7 +154,7 @@ void readQuantity(const std::string& text, FilePiece& piece) {
         if (error != std::errc()) {
             break;
         }
-        number = std::clamp(value, 0, kMostQuantity);
+        number = std::clamp(value, 0, kMaxQuantity);
         at = after;
     }
     piece.quantity = numbers[0];
@@ -223,7 +223,7 @@ std::optional<FileChord> chordOf(const std::vector<DxfEntity>& entities, DxfRole
 std::vector<char> notMirrored(const std::vector<DxfEntity>& entities, const DxfPlace& place,
                               const std::vector<FileLine>& lines) {
     std::vector<char> isKept(lines.size(), 0);
-    int left = kMostNotMirrored;
+    int left = kMaxNotMirrored;
     for (const DxfEntity& entity : entities) {
         const auto point = entity.point();
         if (!point || (entity.kind != "TEXT" && entity.kind != "MTEXT") ||
@@ -345,7 +345,7 @@ DxfFields dxfFields(const std::vector<DxfEntity>& entities) {
 }
 
 double dxfNearness(double extent) {
-    return std::max(kLeastNear, kNearShare * (std::isfinite(extent) ? extent : 0));
+    return std::max(kMinNear, kNearShare * (std::isfinite(extent) ? extent : 0));
 }
 
 std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole role,

@@ -27,7 +27,7 @@ constexpr const char* kZoneOutside =
     translatable("a closed line that begins outside of the hide is left out (layer \"%1\")");
 constexpr const char* kHideUnit = translatable("its numbers are taken for %1: %2");
 constexpr double kHideEndsNear = 0.01;  // mm, of lines that meet
-constexpr double kLeastHideArea = 1;    // mm2
+constexpr double kMinHideArea = 1;      // mm2
 
 /// Lines by layer, in the order of the file's layers.
 using LinesOfLayers = std::vector<std::pair<std::string, std::vector<FileLine>>>;
@@ -120,7 +120,7 @@ std::vector<HideLine> closedLines(const LinesOfLayers& layers, std::vector<Wordi
             }
             const auto points = geometry::antiClockwise(line.points.topRows(count));
             const double area = geometry::signedAreaOf(points);
-            if (area > kLeastHideArea) {
+            if (area > kMinHideArea) {
                 closed.push_back({points, layer, area});
             }
         }

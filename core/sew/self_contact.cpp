@@ -74,7 +74,7 @@ constexpr double kLeft = 0.1, kBold = 0.9;
 /// Parts of the thickness: what is nearer than this is not held apart any more, so that nothing
 /// gets stuck.
 constexpr double kLost = 1e-3;
-constexpr int kMostAdvances = 200;
+constexpr int kMaxAdvances = 200;
 
 struct Corners {
     Eigen::Vector3d p, a, b, c;
@@ -100,7 +100,7 @@ double freeWayOf(const Corners& at, const Corners& step, double lost, double mos
         return most;
     }
     double way = 0, distance = first;
-    for (int k = 0; k < kMostAdvances; ++k) {
+    for (int k = 0; k < kMaxAdvances; ++k) {
         const double advance = kBold * (distance - least) / speed;
         way += advance;
         if (way >= most) {

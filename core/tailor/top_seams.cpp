@@ -15,7 +15,7 @@ namespace {
 /// By how much of its height an armhole is hollow towards the body.
 constexpr double kHollow = 0.16;
 /// A line this far off its target, mm, costs double; at most as much as at so many times that.
-constexpr double kOff = 20, kMostOff = 5, kLengthCost = 0.2;
+constexpr double kOff = 20, kMaxOff = 5, kLengthCost = 0.2;
 /// Which half of the garment a line may run through, by `facing`, and how near the middle.
 constexpr double kHalfFacing = -0.35, kNearMiddle = 20;
 constexpr double kForbidden = 1e4;
@@ -72,7 +72,7 @@ private:
                 side_ * ways_.across(v) < kNearMiddle) {
                 return kForbidden;
             }
-            double off = isLed ? 0 : kOff * kMostOff;
+            double off = isLed ? 0 : kOff * kMaxOff;
             for (std::size_t k = 1; !isLed && k < target.size(); ++k) {
                 off = std::min(off, geometry::distanceToSegment(seen(v), target[k - 1], target[k]));
             }

@@ -83,7 +83,7 @@ Opened traced(const std::vector<std::string>& arguments) {
     Opened opened{run.status, run.err, {}, {}};
     std::istringstream lines(folder.read("log"));
     for (std::string line; std::getline(lines, line);) {
-        // 12 openat(AT_FDCWD</work>, "a.obj", O_RDONLY) = 3</work/a.obj>
+        // 12 openat(AT_FDCWD</garments>, "a.obj", O_RDONLY) = 3</garments/a.obj>
         const std::size_t result = line.rfind(") = ");
         const std::size_t path = line.find('<', result == std::string::npos ? line.size() : result);
         if (path != std::string::npos) {
