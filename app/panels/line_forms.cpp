@@ -23,11 +23,11 @@
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "core/base/units.h"
+#include "core/geometry/line.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/exact_outline.h"
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/piece_marks.h"
-#include "core/quality/closed_line.h"
 
 namespace toile::app {
 namespace {
@@ -357,7 +357,8 @@ std::optional<double> DartForm::drawnIntake() const {
         return std::nullopt;
     }
     const Piece& piece = *result->piece;
-    const ClosedLine outline(result->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    const auto outline =
+        geometry::Line::closed(result->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
     return (outline.pointAt(place_.to) - outline.pointAt(place_.from)).norm();
 }
 

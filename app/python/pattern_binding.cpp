@@ -10,8 +10,8 @@
 #include "app/python/running_calls.h"
 #include "core/base/words.h"
 #include "core/export/drawing_notes.h"
+#include "core/geometry/line.h"
 #include "core/pattern/notch_mark.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::python {

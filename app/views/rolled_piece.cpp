@@ -75,14 +75,14 @@ RolledPiece::RolledPiece(const Document& document, int seam, SeamRoll roll)
 std::vector<Points2> RolledPiece::strokesOf(const PatternPiece& piece, bool ofSeamOnly) const {
     std::vector<Points2> strokes;
     for (int hole = -1; hole < static_cast<int>(piece.holes.size()); ++hole) {
-        std::optional<ClosedLine> loop;
+        std::optional<geometry::Line> loop;
         for (const PieceNotch& notch : piece.notches) {
             if (notch.hole != hole || (ofSeamOnly && notch.seam != seam_ + 1)) {
                 continue;
             }
             if (!loop) {
-                loop.emplace(hole < 0 ? piece.outline
-                                      : piece.holes[static_cast<std::size_t>(hole)]);
+                loop = geometry::Line::closed(
+                    hole < 0 ? piece.outline : piece.holes[static_cast<std::size_t>(hole)]);
             }
             NotchSize size;
             size.depth = pattern_->notchDepth;

@@ -10,6 +10,7 @@
 #include "app/render/scene_builder.h"
 #include "app/text/figures.h"
 #include "app/views/reference_gaps.h"
+#include "core/geometry/line.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {
@@ -19,29 +20,10 @@ namespace {
 /// Shorter than any stitch: what is left over by rounding, mm.
 constexpr double kNothing = 1e-3;
 
-struct Span {
-    double low = 0, high = 0;
+using Span = geometry::Interval;
 
-    double length() const { return high - low; }
-};
-
-/// Arc lengths along an outline at which its edges begin, and its whole length at the end.
-std::vector<double> arcsOf(const Piece& piece) {
-    const std::size_t size = piece.boundary.size();
-    std::vector<double> arcs(size + 1, 0);
-    for (std::size_t k = 0; k < size; ++k) {
-        arcs[k + 1] = arcs[k] + (piece.mesh.V.row(piece.boundary[(k + 1) % size]) -
-                                 piece.mesh.V.row(piece.boundary[k]))
-                                    .norm();
-    }
-    return arcs;
-}
-
-/// At which edge `k` begins, where k counts on past the outline's beginning.
-double arcAt(const std::vector<double>& arcs, int k) {
-    const int size = static_cast<int>(arcs.size()) - 1;
-    const int turns = k / size;
-    return turns * arcs.back() + arcs[static_cast<std::size_t>(k % size)];
+geometry::Arc arcsOf(const Piece& piece) {
+    return geometry::SpaceLine::closed(piece.mesh.V(piece.boundary, Eigen::all)).arc();
 }
 
 Span spanOf(const SeamSide& side) {
@@ -49,14 +31,14 @@ Span spanOf(const SeamSide& side) {
 }
 
 /// The part of a side between two of its arc lengths, in its direction.
-SeamSide partOf(const SeamSide& side, const std::vector<double>& arcs, Span span) {
+SeamSide partOf(const SeamSide& side, const geometry::Arc& arcs, Span span) {
     SeamSide part = side;
     part.start = side.reversed ? span.high : span.low;
     part.end = side.reversed ? span.low : span.high;
     part.count = 0;
     for (int k = side.first; k < side.first + side.count; ++k) {
         const double touched =
-            std::min(span.high, arcAt(arcs, k + 1)) - std::max(span.low, arcAt(arcs, k));
+            std::min(span.high, arcs.placeOf(k + 1)) - std::max(span.low, arcs.placeOf(k));
         if (touched > kNothing) {
             part.first = part.count == 0 ? k : part.first;
             part.count = k - part.first + 1;
@@ -73,8 +55,8 @@ double wornLength(const SeamSide& side) {
 
 std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
     const Piece& piece = *garment.pieces[static_cast<std::size_t>(run.piece)];
-    const std::vector<double> arcs = arcsOf(piece);
-    const Span taken{arcAt(arcs, run.first), arcAt(arcs, run.first + run.count)};
+    const geometry::Arc arcs = arcsOf(piece);
+    const Span taken{arcs.placeOf(run.first), arcs.placeOf(run.first + run.count)};
     std::vector<SewnPart> parts;
     for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
         const Seam& seam = garment.seams.seams[s];
@@ -89,9 +71,7 @@ std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
                 continue;
             }
             const Span all = spanOf(here);
-            for (const double turn : {-arcs.back(), 0.0, arcs.back()}) {
-                const Span both{std::max(all.low, taken.low + turn),
-                                std::min(all.high, taken.high + turn)};
+            for (const auto& both : geometry::commonParts(all, taken, arcs.length())) {
                 if (both.length() <= kNothing) {
                     continue;
                 }
@@ -113,7 +93,7 @@ std::optional<int> seamOfRun(const Garment& garment, const Feature& run) {
         return std::nullopt;
     }
     const auto arcs = arcsOf(*garment.pieces[static_cast<std::size_t>(run.piece)]);
-    const double length = arcAt(arcs, run.first + run.count) - arcAt(arcs, run.first);
+    const double length = arcs.placeOf(run.first + run.count) - arcs.placeOf(run.first);
     return length - wornLength(parts.front().here) <= kNothing ? std::optional(parts.front().seam)
                                                                : std::nullopt;
 }
@@ -137,8 +117,8 @@ RunLengths runLengths(const Garment& garment, const PieceResults& results, const
     whole.piece = run.piece;
     whole.first = run.first;
     whole.count = run.count;
-    whole.start = arcAt(arcs, run.first);
-    whole.end = arcAt(arcs, run.first + run.count);
+    whole.start = arcs.placeOf(run.first);
+    whole.end = arcs.placeOf(run.first + run.count);
     for (const SewnPart& part : parts) {
         lengths.sewn += lengthOf(part.here);
         lengths.partner += lengthOf(part.there);

@@ -10,12 +10,12 @@
 
 #include "core/base/characters.h"
 #include "core/export/key_stations.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -60,7 +60,7 @@ void addLegs(ApparelDrawing& made, const Pattern& pattern, std::size_t index) {
         made.drawing.paths.push_back(
             {"piece-" + piece.slug + "--dart-" + std::to_string(k + 1) + "-legs",
              LayerKind::Internal,
-             placedLine(ClosedLine(piece.outline).part(darts[k].from, darts[k].to),
+             placedLine(geometry::Line::closed(piece.outline).part(darts[k].from, darts[k].to),
                         block.placement),
              false});
     }
@@ -155,31 +155,29 @@ int layerOf(const DrawnPath& path, bool isOutline) {
 ApparelLine apparelLine(const Drawing& drawing, std::size_t path, int layer,
                         const KeyPoints& keys) {
     const DrawnPath& drawn = drawing.paths[path];
-    const StationLine line(drawn.points, drawn.closed);
+    const geometry::Line line(drawn.points, drawn.closed);
     ApparelLine made{layer, path, drawn.closed};
     made.keys.resize(static_cast<Eigen::Index>(keys.size()), 2);
     std::vector<Eigen::Vector2d> dense;
-    std::size_t vertex = line.firstBeyond(keys.front().at + kSameStation);
-    double turns = 0;
-    const auto addVerticesUntil = [&](double end) {
-        for (; vertex < line.vertexCount() && line.arcOf(vertex) < end - kSameStation; ++vertex) {
-            dense.push_back(line.vertex(vertex));
+    double before = keys.front().at, turns = 0;  // the last key point
+    const auto addPointsUntil = [&](double end) {
+        const int last = line.firstAfter(end - kSameStation);
+        for (int k = line.firstAfter(before + kSameStation); k < last; ++k) {
+            dense.push_back(line.point(k).transpose());
         }
+        before = end;
     };
     for (std::size_t k = 0; k < keys.size(); ++k) {
         turns += k > 0 && keys[k].at < keys[k - 1].at ? line.length() : 0;
         const double at = turns + keys[k].at;
-        addVerticesUntil(at);
-        while (vertex < line.vertexCount() && line.arcOf(vertex) <= at + kSameStation) {
-            ++vertex;  // the key point stands for it
-        }
-        const Eigen::Vector2d point = line.pointAt(keys[k].at);
+        addPointsUntil(at);
+        const Eigen::Vector2d point = line.pointAt(keys[k].at).transpose();
         made.keys.row(static_cast<Eigen::Index>(k)) = point.transpose();
         made.isTurn.push_back(keys[k].isTurn);
         dense.push_back(point);
     }
     if (drawn.closed) {
-        addVerticesUntil(keys.front().at + line.length());
+        addPointsUntil(keys.front().at + line.length());
     }
     made.dense.resize(static_cast<Eigen::Index>(dense.size()), 2);
     for (std::size_t k = 0; k < dense.size(); ++k) {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "core/base/unique_names.h"
+#include "core/geometry/line.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/internal_lines.h"
 #include "core/pattern/notch_mark.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -142,12 +142,12 @@ void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& 
 
 /// Where a stretch of a line lies on it as it is drawn: mirrored, lines run the other way round.
 /// @param from, to  on the line of the piece
-std::pair<double, double> drawnPlaces(const ClosedLine& line, double from, double to,
+std::pair<double, double> drawnPlaces(const geometry::Line& line, double from, double to,
                                       bool isMirrored) {
     if (!isMirrored) {
         return {from, to};
     }
-    const double last = line.arc()[line.arc().size() - 2];
+    const double last = line.arc()[line.count() - 1];
     const double start = line.wrap(last - to);
     return {start, start + (to - from)};
 }
@@ -156,9 +156,9 @@ std::pair<double, double> drawnPlaces(const ClosedLine& line, double from, doubl
 /// @param seamPath  index of its seam line in the drawing  @param rims  of the first of its holes
 void addEdges(Drawing& drawing, const PatternPiece& piece, const Placement& placement,
               std::size_t seamPath, std::size_t rims) {
-    std::vector<ClosedLine> lines{ClosedLine(piece.outline)};
+    std::vector<geometry::Line> lines{geometry::Line::closed(piece.outline)};
     for (const Points2& hole : piece.holes) {
-        lines.emplace_back(hole);
+        lines.push_back(geometry::Line::closed(hole));
     }
     UniqueNames taken;
     std::set<int> seen;

@@ -164,7 +164,7 @@ SewnPanels sewnPanels(const ExportSource& source) {
     std::vector<std::vector<std::vector<CubicCurve>>> curves(pattern.pieces.size());
     for (std::size_t p = 0; p < pattern.pieces.size(); ++p) {
         const PatternPiece& piece = pattern.pieces[p];
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
             std::vector<CubicCurve>& chain = curves[p].emplace_back();
             for (const CubicCurve& curve : curvesOf(piece, outline, segment)) {

@@ -5,8 +5,8 @@
 
 #include "core/base/text.h"
 #include "core/export/garmentcode_writer.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
-#include "core/quality/closed_line.h"
 #include "core/reading/garmentcode_reader.h"
 
 namespace toile {
@@ -17,7 +17,7 @@ Error codeNotReadBack(const std::string& id, const std::string& what) {
 }
 
 /// The place on a line nearest to a point among those near a place.
-double placeNear(const ClosedLine& line, double expected, const Eigen::RowVector2d& point) {
+double placeNear(const geometry::Line& line, double expected, const Eigen::RowVector2d& point) {
     constexpr double kReach = 2;  // mm
     double best = expected, least = (line.pointAt(expected) - point).norm();
     const int first = line.edgeAt(expected - kReach);
@@ -43,7 +43,7 @@ double placeNear(const ClosedLine& line, double expected, const Eigen::RowVector
 class PanelCheck {
 public:
     PanelCheck(const PatternPiece& piece, const GarmentCodePanel& panel)
-        : piece_(piece), panel_(panel), line_(piece.outline) {}
+        : piece_(piece), panel_(panel), line_(geometry::Line::closed(piece.outline)) {}
 
     /// The error, or how far the file is off.
     Result<double> check() {
@@ -94,7 +94,7 @@ public:
 private:
     const PatternPiece& piece_;
     const GarmentCodePanel& panel_;
-    ClosedLine line_;
+    geometry::Line line_;
     std::vector<double> places_;  ///< of the middles of edges
 };
 

@@ -18,29 +18,25 @@ namespace {
 constexpr double kOnePlace = 1e-6;      // mm; ends of two neighbours on a line
 constexpr double kOneCorner = 1e-3;     // mm; a corner where something ends
 constexpr double kStraightTurn = 1e-6;  // radians
-constexpr std::size_t kFewestRunEdges = 3;
+constexpr int kMinRunEdges = 3;
 
 /// The key points of one line while they are gathered.
 struct LineKeys {
-    std::optional<StationLine> line{};  ///< none of what has no key points
-    KeyPoints fixed{};                  ///< ends, corners, straight runs; by `at`
+    std::optional<geometry::Line> line{};  ///< none of what has no key points
+    KeyPoints fixed{};                     ///< ends, corners, straight runs; by `at`
     KeyPoints found{};
     std::vector<const DrawnEdge*> edges{};
 
-    double apart(double a, double b) const {
-        const double way = std::abs(line->wrapped(a) - line->wrapped(b));
-        return line->isClosed() ? std::min(way, line->length() - way) : way;
-    }
-
     /// @param within  mm, of a point that is there already and stands for it
     void fix(double at, bool isTurn, double within) {
-        const double place = line->wrapped(at);
+        const double place = line->wrap(at);
         const auto after = std::ranges::lower_bound(fixed, place, {}, &KeyPoint::at);
         if (!fixed.empty()) {
             const auto next = after == fixed.end() ? fixed.begin() : after;
             const auto before = std::prev(after == fixed.begin() ? fixed.end() : after);
-            const auto known = apart(next->at, place) < apart(before->at, place) ? next : before;
-            if (apart(known->at, place) < within) {
+            const auto known =
+                line->apart(next->at, place) < line->apart(before->at, place) ? next : before;
+            if (line->apart(known->at, place) < within) {
                 known->isTurn |= isTurn;
                 return;
             }
@@ -49,58 +45,52 @@ struct LineKeys {
     }
 };
 
-double ownTurn(const StationLine& line, std::size_t k) {
-    return geometry::turnBetween(line.vertex(k) - line.vertex(k - 1),
-                                 line.vertex(k + 1) - line.vertex(k));
-}
-
 /// Ends of long parts that run straight on over several vertices.
 void fixStraightRuns(LineKeys& keys) {
-    const StationLine& line = *keys.line;
+    const geometry::Line& line = *keys.line;
     const bool isClosed = line.isClosed();
     // Closed lines twice round, from the first vertex at which they turn.
-    std::optional<std::size_t> start = isClosed ? std::nullopt : std::optional<std::size_t>(0);
-    for (std::size_t k = 1; k < line.vertexCount(); ++k) {
-        const bool isEnd = k + 1 == line.vertexCount();
-        if (isEnd ? isClosed : std::abs(ownTurn(line, k)) < kStraightTurn) {
+    std::optional<int> start = isClosed ? std::nullopt : std::optional(0);
+    const int end = isClosed ? 2 * line.count() : line.count();
+    for (int k = 1; k < end; ++k) {
+        const bool isEnd = !isClosed && k + 1 == end;
+        if (!isEnd && std::abs(line.turnAt(k)) < kStraightTurn) {
             continue;
         }
-        if (start && k - *start >= kFewestRunEdges &&
-            line.arcOf(k) - line.arcOf(*start) >= kStraightRun) {
-            keys.fix(line.arcOf(*start), false, kOneCorner);
-            keys.fix(line.arcOf(k), false, kOneCorner);
+        if (start && k - *start >= kMinRunEdges &&
+            line.placeOf(k) - line.placeOf(*start) >= kStraightRun) {
+            keys.fix(line.placeOf(*start), false, kOneCorner);
+            keys.fix(line.placeOf(k), false, kOneCorner);
         }
         start = k;
     }
 }
 
 void fixCorners(LineKeys& keys, const DrawnPath& path) {
-    const StationLine& line = *keys.line;
+    const geometry::Line& line = *keys.line;
     if (path.closed) {
         if (path.points.rows() >= 3 && line.length() > 0) {
             for (const int k : findCorners(path.points)) {
-                keys.fix(line.arcOf(static_cast<std::size_t>(k)), true, kOneCorner);
+                keys.fix(line.arc()[k], true, kOneCorner);
             }
         }
         return;
     }
     keys.fix(0, true, kOnePlace);
     keys.fix(line.length(), true, kOnePlace);
-    for (std::size_t k = 1; k + 1 < line.vertexCount(); ++k) {
-        if (std::abs(ownTurn(line, k)) > kLineCorner.turn) {
-            keys.fix(line.arcOf(k), true, kOneCorner);
+    for (int k = 1; k + 1 < line.count(); ++k) {
+        if (std::abs(line.turnAt(k)) > kLineCorner.turn) {
+            keys.fix(line.arc()[k], true, kOneCorner);
         }
     }
 }
 
 /// Ends of segments, on the seam line as it is drawn: mirrored, it runs the other way round.
 void fixSegments(LineKeys& keys, const PatternPiece& piece, const Placement& placement) {
-    const Eigen::Index n = piece.outline.rows();
-    const StationLine outline(piece.outline, true);
+    const auto outline = geometry::Line::closed(piece.outline);
     for (const PatternSegment& segment : piece.segments) {
-        const double at = placement.mirrored
-                              ? outline.arcOf(static_cast<std::size_t>(n - 1)) - segment.from
-                              : segment.from;
+        const double at =
+            placement.mirrored ? outline.arc()[outline.count() - 1] - segment.from : segment.from;
         keys.fix(at, true, kOneCorner);
     }
 }
@@ -261,7 +251,7 @@ private:
         for (std::size_t s = 0; s < sides.size(); ++s) {
             const KeyStretch& side = sides[s];
             for (const KeyPoint& point : keys[s]->fixed) {
-                const double way = keys[s]->line->wrapped(point.at - side.from);
+                const double way = keys[s]->line->wrap(point.at - side.from);
                 const double share = way / (side.to - side.from);
                 if (share > 0 && share < 1) {
                     fixed.push_back(side.reversed ? 1 - share : share);
@@ -270,7 +260,7 @@ private:
         }
         for (const double share : keyShares(sides, std::move(fixed))) {
             for (std::size_t s = 0; s < sides.size(); ++s) {
-                keys[s]->found.push_back({keys[s]->line->wrapped(sides[s].at(share)), false});
+                keys[s]->found.push_back({keys[s]->line->wrap(sides[s].at(share)), false});
             }
         }
     }
@@ -292,7 +282,7 @@ private:
         for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
             const double middle = 0.5 * (ends[k] + ends[k + 1]);
             const bool isSeam = std::ranges::any_of(keys.edges, [&](const DrawnEdge* edge) {
-                return keys.line->wrapped(middle - edge->from) < edge->to - edge->from;
+                return keys.line->wrap(middle - edge->from) < edge->to - edge->from;
             });
             if (!isSeam) {
                 addStations({{&*keys.line, ends[k], ends[k + 1]}}, {&keys});
@@ -317,7 +307,7 @@ private:
             }
         }
         if (keys.line->isClosed() && once.size() > 1 &&
-            keys.apart(once.front().at, once.back().at) < kOnePlace) {
+            keys.line->apart(once.front().at, once.back().at) < kOnePlace) {
             once.front().isTurn |= once.back().isTurn;
             once.pop_back();
         }

@@ -22,20 +22,15 @@ struct ChordCost {
     std::optional<double> split{};  ///< place of the vertex nearest to the middle
 };
 
-ChordCost chordCost(const StationLine& line, double from, double to) {
-    const Eigen::Vector2d a = line.pointAt(from), b = line.pointAt(to);
+ChordCost chordCost(const geometry::Line& line, double from, double to) {
+    const Eigen::RowVector2d a = line.pointAt(from), b = line.pointAt(to);
     ChordCost cost;
     cost.lost = std::max(0.0, (to - from) - (b - a).norm());
-    const double turns = from - line.wrapped(from), middle = 0.5 * (from + to);
-    for (std::size_t k = line.firstBeyond(line.wrapped(from)); k < line.vertexCount(); ++k) {
-        const double at = turns + line.arcOf(k);
-        if (at >= to - kSamePlace) {
-            break;
-        }
-        if (at <= from + kSamePlace) {
-            continue;
-        }
-        const Eigen::Vector2d point = line.vertex(k);
+    const double middle = 0.5 * (from + to);
+    const int end = line.firstAfter(to - kSamePlace);
+    for (int k = line.firstAfter(from + kSamePlace); k < end; ++k) {
+        const double at = line.placeOf(k);
+        const Eigen::RowVector2d point = line.point(k);
         cost.far =
             std::max(cost.far, (a + geometry::nearestShare(point, a, b) * (b - a) - point).norm());
         if (!cost.split || std::abs(at - middle) < std::abs(*cost.split - middle)) {
@@ -176,56 +171,6 @@ private:
 };
 
 }  // namespace
-
-StationLine::StationLine(const Points2& points, bool closed) : points_(points), closed_(closed) {
-    if (closed) {
-        points_.conservativeResize(points.rows() + 1, 2);
-        points_.row(points.rows()) = points.row(0);
-    }
-    arc_.reserve(static_cast<std::size_t>(points_.rows()));
-    for (Eigen::Index k = 0; k < points_.rows(); ++k) {
-        arc_.push_back(k == 0 ? 0 : arc_.back() + (points_.row(k) - points_.row(k - 1)).norm());
-    }
-}
-
-std::size_t StationLine::vertexCount() const {
-    // Enough for what begins within the first turn and goes round once.
-    return closed_ ? 2 * (arc_.size() - 1) + 1 : arc_.size();
-}
-
-double StationLine::arcOf(std::size_t k) const {
-    if (!closed_) {
-        return arc_[k];
-    }
-    const std::size_t n = arc_.size() - 1, turns = k / n;
-    return static_cast<double>(turns) * length() + arc_[k % n];
-}
-
-Eigen::Vector2d StationLine::vertex(std::size_t k) const {
-    return points_.row(static_cast<Eigen::Index>(closed_ ? k % (arc_.size() - 1) : k)).transpose();
-}
-
-std::size_t StationLine::firstBeyond(double at) const {
-    return static_cast<std::size_t>(std::ranges::upper_bound(arc_, at) - arc_.begin());
-}
-
-double StationLine::wrapped(double at) const {
-    return closed_ && length() > 0 ? at - std::floor(at / length()) * length() : at;
-}
-
-Eigen::Vector2d StationLine::pointAt(double at) const {
-    const double place = std::clamp(wrapped(at), 0.0, length());
-    if (arc_.size() < 2) {
-        return points_.row(0).transpose();
-    }
-    const auto k = static_cast<std::size_t>(
-        std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(firstBeyond(place)) - 1, 0,
-                                   static_cast<std::ptrdiff_t>(arc_.size()) - 2));
-    const double step = arc_[k + 1] - arc_[k];
-    const double share = step > 0 ? (place - arc_[k]) / step : 0;
-    const auto row = static_cast<Eigen::Index>(k);
-    return (points_.row(row) + share * (points_.row(row + 1) - points_.row(row))).transpose();
-}
 
 std::vector<double> keyShares(std::span<const KeyStretch> sides, std::vector<double> fixed) {
     double shortest = sides.front().to - sides.front().from;

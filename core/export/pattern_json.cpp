@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/json.h"
+#include "core/geometry/line.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/piece_allowance.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -43,11 +43,12 @@ Json dartJson(const PieceDart& dart) {
 Json facingJson(const PatternPiece& piece, const PatternPiece& strip) {
     Json json{{"name", strip.name}, {"piece", piece.name}, {"drawn", strip.outline.rows() > 0}};
     if (strip.outline.rows() > 0) {
-        json["perimeter_2d"] = number(ClosedLine(strip.outline).length());
+        json["perimeter_2d"] = number(geometry::Line::closed(strip.outline).length());
         json["quantity"] = strip.quantity;
         json["mirrored_pair"] = strip.mirroredPair;
         if (strip.cuttingLine.rows() > 0) {
-            json["cutting_line_length"] = number(ClosedLine(strip.cuttingLine).length());
+            json["cutting_line_length"] =
+                number(geometry::Line::closed(strip.cuttingLine).length());
         }
     }
     return json;
@@ -78,7 +79,7 @@ Json facingsJson(const Pattern& pattern) {
 
 void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piece) {
     if (pattern.hasAllowance && piece.cuttingLine.rows() > 0) {
-        json["cutting_line_length"] = number(ClosedLine(piece.cuttingLine).length());
+        json["cutting_line_length"] = number(geometry::Line::closed(piece.cuttingLine).length());
         json["segments"] = Json::array();
         for (std::size_t k = 0; k < piece.segments.size(); ++k) {
             json["segments"].push_back(segmentJson(piece.segments[k], cornerOf(piece, k)));

@@ -7,45 +7,11 @@
 #include <map>
 
 #include "core/base/text.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 
 namespace toile {
 namespace {
-
-/// A polyline with the arc lengths of its points; a closed one with its first point once more.
-struct Measured {
-    Points2 points;
-    std::vector<double> arc;
-    bool closed;
-
-    Measured(const Points2& line, bool isClosed) : points(line), closed(isClosed) {
-        if (closed && line.rows() > 0) {
-            points.conservativeResize(line.rows() + 1, 2);
-            points.row(line.rows()) = line.row(0);
-        }
-        arc.reserve(static_cast<std::size_t>(points.rows()));
-        for (Eigen::Index k = 0; k < points.rows(); ++k) {
-            arc.push_back(k == 0 ? 0 : arc.back() + (points.row(k) - points.row(k - 1)).norm());
-        }
-    }
-
-    double length() const { return arc.back(); }
-
-    /// Modulo the length of a closed line.
-    double wrapped(double at) const {
-        const double turns = closed && length() > 0 ? std::floor(at / length()) : 0;
-        return at - turns * length();
-    }
-
-    Eigen::Vector2d pointAt(double at) const {
-        const double place = std::clamp(wrapped(at), 0.0, length());
-        const auto next = std::ranges::upper_bound(arc, place) - arc.begin();
-        const auto k = std::clamp<std::ptrdiff_t>(next - 1, 0, points.rows() - 2);
-        const double step = arc[static_cast<std::size_t>(k) + 1] - arc[static_cast<std::size_t>(k)];
-        const double share = step > 0 ? (place - arc[static_cast<std::size_t>(k)]) / step : 0;
-        return points.row(k) + share * (points.row(k + 1) - points.row(k));
-    }
-};
 
 struct Nearest {
     double cost = std::numeric_limits<double>::infinity();
@@ -56,13 +22,12 @@ struct Nearest {
 /// A line may pass a place twice, as at a slit: there the passage near the arc length counts.
 constexpr double kPerLength = 1e-3;  // of the distance, for each mm along the line
 
-void take(Nearest& best, const Measured& line, std::size_t k, const Eigen::Vector2d& point,
+void take(Nearest& best, const geometry::Line& line, int k, const Eigen::RowVector2d& point,
           double expected) {
-    const auto row = static_cast<Eigen::Index>(k);
-    const Eigen::Vector2d a = line.points.row(row), b = line.points.row(row + 1);
+    const Eigen::RowVector2d a = line.point(k), b = line.point(k + 1);
     const double share = geometry::nearestShare(point, a, b);
     const double distance = (a + share * (b - a) - point).norm();
-    const double at = line.arc[k] + share * (line.arc[k + 1] - line.arc[k]);
+    const double at = line.arc()[k] + share * (line.arc()[k + 1] - line.arc()[k]);
     const double cost = distance + kPerLength * std::abs(at - expected);
     if (cost < best.cost) {
         best = {cost, distance, at};
@@ -73,21 +38,20 @@ void take(Nearest& best, const Measured& line, std::size_t k, const Eigen::Vecto
 constexpr double kSlack = 5;
 
 /// The place nearest to a point among those near an arc length.
-Nearest nearestAround(const Measured& line, double at, const Eigen::Vector2d& point) {
+Nearest nearestAround(const geometry::Line& line, double at, const Eigen::RowVector2d& point) {
     Nearest best;
     const auto look = [&](double from, double to, double expected) {
-        const auto first = std::ranges::upper_bound(line.arc, from) - line.arc.begin();
-        for (auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first - 1, 0));
-             k + 1 < line.arc.size() && line.arc[k] <= to; ++k) {
+        for (int k = from > 0 ? line.edgeAt(from) : 0;
+             k < line.arc().edgeCount() && line.arc()[k] <= to; ++k) {
             take(best, line, k, point, expected);
         }
     };
-    const double middle = line.wrapped(at);
+    const double middle = line.wrap(at);
     look(middle - kSlack, middle + kSlack, middle);
-    if (line.closed && middle < kSlack) {
+    if (line.isClosed() && middle < kSlack) {
         look(line.length() + middle - kSlack, line.length(), line.length() + middle);
     }
-    if (line.closed && middle > line.length() - kSlack) {
+    if (line.isClosed() && middle > line.length() - kSlack) {
         look(0, middle + kSlack - line.length(), middle - line.length());
     }
     return best;
@@ -95,26 +59,26 @@ Nearest nearestAround(const Measured& line, double at, const Eigen::Vector2d& po
 
 /// @param start  where the first point of `points` lies on `line`, arc length
 /// @param enough  mm, beyond which how far does not matter
-double farthestFrom(const Measured& line, const Measured& points, double start, double enough) {
+double farthestFrom(const geometry::Line& line, const geometry::Line& points, double start,
+                    double enough) {
     double farthest = 0;
-    for (Eigen::Index k = 0; k < points.points.rows() && farthest <= enough; ++k) {
-        const double at = start + points.arc[static_cast<std::size_t>(k)];
-        farthest =
-            std::max(farthest, nearestAround(line, at, points.points.row(k).transpose()).distance);
+    for (int k = 0; k < points.count() && farthest <= enough; ++k) {
+        const double at = start + points.arc()[k];
+        farthest = std::max(farthest, nearestAround(line, at, points.point(k)).distance);
     }
     return farthest;
 }
 
 /// Where a line may begin on another that passes there more than once, the nearest place first.
-std::vector<Nearest> startsOn(const Measured& line, const Eigen::Vector2d& first) {
-    if (!line.closed) {
+std::vector<Nearest> startsOn(const geometry::Line& line, const Eigen::RowVector2d& first) {
+    if (!line.isClosed()) {
         return {Nearest()};
     }
     std::vector<Nearest> starts;
     Nearest best;
-    for (std::size_t k = 0; k + 1 < line.arc.size(); ++k) {
+    for (int k = 0; k < line.arc().edgeCount(); ++k) {
         Nearest here;
-        take(here, line, k, first, line.arc[k]);
+        take(here, line, k, first, line.arc()[k]);
         if (here.distance < kReadBackCoordinates &&
             (starts.empty() || here.at - starts.back().at > kSlack)) {
             starts.push_back(here);
@@ -131,12 +95,12 @@ struct Matched {
     double start = 0;  ///< of the read line, on the drawn one
 };
 
-Matched matched(const Measured& read, const Measured& drawn, bool hasKeyPoints) {
+Matched matched(const geometry::Line& read, const geometry::Line& drawn, bool hasKeyPoints) {
     Matched best;
-    if (read.points.rows() == 0 || drawn.points.rows() == 0) {
+    if (read.count() == 0 || drawn.count() == 0) {
         return best;
     }
-    for (const Nearest& start : startsOn(drawn, read.points.row(0).transpose())) {
+    for (const Nearest& start : startsOn(drawn, read.point(0))) {
         double distance = farthestFrom(drawn, read, start.at, best.distance);
         if (!hasKeyPoints && distance < best.distance) {
             distance = std::max(distance, farthestFrom(read, drawn, -start.at, best.distance));
@@ -220,13 +184,14 @@ double roundingOf(const DrawnPath& path, double grid) {
 }
 
 /// Length of a side of a seam along the line of the file.
-double lengthOn(const Measured& read, const Measured& drawn, double start, const DrawnEdge& edge) {
+double lengthOn(const geometry::Line& read, const geometry::Line& drawn, double start,
+                const DrawnEdge& edge) {
     const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
     const double second = nearestAround(read, edge.to - start, drawn.pointAt(edge.to)).at;
     const double length = second - first;
     // Over the first point again, or all the way round: its ends may be one place.
     const double missing = edge.to - edge.from - length;
-    return read.closed && read.length() > 0
+    return read.isClosed() && read.length() > 0
                ? length + std::round(missing / read.length()) * read.length()
                : length;
 }
@@ -267,7 +232,7 @@ Result<ReadBack> comparedWithDrawing(const ReadDrawing& read, const Drawing& dra
         if (line->closed != path.closed) {
             return notReadBack(path.id, path.closed ? "it is not closed" : "it is closed");
         }
-        const Measured is(line->points, line->closed), should(path.points, path.closed);
+        const geometry::Line is(line->points, line->closed), should(path.points, path.closed);
         const auto [distance, start] = matched(is, should, line->hasKeyPoints);
         if (!(distance <= kReadBackCoordinates)) {
             return notReadBack(path.id, millimetres(distance) + " from its place");

@@ -9,9 +9,9 @@
 #include "core/base/text.h"
 #include "core/export/seam_walk_writer.h"
 #include "core/flatten/base/piece_result.h"
+#include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
 #include "core/pattern/piece_marks.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -23,7 +23,7 @@ std::string percentText(const std::optional<double>& fraction) {
 }
 
 std::string lineLengthText(const Points2& line) {
-    return line.rows() > 2 ? fixed(ClosedLine(line).length(), 2) : "-";
+    return line.rows() > 2 ? fixed(geometry::Line::closed(line).length(), 2) : "-";
 }
 
 std::vector<std::string> pieceRow(const PatternPiece& piece, const PieceResult* result) {

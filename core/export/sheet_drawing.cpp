@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "core/export/read_back.h"
+#include "core/geometry/line.h"
 #include "core/pattern/label.h"
 #include "core/pattern/piece_curves.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -84,7 +84,7 @@ std::vector<CubicCurve> edgesBetween(const Points2& points) {
 /// The outline of a piece as it lies, in the direction of the drawn line: segment by segment as
 /// curves, or by its points where these leave the line. None where segments do not go round.
 std::vector<CubicCurve> outlineCurves(const PatternPiece& piece, const Placement& placement) {
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     std::vector<CubicCurve> chain;
     double longer = 0;
     for (const PatternSegment& segment : piece.segments) {

@@ -2,9 +2,11 @@
 #include "core/garment/part_origins.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -21,34 +23,37 @@ struct Border {
 /// one nothing comes open, and its places are to be the same when that is taken back.
 class PathPlaces {
 public:
-    PathPlaces(const MeshArrays& mesh, const PathPolyline& path) {
-        for (const SurfacePoint& point : path.points) {
-            points_.push_back(positionOf(mesh, point).transpose());
-            arc_.push_back(
-                points_.size() < 2 ? 0 : arc_.back() + (points_.back() - points_.end()[-2]).norm());
-        }
-    }
+    PathPlaces(const MeshArrays& mesh, const PathPolyline& path)
+        : line_(geometry::SpaceLine::open(pointsOf(mesh, path))) {}
 
-    double length() const { return arc_.back(); }
+    double length() const { return line_.length(); }
 
     double of(const Eigen::RowVector3d& point) {
         double least = std::numeric_limits<double>::infinity(), along = 0;
-        for (std::size_t k = last_; k + 1 < points_.size(); ++k) {
-            const double t = geometry::nearestShare(point, points_[k], points_[k + 1]);
-            const double away = (points_[k] + t * (points_[k + 1] - points_[k]) - point).norm();
+        for (int k = edge_; k < line_.arc().edgeCount(); ++k) {
+            const Eigen::RowVector3d a = line_.point(k), b = line_.point(k + 1);
+            const double t = geometry::nearestShare(point, a, b);
+            const double away = (a + t * (b - a) - point).norm();
             if (away < least) {
                 least = away;
-                last_ = k;
-                along = arc_[k] + t * (arc_[k + 1] - arc_[k]);
+                edge_ = k;
+                along = std::lerp(line_.arc()[k], line_.arc()[k + 1], t);
             }
         }
         return along;
     }
 
 private:
-    std::vector<Eigen::RowVector3d> points_;
-    std::vector<double> arc_;
-    std::size_t last_ = 0;  ///< segment
+    static Points3 pointsOf(const MeshArrays& mesh, const PathPolyline& path) {
+        Points3 points(static_cast<Eigen::Index>(path.points.size()), 3);
+        for (std::size_t k = 0; k < path.points.size(); ++k) {
+            points.row(static_cast<Eigen::Index>(k)) = positionOf(mesh, path.points[k]).transpose();
+        }
+        return points;
+    }
+
+    geometry::SpaceLine line_;
+    int edge_ = 0;  ///< of the last place
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 
 namespace toile {
 namespace {
@@ -20,7 +20,7 @@ struct LineItem {
 };
 
 /// The parts of segments on a stretch of outline, in order.
-void addParts(const PatternPiece& piece, const ClosedLine& outline, double from, double to,
+void addParts(const PatternPiece& piece, const geometry::Line& outline, double from, double to,
               std::vector<LineItem>& items) {
     struct Part {
         double from = 0, to = 0;
@@ -29,11 +29,10 @@ void addParts(const PatternPiece& piece, const ClosedLine& outline, double from,
     std::vector<Part> parts;
     const int count = static_cast<int>(piece.segments.size());
     for (int k = 0; k < count; ++k) {
-        for (const double turn : {-outline.length(), 0.0, outline.length()}) {
-            const double low = std::max(piece.segments[k].from + turn, from);
-            const double high = std::min(piece.segments[k].to + turn, to);
-            if (high - low > kNoStretch) {
-                parts.push_back({low, high, k});
+        for (const auto& part : geometry::commonParts(
+                 {from, to}, {piece.segments[k].from, piece.segments[k].to}, outline.length())) {
+            if (part.length() > kNoStretch) {
+                parts.push_back({part.low, part.high, k});
             }
         }
     }
@@ -68,7 +67,7 @@ CappedOutline cappedOutline(const PatternPiece& piece, const std::vector<PieceDa
     if (piece.outline.rows() < 3) {
         return capped;
     }
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     std::vector<const PieceDart*> caps;
     for (const PieceDart& dart : darts) {
         if (dart.cap.rows() > 1) {

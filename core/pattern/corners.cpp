@@ -11,13 +11,13 @@
 
 namespace toile {
 
-double chordTurn(const ClosedLine& line, double at, double before, double after) {
+double chordTurn(const geometry::Line& line, double at, double before, double after) {
     const Eigen::RowVector2d here = line.pointAt(at);
     return geometry::turnBetween(here - line.pointAt(at - before), line.pointAt(at + after) - here);
 }
 
 std::vector<int> findCorners(const Points2& points, const TurnLimit& limit) {
-    const ClosedLine line(points);
+    const auto line = geometry::Line::closed(points);
     const int n = line.count();
     const double window = std::min(limit.chord, line.length() / 4);
     std::vector<double> own(n), chord(n);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/geometry/line.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 
@@ -34,7 +34,7 @@ inline constexpr double kOneCorner = 1;
 
 /// The turn between the chords of given lengths before and after a place, radians, positive to the
 /// left.
-double chordTurn(const ClosedLine& line, double at, double before, double after);
+double chordTurn(const geometry::Line& line, double at, double before, double after);
 
 /// The vertices of a closed line that are corners by a limit: of those whose chords turn by more,
 /// the one with the strongest turn of its own within a chord. Of two that are nearer to each other

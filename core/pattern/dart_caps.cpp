@@ -24,7 +24,7 @@ Vector2d foldWay(const PieceDart& dart) {
 /// What the cap of one dart is made of, seen from the leg that it is laid over.
 class CapMaker {
 public:
-    CapMaker(const PatternPiece& piece, const ClosedLine& outline,
+    CapMaker(const PatternPiece& piece, const geometry::Line& outline,
              const std::vector<PieceDart>& darts, const PieceDart& dart)
         : piece_(piece), outline_(outline), darts_(darts), dart_(dart) {}
 
@@ -122,7 +122,7 @@ private:
     }
 
     const PatternPiece& piece_;
-    const ClosedLine& outline_;
+    const geometry::Line& outline_;
     const std::vector<PieceDart>& darts_;
     const PieceDart& dart_;
     bool overFirst_ = dart_.lay == DartLay::First;
@@ -221,7 +221,7 @@ private:
 
 }  // namespace
 
-void addDartCaps(const PatternPiece& piece, const ClosedLine& outline,
+void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
                  std::vector<PieceDart>& darts) {
     std::vector<CapChoice> choices;
     choices.reserve(darts.size());

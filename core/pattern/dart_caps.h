@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/darts.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 
@@ -21,7 +21,7 @@ inline Eigen::Vector2d mirroredIn(const Eigen::Vector2d& from, const Eigen::Vect
 
 /// Gives the darts of a piece, which are complete otherwise, their caps and the ends of their folds
 /// (`findDarts` says how).
-void addDartCaps(const PatternPiece& piece, const ClosedLine& outline,
+void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
                  std::vector<PieceDart>& darts);
 
 }  // namespace toile

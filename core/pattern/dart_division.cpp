@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "core/cut/surface_links.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/outline_reference.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -98,7 +98,8 @@ std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults&
         return std::nullopt;
     }
     const Piece& piece = *garment.pieces[p];
-    const ClosedLine outline(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    const auto outline =
+        geometry::Line::closed(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
     const Eigen::RowVector2d tip = outline.pointAt(dart->tip);
     const Eigen::RowVector2d mouth =
         0.5 * (outline.pointAt(dart->from) + outline.pointAt(dart->to));

@@ -9,10 +9,10 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/dart_caps.h"
 #include "core/pattern/half_pattern.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -83,7 +83,7 @@ DartLay usualLay(const PieceDart& dart, double grain, const Vector2d& middle) {
 }
 
 /// The darts but for their caps.
-std::vector<PieceDart> openDarts(const PatternPiece& piece, const ClosedLine& outline) {
+std::vector<PieceDart> openDarts(const PatternPiece& piece, const geometry::Line& outline) {
     const Vector2d middle = middleOf(piece);
     std::vector<PieceDart> darts;
     const auto add = [&](const SeamLine& first, const SeamLine& second) {
@@ -133,7 +133,7 @@ std::vector<PieceDart> findDarts(const PatternPiece& piece) {
     if (piece.outline.rows() < 3 || !piece.outline.allFinite()) {
         return {};
     }
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     std::vector<PieceDart> darts = openDarts(piece, outline);
     addDartCaps(piece, outline, darts);
     for (PieceDart& dart : darts) {

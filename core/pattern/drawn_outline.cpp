@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/line.h"
 #include "core/pattern/mirrored_lines.h"
 #include "core/pattern/reshaped_outline.h"
 #include "core/pattern/segments.h"
 #include "core/pattern/trueing.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -121,7 +121,7 @@ Result<FlatLine> reshapedLine(const OutlineReference& reference, const OutlinePl
 
 /// How far a line strays from the outline that it is drawn near.
 double strayOf(const FlatLine& line, const OutlineReference& outline) {
-    const ClosedLine exact(outline.points, outline.arc);
+    const auto exact = geometry::Line::closed(outline.points, outline.arc);
     double farthest = 0;
     for (Eigen::Index k = 0; k < line.points.rows(); ++k) {
         farthest = std::max(farthest, (line.points.row(k) - exact.pointAt(line.arc[k])).norm());

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/geometry/line.h"
 #include "core/pattern/outline_reference.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 
@@ -14,12 +14,12 @@ namespace toile {
 class ExactOutline {
 public:
     explicit ExactOutline(const OutlineReference& reference)
-        : byArc_(reference.points, reference.arc),
-          flat_(reference.points),
+        : byArc_(geometry::Line::closed(reference.points, reference.arc)),
+          flat_(geometry::Line::closed(reference.points)),
           turnIn3d_(reference.turn) {}
 
-    const ClosedLine& flat() const { return flat_; }
-    const ClosedLine& byArc() const { return byArc_; }
+    const geometry::Line& flat() const { return flat_; }
+    const geometry::Line& byArc() const { return byArc_; }
 
     /// The length in the plane up to a place in 3D, over any number of turns; and back.
     double flatAt(double arc) const { return byArc_.placeOn(flat_, arc); }
@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    ClosedLine byArc_, flat_;
+    geometry::Line byArc_, flat_;
     std::vector<double> turnIn3d_;
 };
 

@@ -9,9 +9,9 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/piece_allowance.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
@@ -127,7 +127,10 @@ Eigen::Index nearestRow(const Points2& line, const Eigen::RowVector2d& point) {
 class Strip {
 public:
     Strip(const PatternPiece& piece, const Run& run, double width)
-        : piece_(piece), outline_(piece.outline), run_(run), width_(width) {}
+        : piece_(piece),
+          outline_(geometry::Line::closed(piece.outline)),
+          run_(run),
+          width_(width) {}
 
     /// Nothing where it has no room.
     std::optional<PatternPiece> make() {
@@ -213,7 +216,7 @@ private:
     /// What is beside the run: along the outline as its neighbours are, within it without
     /// allowance.
     void addRest(PatternPiece& strip, Eigen::Index from) const {
-        const ClosedLine line(strip.outline);
+        const auto line = geometry::Line::closed(strip.outline);
         const Eigen::Index n = strip.outline.rows();
         const auto ownerOf = [&](Eigen::Index k) {
             const Eigen::RowVector2d middle =
@@ -240,7 +243,7 @@ private:
     }
 
     const PatternPiece& piece_;
-    const ClosedLine outline_;
+    const geometry::Line outline_;
     const Run run_;
     const double width_;
 };
@@ -256,7 +259,7 @@ bool isFaced(const LineStretch& place, const Facing& facing) {
 }
 
 Points2 innerEdge(const PatternPiece& strip) {
-    const ClosedLine outline(strip.outline);
+    const auto outline = geometry::Line::closed(strip.outline);
     double from = 0;
     for (const PatternSegment& segment : strip.segments) {
         from = segment.place.line ? segment.to : from;

@@ -9,14 +9,13 @@
 
 #include <Eigen/Geometry>
 
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"
 #include "core/pattern/exact_outline.h"
 #include "core/pattern/fair_line.h"
 #include "core/pattern/grain_line.h"
 #include "core/pattern/reshaped_outline.h"
-#include "core/quality/closed_line.h"
 #include "core/quality/outline_crossings.h"
 
 namespace toile {
@@ -98,7 +97,7 @@ public:
     /// The node at which the first leg of a dart begins.
     int mouth(int dart) const { return mouths_[dart]; }
     /// The node at which a stretch begins.
-    int nodeAt(double place, const ClosedLine& byArc) const {
+    int nodeAt(double place, const geometry::Line& byArc) const {
         const auto nearest = std::ranges::min_element(
             starts_, {}, [&](const auto& start) { return byArc.apart(start.first, place); });
         return nearest->second;
@@ -141,7 +140,7 @@ std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactO
             turns[steps.nodeAt(corner.at, shaped.byArc())] = corner.turn;
         }
     }
-    const ClosedLine& flat = shaped.flat();
+    const geometry::Line& flat = shaped.flat();
     const auto turnThere = [&](double at) {  // where nothing is said
         const double step = 0.5 * kStep;
         return geometry::turnBetween(flat.pointAt(at) - flat.pointAt(at - step),
@@ -245,8 +244,8 @@ std::vector<OutlineCrossing> crossingsOf(const Points2& points) {
 /// Places, by arc length in 3D, at which a line crosses itself, or the polygon of the outline's
 /// vertices on it does. Empty where neither has more crossings than the exact outline.
 std::vector<double> newCrossings(const FlatLine& line, const ExactOutline& exact) {
-    const ClosedLine closed(line.points, line.arc);
-    const std::vector<double>& arc = exact.byArc().arc();
+    const auto closed = geometry::Line::closed(line.points, line.arc);
+    const std::vector<double>& arc = exact.byArc().arc().values();
     Points2 vertices(exact.byArc().count(), 2);
     for (Eigen::Index k = 0; k < vertices.rows(); ++k) {
         vertices.row(k) = closed.pointAt(arc[k]);
@@ -360,7 +359,7 @@ Result<FlatLine> fairOutline(const OutlineReference& reference, const OutlinePla
 }
 
 Points2 verticesOn(const FlatLine& line, const Piece& piece) {
-    const ClosedLine closed(line.points, line.arc);
+    const auto closed = geometry::Line::closed(line.points, line.arc);
     const std::vector<double> arc = outlineArc(piece);
     Points2 points(static_cast<Eigen::Index>(piece.boundary.size()), 2);
     for (Eigen::Index k = 0; k < points.rows(); ++k) {

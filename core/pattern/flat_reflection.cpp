@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/cut/surface_point.h"
+#include "core/geometry/line.h"
 #include "core/pattern/fair_outline.h"
-#include "core/quality/closed_line.h"
 #include "core/symmetry/garment_surface.h"
 
 namespace toile {
@@ -70,7 +70,7 @@ ReflectedPoints pointsOfLines(const PieceResult& piece, const PieceResult& other
     const FlatLine &line = *piece.flat->line, &otherLine = *other.flat->line;
     const MirroredOutline& outline = *piece.plan->mirrored;
     const MirrorPlaces places = outline.isImage ? inverse(outline.places) : outline.places;
-    const ClosedLine there(otherLine.points, otherLine.arc);
+    const auto there = geometry::Line::closed(otherLine.points, otherLine.arc);
     const Eigen::Index count = line.points.rows();
     ReflectedPoints points{line.points, Points2(count, 2), Eigen::VectorXd::Ones(count)};
     for (Eigen::Index i = 0; i < count; ++i) {
@@ -98,7 +98,7 @@ FlatReflection inverse(const FlatReflection& reflection) {
 }
 
 /// Places on an outline, evenly, and what they are nearest to on another once they are reflected.
-ReflectedPoints nearestPlaces(const ClosedLine& line, const ClosedLine& other,
+ReflectedPoints nearestPlaces(const geometry::Line& line, const geometry::Line& other,
                               const FlatReflection& reflection) {
     ReflectedPoints points{Points2(kOutlinePlaces, 2), Points2(kOutlinePlaces, 2),
                            Eigen::VectorXd::Ones(kOutlinePlaces)};
@@ -110,8 +110,8 @@ ReflectedPoints nearestPlaces(const ClosedLine& line, const ClosedLine& other,
 }
 
 /// Lays one outline over the other.
-FlatReflection improved(FlatReflection reflection, const ClosedLine& line,
-                        const ClosedLine& other) {
+FlatReflection improved(FlatReflection reflection, const geometry::Line& line,
+                        const geometry::Line& other) {
     for (int round = 0; round < kOutlineRounds; ++round) {
         const FlatReflection next =
             bestReflection(bothWays(nearestPlaces(line, other, reflection),
@@ -126,8 +126,8 @@ FlatReflection improved(FlatReflection reflection, const ClosedLine& line,
     return reflection;
 }
 
-ClosedLine outlineOf(const PieceResult& result) {
-    return ClosedLine(result.flat->Q(result.piece->boundary, Eigen::all));
+geometry::Line outlineOf(const PieceResult& result) {
+    return geometry::Line::closed(result.flat->Q(result.piece->boundary, Eigen::all));
 }
 
 }  // namespace

@@ -8,11 +8,11 @@
 #include <map>
 #include <utility>
 
+#include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/internal_lines.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 namespace {
@@ -51,16 +51,16 @@ struct HalfPart {
 
 std::vector<HalfPart> partsOnHalf(double from, double to, double end) {
     std::vector<HalfPart> parts;
-    for (const double turn : {0.0, 2 * end}) {
-        const double low = std::max(from - turn, 0.0), high = std::min(to - turn, end);
-        if (high - low > kNothing) {
-            parts.push_back({low, high, from - turn<-kNothing, to - turn> end + kNothing});
+    for (const auto& part : geometry::commonParts({0, end}, {from, to}, 2 * end)) {
+        if (part.length() > kNothing) {
+            parts.push_back({part.low, part.high,
+                             from + part.shift<-kNothing, to + part.shift> end + kNothing});
         }
     }
     return parts;
 }
 
-std::vector<SeamLine> halfSeams(const std::vector<SeamLine>& seams, const ClosedLine& outline,
+std::vector<SeamLine> halfSeams(const std::vector<SeamLine>& seams, const geometry::Line& outline,
                                 double end) {
     std::vector<SeamLine> halves;
     for (const SeamLine& seam : seams) {
@@ -131,7 +131,7 @@ double edgeArea(const PatternPiece& piece) {
 /// Precondition: it is symmetric.
 void halve(PatternPiece& piece) {
     const Eigen::Index half = piece.outline.rows() / 2;
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     const double end = outline.length() / 2;
     const double fold = (piece.outline.row(half) - piece.outline.row(0)).norm();
     piece.seams = halfSeams(piece.seams, outline, end);

@@ -10,9 +10,9 @@
 
 #include "core/cut/surface_links.h"
 #include "core/garment/cut_owner.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/flat_reflection.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/outline.h"
 
 namespace toile {
@@ -68,7 +68,8 @@ public:
         RimPlace nearest;
         double least = std::numeric_limits<double>::infinity();
         for (const seam::Outline& rim : outlines_.list) {
-            const ClosedLine flat(result_.flat->Q(rim.vertices, Eigen::all), rim.arc);
+            const auto flat = geometry::Line::closed(result_.flat->Q(rim.vertices, Eigen::all),
+                                                     rim.line.arc().values());
             const double at = flat.nearestPlace(point);
             if (const double distance = (flat.pointAt(at) - point).norm(); distance < least) {
                 least = distance;
@@ -87,7 +88,7 @@ private:
             const auto found = std::ranges::find(rim.vertices, vertex);
             if (found != rim.vertices.end()) {
                 const auto k = static_cast<std::size_t>(found - rim.vertices.begin());
-                return RimPlace{&rim, std::lerp(rim.arc[k], rim.arc[k + 1], share)};
+                return RimPlace{&rim, std::lerp(rim.arcOf(k), rim.arcOf(k + 1), share)};
             }
         }
         return std::nullopt;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 #include "core/symmetry/mirrored_pair.h"
 
 namespace toile {
@@ -17,7 +17,7 @@ namespace {
 /// @return one per row, and of row 0 again, a turn later; ascending
 std::vector<double> placesOfRows(const Points2& rows, const std::vector<int>& rowOf,
                                  const std::vector<double>& arc) {
-    const ClosedLine line(rows);
+    const auto line = geometry::Line::closed(rows);
     const int m = line.count();
     std::vector<double> places(static_cast<std::size_t>(m) + 1);
     for (std::size_t k = 0; k < rowOf.size(); ++k) {
@@ -93,7 +93,8 @@ FlatLine imageOf(FlatLine line, const MirrorPlaces& places) {
 
 /// Symmetric about the places that mirror themselves: the first row, and the one half-way.
 Result<FlatLine> symmetricAbout(FlatLine line, const MirrorPlaces& places) {
-    const ClosedLine byArc(line.points, line.arc), flat(line.points);
+    const auto byArc = geometry::Line::closed(line.points, line.arc);
+    const auto flat = geometry::Line::closed(line.points);
     const double from = byArc.placeOn(flat, places.rising.front());
     const double to = byArc.placeOn(flat, places.rising[places.rising.size() / 2]);
     auto made = symmetricLine(line.points, flat.wrap(from), flat.wrap(to));
@@ -110,8 +111,8 @@ class FlatSegments {
 public:
     FlatSegments(const Garment& garment, const std::vector<MirrorSegment>& segments,
                  const OutlineReference& outline)
-        : flat_(outline.points) {
-        const ClosedLine byArc(outline.points, outline.arc);
+        : flat_(geometry::Line::closed(outline.points)) {
+        const auto byArc = geometry::Line::closed(outline.points, outline.arc);
         for (const MirrorSegment& one : segments) {
             const SeamSide& side = sideOf(garment, one);
             const auto [low, high] = std::minmax(side.start, side.end);
@@ -135,7 +136,7 @@ public:
     }
 
 private:
-    ClosedLine flat_;
+    geometry::Line flat_;
     std::vector<double> starts_, ends_;
 };
 
@@ -176,7 +177,7 @@ public:
         const auto placesA = placesOfRows(mean->a, mean->rowOfA, outlineA_.arc);
         const auto placesB = placesOfRows(mean->b, mean->rowOfB, outlineB_.arc);
         if (mirror == Mirror::First) {
-            const ClosedLine exact(outlineA_.points, outlineA_.arc);
+            const auto exact = geometry::Line::closed(outlineA_.points, outlineA_.arc);
             for (Eigen::Index r = 0; r < mean->a.rows(); ++r) {
                 mean->a.row(r) = exact.pointAt(placesA[r]);
             }

@@ -34,7 +34,7 @@ std::vector<std::vector<BesideNotch>> strokesOf(NotchForm form, double depth, do
 
 }  // namespace
 
-NotchSpot notchSpot(const ClosedLine& line, double place) {
+NotchSpot notchSpot(const geometry::Line& line, double place) {
     const Eigen::RowVector2d chord =
         line.pointAt(place + kHalfChord) - line.pointAt(place - kHalfChord);
     const Eigen::Vector2d along = chord.transpose().normalized();
@@ -61,12 +61,12 @@ std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, Notch
     return strokes;
 }
 
-ClosedLine notchLine(const PatternPiece& piece, int hole) {
+geometry::Line notchLine(const PatternPiece& piece, int hole) {
     if (hole >= 0) {
-        return ClosedLine(piece.holes[static_cast<std::size_t>(hole)]);
+        return geometry::Line::closed(piece.holes[static_cast<std::size_t>(hole)]);
     }
     if (piece.cutAs != CutAs::OnFold) {
-        return ClosedLine(piece.outline);
+        return geometry::Line::closed(piece.outline);
     }
     const Eigen::Index n = piece.outline.rows();
     const Chord fold = foldOf(piece);
@@ -78,12 +78,12 @@ ClosedLine notchLine(const PatternPiece& piece, int hole) {
         const Eigen::RowVector2d way = piece.outline.row(k) - from;
         whole.row(2 * n - 2 - k) = from + 2 * way.dot(along) * along - way;
     }
-    return ClosedLine(std::move(whole));
+    return geometry::Line::closed(std::move(whole));
 }
 
 std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece,
                                              std::optional<NotchForm> form) {
-    std::vector<ClosedLine> loops;
+    std::vector<geometry::Line> loops;
     loops.reserve(piece.holes.size() + 1);
     for (int hole = -1; hole < static_cast<int>(piece.holes.size()); ++hole) {
         loops.push_back(notchLine(piece, hole));
@@ -94,7 +94,7 @@ std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const Patte
     marks.reserve(piece.notches.size());
     for (const PieceNotch& notch : piece.notches) {
         const int index = notch.hole + 1;  // the outline comes first
-        const ClosedLine& loop = loops[static_cast<std::size_t>(index)];
+        const geometry::Line& loop = loops[static_cast<std::size_t>(index)];
         const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
         std::vector<Points2> strokes =
             notchStrokes(notchSpot(loop, notch.at), allowance, form.value_or(pattern.notchForm),

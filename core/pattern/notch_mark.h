@@ -6,10 +6,10 @@
 
 #include <Eigen/Core>
 
+#include "core/geometry/line.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/notch_settings.h"
 #include "core/pattern/pattern.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 
@@ -25,7 +25,7 @@ inline constexpr double kHalfChord = 1;
 /// The spot at a place on a drawn outline or rim, which has the cloth on its left.
 /// @param line  measured as `place` is  Precondition: longer than two half chords.  Cost:
 /// logarithmic. Pure.
-NotchSpot notchSpot(const ClosedLine& line, double place);
+NotchSpot notchSpot(const geometry::Line& line, double place);
 
 /// Measures of a notch as drawn, mm.
 struct NotchSize {
@@ -49,7 +49,7 @@ std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, Notch
 /// The line that places of notches are measured on: the rim of a hole, or the outline (-1). Of a
 /// half pattern it is the outline of the whole piece, so that a notch near the fold is square to
 /// the line that is there when the cloth is unfolded.  Cost: linear. Pure.
-ClosedLine notchLine(const PatternPiece& piece, int hole);
+geometry::Line notchLine(const PatternPiece& piece, int hole);
 
 /// The strokes of each notch of a piece, in its own coordinates. Of a half pattern only what lies
 /// on its side of the fold.

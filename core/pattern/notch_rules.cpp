@@ -84,8 +84,8 @@ NotchPlaces::NotchPlaces(const Garment& garment, const seam::Outlines& outlines,
     double back = std::numeric_limits<double>::infinity(), front = -back;
     for (const seam::Outline& outline : outlines.list) {
         if (outline.size() > 0) {
-            back = std::min(back, outline.P.col(2).minCoeff());
-            front = std::max(front, outline.P.col(2).maxCoeff());
+            back = std::min(back, outline.line.points().col(2).minCoeff());
+            front = std::max(front, outline.line.points().col(2).maxCoeff());
         }
     }
     backwards_ = 0.5 * (back + front) - 0.5 * kBackPart * (front - back);
@@ -116,7 +116,7 @@ double NotchPlaces::lowestOf(const SeamSide& side) const {
     const seam::Outline& outline = outlines_.list[outlines_.indexOf(side)];
     double lowest = std::numeric_limits<double>::infinity();
     for (int k = side.first; k < side.first + side.count; ++k) {
-        lowest = std::min(lowest, outline.P(outline.wrapIndex(k), 1));
+        lowest = std::min(lowest, outline.line.point(k).y());
     }
     return lowest;
 }
@@ -137,7 +137,7 @@ bool NotchPlaces::isSleeveHead(const SeamSide& side, double at) const {
             }
         }
     }
-    return outline.P.col(1).minCoeff() < lowest - kSleeveBelow;
+    return outline.line.points().col(1).minCoeff() < lowest - kSleeveBelow;
 }
 
 std::vector<Notch> NotchPlaces::fixed(int index) const {

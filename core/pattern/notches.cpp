@@ -80,7 +80,7 @@ std::vector<SeamSpot> spotsOf(const NotchSettings& said, const Garment& garment,
                     continue;
                 }
                 const double low = std::min(side.start, side.end) - kOnePlace;
-                const double past = outline.wrap((parts[0].from + parts[0].to) / 2 - low);
+                const double past = outline.wrap((parts[0].low + parts[0].high) / 2 - low);
                 if (past <= side.length() + 2 * kOnePlace) {
                     spots.push_back({static_cast<int>(s),
                                      shareOf(seam, placeOnSide(seam, isRight, low + past))});
@@ -333,12 +333,10 @@ std::optional<NotchSettings> notchSettingsAt(const Garment& garment, int seam, d
     for (const bool isRight : {false, true}) {
         const SeamSide& side = seamSide(of, isRight);
         const seam::Outline& outline = outlines.list[outlines.indexOf(side)];
-        const double arc = outline.wrap(isRight ? at.right : at.left);
-        const int k = outline.edgeAt(arc);
+        const auto [edge, t] = outline.line.arc().edgePlace(isRight ? at.right : at.left);
         const EdgeOrigin* origin =
-            originAt(garment.pieces[side.piece]->origins, outline.vertices[k]);
+            originAt(garment.pieces[side.piece]->origins, outline.vertices[edge]);
         if (origin) {
-            const double t = (arc - outline.arc[k]) / (outline.arc[k + 1] - outline.arc[k]);
             return NotchSettings{origin->line, (1 - t) * origin->from + t * origin->to,
                                  origin->from > origin->to};
         }

@@ -6,9 +6,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
-#include "core/quality/closed_line.h"
 #include "core/quality/measures.h"
 
 namespace toile {
@@ -48,7 +47,7 @@ Points2 laidOver(const Points2& points, const Points2& onto) {
 }
 
 void layOver(FlatLine& line, const OutlineReference& onto) {
-    const ClosedLine closed(line.points, line.arc);
+    const auto closed = geometry::Line::closed(line.points, line.arc);
     Points2 there(onto.points.rows(), 2);
     for (Eigen::Index k = 0; k < there.rows(); ++k) {
         there.row(k) = closed.pointAt(onto.arc[k]);

@@ -10,7 +10,7 @@
 #include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/drawn_outline.h"
@@ -22,7 +22,6 @@
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/piece_allowance.h"
 #include "core/pattern/segments.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
@@ -31,12 +30,13 @@ namespace {
 
 /// The outline of a piece as it is drawn, measured in 3D and in the plane.
 struct MeasuredOutline {
-    ClosedLine in3d, flat;
+    geometry::Line in3d, flat;
 
     MeasuredOutline(const Piece& piece, const FlatPiece& of)
-        : in3d(of.line ? ClosedLine(of.line->points, of.line->arc)
-                       : ClosedLine(of.Q(piece.boundary, Eigen::all), outlineArc(piece))),
-          flat(in3d.points()) {}
+        : in3d(of.line
+                   ? geometry::Line::closed(of.line->points, of.line->arc)
+                   : geometry::Line::closed(of.Q(piece.boundary, Eigen::all), outlineArc(piece))),
+          flat(geometry::Line::closed(in3d.points())) {}
 
     /// In the plane, the first within the first turn.
     std::pair<double, double> places(double from3d, double to3d) const {
@@ -85,8 +85,10 @@ void addSeams(PatternPiece& made, const Piece& piece, const FlatPiece& flat,
 void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOutline& outline,
                  const SeamGraph& graph, const OutlineSegments& found, const LineSettings& lines) {
     const Piece& piece = *result.piece;
-    const ClosedLine in3d(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
-    const ClosedLine target(in3d.points(), geometry::arcOf(outlineLengths(piece, result.targets)));
+    const auto in3d =
+        geometry::Line::closed(result.flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    const auto target = geometry::Line::closed(
+        in3d.points(), geometry::arcOf(outlineLengths(piece, result.targets)));
     for (std::size_t k = 0; k < found.segments.size(); ++k) {
         const Segment& segment = found.segments[k];
         PatternSegment& added = made.segments.emplace_back();

@@ -57,7 +57,7 @@ std::vector<Eigen::Index> breaksOf(const Points2& line) {
 
 }  // namespace
 
-std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const ClosedLine& outline,
+std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const geometry::Line& outline,
                                  const PatternSegment& segment) {
     const Points2 line = outline.part(segment.from, segment.to);
     if (!piece.isFine) {

@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "core/geometry/line.h"
 #include "core/pattern/cubic_curve.h"
 #include "core/pattern/pattern.h"
-#include "core/quality/closed_line.h"
 
 namespace toile {
 
@@ -15,7 +15,7 @@ namespace toile {
 /// to kCurveLengthTolerance.
 /// @param outline  the piece's  @param segment  one of the piece's
 /// Cost: linear in the segment, and that of `fitCurves`. Pure.
-std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const ClosedLine& outline,
+std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const geometry::Line& outline,
                                  const PatternSegment& segment);
 
 }  // namespace toile

@@ -45,7 +45,7 @@ public:
     Reshaping(const OutlineReference& reference, const OutlinePlan& plan)
         : reference_(reference), exact_(reference) {
         addRuns(plan);
-        const ClosedLine& flat = exact_.flat();
+        const geometry::Line& flat = exact_.flat();
         for (int k = 0; k < flat.count(); ++k) {
             const double at = flat.arc()[k];
             if (std::ranges::none_of(runs_, [&](const EdgeRun& run) { return isIn(at, run); })) {
@@ -96,7 +96,7 @@ public:
 
     /// Precondition: it is solved.
     OutlineReference reshaped() const {
-        const ClosedLine& flat = exact_.flat();
+        const geometry::Line& flat = exact_.flat();
         std::vector<std::pair<double, int>> rows;  // places, and vertices there
         rows.reserve(static_cast<std::size_t>(flat.count()));
         for (int k = 0; k < flat.count(); ++k) {
@@ -156,7 +156,7 @@ private:
 
     /// The vertex at a place; -1 where there is none.
     int vertexNear(double at) const {
-        const ClosedLine& flat = exact_.flat();
+        const geometry::Line& flat = exact_.flat();
         const int before = flat.edgeAt(at);
         for (const int k : {before, (before + 1) % flat.count()}) {
             if (flat.apart(flat.arc()[k], at) < kSamePlace) {
@@ -193,11 +193,11 @@ private:
 
     /// What all vertices before a place turn by, over any number of turns.
     double turnedUpTo(double at) const {
-        const ClosedLine& flat = exact_.flat();
-        const double turns = std::floor(at / flat.length());
-        const auto next =
-            std::lower_bound(flat.arc().begin(), flat.arc().end() - 1, at - turns * flat.length());
-        return turns * turned_.back() + turned_[next - flat.arc().begin()];
+        const geometry::Line& flat = exact_.flat();
+        const double turns = flat.arc().turnsBefore(at);
+        const std::vector<double>& arc = flat.arc().values();
+        const auto next = std::lower_bound(arc.begin(), arc.end() - 1, at - turns * flat.length());
+        return turns * turned_.back() + turned_[next - arc.begin()];
     }
 
     double turnAt(double at) const {

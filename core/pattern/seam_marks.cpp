@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/triangle_tree.h"
 
@@ -34,43 +35,15 @@ constexpr double kRounding = 0x1p-22;
 constexpr double kEdgeToText = 0.5;
 constexpr double kAirAround = 0.25;  // kept free on each side
 
-/// A seam as it lies, by arc lengths.
-class OpenLine {
-public:
-    explicit OpenLine(Points2 points) : points_(std::move(points)), arc_(points_.rows(), 0) {
-        for (Eigen::Index i = 1; i < points_.rows(); ++i) {
-            arc_[i] = arc_[i - 1] + (points_.row(i) - points_.row(i - 1)).norm();
-        }
+/// By how much a line between two places rises to the left of the way from point to point.
+double bulge(const geometry::Line& line, double from, double to, const Vector2d& left) {
+    const Eigen::RowVector2d origin = line.pointAt(from);
+    double largest = 0;
+    for (int k = line.firstAfter(from); k < line.firstAfter(to); ++k) {
+        largest = std::max(largest, (line.point(k) - origin).dot(left.transpose()));
     }
-
-    double length() const { return arc_.empty() ? 0 : arc_.back(); }
-
-    Vector2d pointAt(double at) const {
-        const std::size_t next = after(at);
-        const double step = arc_[next] - arc_[next - 1];
-        const double t = step > 0 ? std::clamp((at - arc_[next - 1]) / step, 0.0, 1.0) : 0.0;
-        return ((1 - t) * points_.row(next - 1) + t * points_.row(next)).transpose();
-    }
-
-    /// By how much the line between two places rises to the left of the way from point to point.
-    double bulge(double from, double to, const Vector2d& origin, const Vector2d& left) const {
-        double most = 0;
-        for (std::size_t i = after(from); i < arc_.size() && arc_[i] < to; ++i) {
-            most = std::max(most, (points_.row(i).transpose() - origin).dot(left));
-        }
-        return most;
-    }
-
-private:
-    /// The first point beyond a place, of those that end an edge.
-    std::size_t after(double at) const {
-        const auto next = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, at);
-        return static_cast<std::size_t>(next - arc_.begin());
-    }
-
-    Points2 points_;
-    std::vector<double> arc_;
-};
+    return largest;
+}
 
 /// A box along an edge.
 struct TurnedBox {
@@ -218,7 +191,7 @@ class SeamTexts {
 public:
     explicit SeamTexts(const LinesThere& lines) : lines_(lines) {}
 
-    void write(SeamMark& mark, const OpenLine& line, const std::string& name) {
+    void write(SeamMark& mark, const geometry::Line& line, const std::string& name) {
         SeamMark named = mark;
         named.name = name;
         const double numbers[] = {textExtent({numberText(mark)}, 1).x(),
@@ -244,7 +217,7 @@ public:
 
 private:
     /// The row of texts about a place of the line, and nothing else in its box.
-    std::optional<TurnedBox> freeRow(const OpenLine& line, double at, double width,
+    std::optional<TurnedBox> freeRow(const geometry::Line& line, double at, double width,
                                      double height) const {
         const double from = at - 0.5 * width, to = at + 0.5 * width;
         if (from < 0 || to > line.length()) {
@@ -257,12 +230,12 @@ private:
         }
         const Vector2d left = geometry::leftOf(way.normalized());
         // Clear of an edge that bulges into the cloth under the text.
-        const double off = line.bulge(from, to, before, left) + (kEdgeToText + 0.5) * height;
+        const double off = bulge(line, from, to, left) + (kEdgeToText + 0.5) * height;
         const double air = kAirAround * height;
         const TurnedBox row{0.5 * (before + after) + off * left, way.normalized(),
                             Vector2d(0.5 * width + air, 0.5 * height + air)};
         // No other line lies between the edge and the text.
-        const Vector2d stalk = row.middle - line.pointAt(at);
+        const Vector2d stalk = row.middle - line.pointAt(at).transpose();
         const TurnedBox between{row.middle - 0.5 * kOffEdge * stalk, stalk.normalized(),
                                 Vector2d(0.5 * kOffEdge * stalk.norm(), 0)};
         const bool isFree = !lines_.meet(row) && !lines_.meet(between) &&
@@ -312,7 +285,7 @@ std::string numberText(const SeamMark& mark) {
 std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& placement,
                                 const std::vector<Points2>& obstacles) {
     std::vector<SeamMark> marks;
-    std::vector<OpenLine> lines;
+    std::vector<geometry::Line> lines;
     std::vector<const SeamLine*> seams;
     std::set<int> numbers;
     SeamTicks ticks;
@@ -328,7 +301,7 @@ std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& plac
         if (seam.kind == SeamKind::Free || seam.line.rows() < 2) {
             continue;
         }
-        OpenLine line(turnedLine(seam.line, placement));
+        auto line = geometry::Line::open(turnedLine(seam.line, placement));
         const double length = line.length();
         if (!(length > 0)) {
             continue;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/quality/measures.h"
 #include "core/seam/seam_measure.h"
 
@@ -37,17 +37,19 @@ DrawnLoop drawnLoop(const PieceResult& result, const SeamSide& side) {
     const Eigen::VectorXd in3d = boundaryLengths3d(result.piece->mesh.V, loop);
     const bool hasTargets = side.loop == 0 && result.targets.lengths.size() > 0;
     const Points2 points = result.flat->Q(loop, Eigen::all);
-    const ClosedLine byArc(points, geometry::arcOf(in3d));
-    const ClosedLine target(points, geometry::arcOf(hasTargets ? result.targets.lengths : in3d));
+    const auto byArc = geometry::Line::closed(points, geometry::arcOf(in3d));
+    const auto target =
+        geometry::Line::closed(points, geometry::arcOf(hasTargets ? result.targets.lengths : in3d));
     const auto& line = result.flat->line;
     if (!line || side.loop != 0) {
-        return {byArc, target, target, ClosedLine(points)};
+        return {byArc, target, target, geometry::Line::closed(points)};
     }
     std::vector<double> places = line->arc;
     for (double& place : places) {
         place = byArc.placeOn(target, place);
     }
-    return {byArc, target, ClosedLine(line->points, std::move(places)), ClosedLine(line->points)};
+    return {byArc, target, geometry::Line::closed(line->points, std::move(places)),
+            geometry::Line::closed(line->points)};
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/seam.h"
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 
 namespace toile {
 
@@ -22,8 +22,9 @@ SeamMatch placeOnSide(const Seam& seam, bool onRight, double arc);
 /// An outline, or the rim of a hole, as it is drawn. Between its points a place lies by what the
 /// edges are to measure.
 struct DrawnLoop {
-    ClosedLine byArc, target;   ///< the exact one: by arc lengths in 3D, and by those it is to have
-    ClosedLine byTarget, flat;  ///< the drawn one: by these, and by its lengths in the plane
+    geometry::Line byArc,
+        target;  ///< the exact one: by arc lengths in 3D, and by those it is to have
+    geometry::Line byTarget, flat;  ///< the drawn one: by these, and by its lengths in the plane
 
     /// What the length along the line up to a place in 3D is to be, over any number of turns.
     double targetAt(double arc) const { return byArc.placeOn(target, arc); }

@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 #include "core/seam/outline.h"
 #include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
@@ -30,7 +30,8 @@ public:
           piece_(*result.piece),
           index_(index),
           outline_(outline),
-          line_(result.flat->Q(piece_.boundary, Eigen::all), outline.arc),
+          line_(geometry::Line::closed(result.flat->Q(piece_.boundary, Eigen::all),
+                                       outline.line.arc().values())),
           corners_(findCorners(line_.points(), kPlainCorner)) {}
 
     OutlineSegments divided(const LineSettings& settings) {
@@ -51,12 +52,7 @@ public:
 
 private:
     double perimeter() const { return outline_.length(); }
-
-    /// How far apart two places are along the outline.
-    double apart(double a, double b) const {
-        const double way = std::abs(outline_.wrap(a) - outline_.wrap(b));
-        return std::min(way, perimeter() - way);
-    }
+    double apart(double a, double b) const { return outline_.line.apart(a, b); }
 
     std::vector<TurnPoint>::iterator near(double at, double within) {
         if (points_.empty()) {
@@ -108,7 +104,7 @@ private:
     /// the vertex itself.
     void addCorners() {
         for (const int corner : corners_) {
-            const double at = outline_.arc[corner];
+            const double at = outline_.arcOf(corner);
             const auto beside = near(at, kPlainCorner.chord);
             if (beside == points_.end() || (std::abs(line_.turnAt(corner)) > kPlainCorner.turn &&
                                             apart(beside->at, at) > kOneCorner)) {
@@ -120,8 +116,8 @@ private:
     void apply(const TurnPointSettings& said) {
         const double sense = said.reversed ? -1 : 1;
         const LineStretch place{said.line, said.at - sense * 1e-9, said.at + sense * 1e-9};
-        for (const ArcInterval& part : partsOf(place, outline_, piece_)) {
-            const double at = (part.from + part.to) / 2;
+        for (const geometry::Interval& part : partsOf(place, outline_, piece_)) {
+            const double at = (part.low + part.high) / 2;
             if (said.turns) {
                 add({at, 0, true, false, true});
             } else if (const auto known = near(at, kSameCorner);
@@ -169,7 +165,7 @@ private:
     /// is half a turn to the right, at a spike to the left.
     double nearTurnIn3d(double turn, double at) const {
         const int vertex = outline_.edgeAt(at + kSamePoint / 2);
-        const bool isVertex = apart(outline_.arc[vertex], at) < kSamePoint;
+        const bool isVertex = apart(outline_.arcOf(vertex), at) < kSamePoint;
         const double in3d = isVertex ? std::numbers::pi - outline_.angle[vertex] : 0;
         return in3d + std::remainder(turn - in3d, 2 * std::numbers::pi);
     }
@@ -230,7 +226,7 @@ private:
     const Piece& piece_;
     int index_;
     const seam::Outline& outline_;
-    ClosedLine line_;
+    geometry::Line line_;
     std::vector<int> corners_;
     std::vector<SideHere> sides_;
     std::vector<TurnPoint> points_;  ///< by `at`

@@ -24,14 +24,14 @@ public:
     /// Why the lengths change that are added next.
     void begin(LengthCause cause) { cause_ = cause; }
 
-    void add(int outline, ArcInterval part, double factor) {
+    void add(int outline, geometry::Interval part, double factor) {
         const double length = outlines_.list[outline].length();
-        const double turns = std::floor(part.from / length) * length;
-        part = {part.from - turns, part.to - turns};
+        const double turns = std::floor(part.low / length) * length;
+        part = {part.low - turns, part.high - turns};
         const auto change = static_cast<int>(of_[outline].size());
-        of_[outline].push_back({cause_, part.from, part.to, factor, change});
-        if (part.to > length) {
-            of_[outline].push_back({cause_, 0, part.to - length, factor, change});
+        of_[outline].push_back({cause_, part.low, part.high, factor, change});
+        if (part.high > length) {
+            of_[outline].push_back({cause_, 0, part.high - length, factor, change});
         }
     }
 
@@ -127,13 +127,13 @@ public:
         : garment_(garment), outlines_(outlines), stretches_(stretches) {}
 
     void apply(const SegmentSettings& said) {
-        std::vector<std::pair<int, ArcInterval>> parts;  // a cut may have parted it
+        std::vector<std::pair<int, geometry::Interval>> parts;  // a cut may have parted it
         double length = 0;
         for (std::size_t p = 0; p < garment_.pieces.size(); ++p) {
-            for (const ArcInterval& part :
+            for (const geometry::Interval& part :
                  partsOf(said.place, outlines_.list[p], *garment_.pieces[p])) {
                 parts.emplace_back(static_cast<int>(p), part);
-                length += part.to - part.from;
+                length += part.length();
             }
         }
         stretches_.begin(LengthCause::Length);
@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    void stretch(int index, const ArcInterval& part, double factor) {
+    void stretch(int index, const geometry::Interval& part, double factor) {
         stretches_.add(index, part, factor);
         for (const Seam& seam : garment_.seams.seams) {
             if (!seam.matches.empty() && seam.kind != SeamKind::Free) {
@@ -154,7 +154,7 @@ private:
     }
 
     /// What of a part lies on one side of a seam, on the other side too.
-    void carryOver(const Seam& seam, bool fromRight, int index, const ArcInterval& part,
+    void carryOver(const Seam& seam, bool fromRight, int index, const geometry::Interval& part,
                    double factor) {
         const SeamSide& side = fromRight ? seam.right : seam.left;
         const SeamSide& other = fromRight ? seam.left : seam.right;
@@ -163,14 +163,10 @@ private:
         }
         const auto [low, high] = std::minmax(side.start, side.end);
         const double perimeter = outlines_.list[index].length();
-        for (const double turn : {-perimeter, 0.0, perimeter}) {
-            const double from = std::max(low, part.from + turn);
-            const double to = std::min(high, part.to + turn);
-            if (from < to) {
-                const double a = placeAcross(seam, from, fromRight);
-                const double b = placeAcross(seam, to, fromRight);
-                stretches_.add(outlines_.indexOf(other), {std::min(a, b), std::max(a, b)}, factor);
-            }
+        for (const auto& shared : geometry::commonParts({low, high}, part, perimeter)) {
+            const double a = placeAcross(seam, shared.low, fromRight);
+            const double b = placeAcross(seam, shared.high, fromRight);
+            stretches_.add(outlines_.indexOf(other), {std::min(a, b), std::max(a, b)}, factor);
         }
     }
 
@@ -249,7 +245,7 @@ std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSet
         targets[p].lengths.resize(outline.size());
         for (int k = 0; k < outline.size(); ++k) {
             targets[p].lengths[k] =
-                stretches.lengthOf(static_cast<int>(p), outline.arc[k], outline.arc[k + 1]);
+                stretches.lengthOf(static_cast<int>(p), outline.arcOf(k), outline.arcOf(k + 1));
         }
         targets[p].changed = stretches.changed(static_cast<int>(p));
     }

@@ -11,7 +11,7 @@
 #include <Eigen/QR>
 
 #include "core/geometry/disjoint_sets.h"
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
@@ -116,7 +116,7 @@ double drawnTurn(const PieceResult& result, const TurnPoint& point) {
         return point.turn;
     }
     const FlatLine& line = *result.flat->line;
-    const ClosedLine byArc(line.points, line.arc);
+    const auto byArc = geometry::Line::closed(line.points, line.arc);
     const auto apart = [&](double arc) { return byArc.apart(arc, point.at); };
     const auto nearest = std::ranges::min_element(line.arc.begin(), line.arc.end() - 1, {}, apart);
     const double turn = byArc.turnAt(static_cast<int>(nearest - line.arc.begin()));

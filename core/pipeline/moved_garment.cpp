@@ -14,16 +14,6 @@ namespace {
 /// Ratios that differ by less than this part are the same.
 constexpr double kSameRatio = 1e-12;
 
-/// The same place of an outline whose vertices have moved: the same share of the same edge.
-double movedPlace(const seam::Outline& before, const seam::Outline& after, double s) {
-    const double turns = std::floor(s / before.length());
-    const double within = std::clamp(s - turns * before.length(), 0.0, before.length());
-    const int k = before.edgeAt(within);
-    const double length = before.arc[k + 1] - before.arc[k];
-    const double share = length > 0 ? std::min((within - before.arc[k]) / length, 1.0) : 0;
-    return turns * after.length() + (1 - share) * after.arc[k] + share * after.arc[k + 1];
-}
-
 bool hasBothSides(const Seam& seam) {
     return seam.left.piece >= 0 && seam.right.piece >= 0;
 }
@@ -32,7 +22,7 @@ void moveSeam(Seam& seam, const seam::Outlines& before, const seam::Outlines& af
     const auto moved = [&](const SeamSide& side, double s) {
         const int outline = before.indexOf(side);
         return before.list[outline].length() > 0
-                   ? movedPlace(before.list[outline], after.list[outline], s)
+                   ? before.list[outline].line.placeOn(after.list[outline].line, s)
                    : s;
     };
     for (SeamMatch& match : seam.matches) {

@@ -61,10 +61,8 @@ SewnMoves::SewnMoves(const Garment& garment, std::vector<Points3> moves)
 void SewnMoves::match() {
     const seam::Outlines outlines = seam::buildOutlines(garment_.pieces);
     const auto placeAt = [](const seam::Outline& outline, double s) -> Place {
-        const int k = outline.edgeAt(s);
+        const auto [k, share] = outline.line.arc().edgePlace(s);
         const int tail = outline.vertices[k], head = outline.vertices[(k + 1) % outline.size()];
-        const double length = outline.arc[k + 1] - outline.arc[k];
-        const double share = length > 0 ? (outline.wrap(s) - outline.arc[k]) / length : 0;
         if (share < kIsVertex || share > 1 - kIsVertex) {
             const int vertex = share < kIsVertex ? tail : head;
             return {outline.piece, vertex, vertex, 0};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/quality/measures.h"
 
 namespace toile {

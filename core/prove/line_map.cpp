@@ -26,12 +26,12 @@ constexpr double kFartherThanLines = 6, kFartherCorner = 0.005;
 constexpr double kMaxCornerTrials = 5e7;
 
 /// Places at even shares of a line's length around their middle, from a share of it on.
-CentredPlaces evenPlaces(const ClosedLine& line, double from, double scale) {
+CentredPlaces evenPlaces(const geometry::Line& line, double from, double scale) {
     CentredPlaces places;
     ComplexPlace middle = 0;
     for (int k = 0; k < kPlaces; ++k) {
-        const Eigen::RowVector2d p = line.pointAt(
-            line.arc().front() + line.length() * (from + static_cast<double>(k) / kPlaces));
+        const Eigen::RowVector2d p =
+            line.pointAt(line.arc()[0] + line.length() * (from + static_cast<double>(k) / kPlaces));
         places.emplace_back(scale * p.x(), scale * p.y());
         middle += places.back() / static_cast<double>(kPlaces);
     }
@@ -47,7 +47,7 @@ struct LineCorner {
     Eigen::RowVector2d place;
 };
 
-std::vector<LineCorner> cornersOf(const ClosedLine& line, const Eigen::RowVector2d& middle,
+std::vector<LineCorner> cornersOf(const geometry::Line& line, const Eigen::RowVector2d& middle,
                                   double scale) {
     std::vector<LineCorner> corners;
     for (const int k : findCorners(line.points())) {
@@ -118,7 +118,8 @@ private:
 };
 
 /// The fit with its offset, and where it is free its angle, to more digits than there are places.
-RoughFit refined(const ClosedLine& ours, const ClosedLine& theirs, RoughFit fit, bool canTurn) {
+RoughFit refined(const geometry::Line& ours, const geometry::Line& theirs, RoughFit fit,
+                 bool canTurn) {
     constexpr int kThirds = 50;
     const double scale = ours.length() / theirs.length();
     const auto line = evenPlaces(ours, 0, 1);
@@ -143,15 +144,15 @@ RoughFit refined(const ClosedLine& ours, const ClosedLine& theirs, RoughFit fit,
 
 }  // namespace
 
-Eigen::RowVector2d middleOf(const ClosedLine& line) {
+Eigen::RowVector2d middleOf(const geometry::Line& line) {
     Eigen::RowVector2d sum = Eigen::RowVector2d::Zero();
     for (int k = 0; k < kPlaces; ++k) {
-        sum += line.pointAt(line.arc().front() + line.length() * k / kPlaces) / kPlaces;
+        sum += line.pointAt(line.arc()[0] + line.length() * k / kPlaces) / kPlaces;
     }
     return sum;
 }
 
-RoughFit roughFitAt(const ClosedLine& ours, const ClosedLine& theirs, double angle) {
+RoughFit roughFitAt(const geometry::Line& ours, const geometry::Line& theirs, double angle) {
     const double scale = ours.length() / theirs.length();
     const auto line = evenPlaces(ours, 0, 1), other = evenPlaces(theirs, 0, scale);
     const ComplexPlace back = std::polar(1.0, -angle);
@@ -167,7 +168,7 @@ RoughFit roughFitAt(const ClosedLine& ours, const ClosedLine& theirs, double ang
     return refined(ours, theirs, best, false);
 }
 
-RoughFit roughFit(const ClosedLine& ours, const ClosedLine& theirs,
+RoughFit roughFit(const geometry::Line& ours, const geometry::Line& theirs,
                   const std::vector<double>& angles) {
     const double scale = ours.length() / theirs.length();
     const auto line = evenPlaces(ours, 0, 1), other = evenPlaces(theirs, 0, scale);
@@ -184,7 +185,8 @@ RoughFit roughFit(const ClosedLine& ours, const ClosedLine& theirs,
     return best;
 }
 
-LineMap::LineMap(const ClosedLine& ours, const ClosedLine& theirs, const RoughFit& fit) {
+LineMap::LineMap(const geometry::Line& ours, const geometry::Line& theirs, const RoughFit& fit)
+    : LineMap(ours.length()) {
     const double scale = ours.length() / theirs.length();
     const auto corners = cornersOf(ours, middleOf(ours), 1);
     const auto others = cornersOf(theirs, middleOf(theirs), scale);
@@ -206,34 +208,27 @@ LineMap::LineMap(const ClosedLine& ours, const ClosedLine& theirs, const RoughFi
             }
         }
     }
+    std::vector<double> oursAt, theirsAt;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        if (best[i] < 0 || (!ours_.empty() && corners[i].at <= ours_.back())) {
+        if (best[i] < 0 || (!oursAt.empty() && corners[i].at <= oursAt.back())) {
             continue;
         }
         const auto j = static_cast<std::size_t>(best[i]) % others.size();
         double at = others[j].at;
-        while (!theirs_.empty() && at < theirs_.back()) {
+        while (!theirsAt.empty() && at < theirsAt.back()) {
             at += theirs.length();
         }
-        ours_.push_back(corners[i].at);
-        theirs_.push_back(at);
+        oursAt.push_back(corners[i].at);
+        theirsAt.push_back(at);
     }
-    if (ours_.empty()) {
-        ours_.push_back(0);
-        theirs_.push_back(theirs.length() * fit.offset);
+    if (oursAt.empty()) {
+        oursAt.push_back(0);
+        theirsAt.push_back(theirs.length() * fit.offset);
     }
-    ours_.push_back(ours_.front() + ours.length());
-    theirs_.push_back(theirs_.front() + theirs.length());
-}
-
-double LineMap::theirsAt(double ours) const {
-    const double length = ours_.back() - ours_.front();
-    const double turns = std::floor((ours - ours_.front()) / length);
-    const double within = ours - turns * length;
-    const auto after = std::upper_bound(ours_.begin() + 1, ours_.end() - 1, within);
-    const auto k = after - ours_.begin();
-    const double t = (within - ours_[k - 1]) / (ours_[k] - ours_[k - 1]);
-    return turns * (theirs_.back() - theirs_.front()) + (1 - t) * theirs_[k - 1] + t * theirs_[k];
+    oursAt.push_back(oursAt.front() + ours.length());
+    theirsAt.push_back(theirsAt.front() + theirs.length());
+    ours_ = geometry::Arc(std::move(oursAt), true);
+    theirs_ = geometry::Arc(std::move(theirsAt), true);
 }
 
 }  // namespace toile::prove

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 
 namespace toile::prove {
 
@@ -17,28 +17,28 @@ struct RoughFit {
 
 /// Turned by one of the given angles, the first that fits about as well as any; else as it fits
 /// best. Both lines run the same way.  Cost: constant, some 30 thousand steps. Pure.
-RoughFit roughFit(const ClosedLine& ours, const ClosedLine& theirs,
+RoughFit roughFit(const geometry::Line& ours, const geometry::Line& theirs,
                   const std::vector<double>& angles);
 /// Turned by this angle, no other.
-RoughFit roughFitAt(const ClosedLine& ours, const ClosedLine& theirs, double angle);
+RoughFit roughFitAt(const geometry::Line& ours, const geometry::Line& theirs, double angle);
 
 /// The mean of places at even shares of a line's length.
-Eigen::RowVector2d middleOf(const ClosedLine& line);
+Eigen::RowVector2d middleOf(const geometry::Line& line);
 
 /// Which place of their line is which of ours: corner by corner, between these by length.
 class LineMap {
 public:
     /// Corners (`findCorners`) are paired in order, the nearest of those that turn alike; where
     /// none are, the line is followed from where the fit has it. @param theirs  as the fit turns it
-    LineMap(const ClosedLine& ours, const ClosedLine& theirs, const RoughFit& fit);
+    LineMap(const geometry::Line& ours, const geometry::Line& theirs, const RoughFit& fit);
     /// The same line.
-    explicit LineMap(double length) : ours_{0, length}, theirs_{0, length} {}
+    explicit LineMap(double length) : ours_({0, length}, true), theirs_(ours_) {}
 
     /// Of both lines measured along themselves, over any number of turns.
-    double theirsAt(double ours) const;
+    double theirsAt(double ours) const { return ours_.placeOn(theirs_, ours); }
 
 private:
-    std::vector<double> ours_, theirs_;  ///< ascending, over one turn: the last is the first again
+    geometry::Arc ours_, theirs_;  ///< of the paired corners
 };
 
 }  // namespace toile::prove

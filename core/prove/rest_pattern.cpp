@@ -9,7 +9,7 @@
 
 #include "core/export/apparel_dxf.h"
 #include "core/garment/piece.h"
-#include "core/geometry/arc_lengths.h"
+#include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
 #include "core/prove/fault_words.h"
 #include "core/quality/measures.h"
@@ -22,7 +22,7 @@ namespace {
 /// A loop of a piece as we have it.
 struct OurLoop {
     Points3 space;
-    ClosedLine drawn;  ///< measured on the garment
+    geometry::Line drawn;  ///< measured on the garment
 };
 
 /// The outline, then the rims of the holes.
@@ -34,9 +34,10 @@ std::vector<OurLoop> ourLoops(const Piece& piece, const Points2& flat, const Fla
     const Points3& V = piece.mesh.V;
     const auto add = [&](const std::vector<int>& loop, const FlatLine* drawn) {
         const Points3 space = V(loop, Eigen::all);
-        loops.push_back({space, drawn != nullptr
-                                    ? ClosedLine(drawn->points, drawn->arc)
-                                    : ClosedLine(flat(loop, Eigen::all),
+        loops.push_back(
+            {space, drawn != nullptr
+                        ? geometry::Line::closed(drawn->points, drawn->arc)
+                        : geometry::Line::closed(flat(loop, Eigen::all),
                                                  geometry::arcOf(boundaryLengths3d(V, loop)))});
     };
     add(piece.boundary, line);
@@ -145,8 +146,8 @@ private:
 
     RoughFit fitOf(int piece, const FilePiece& other, bool mirrored) const {
         const Points2 line = geometry::antiClockwise(sewingLine(other));
-        return roughFit(ClosedLine(ours(piece).outline),
-                        ClosedLine(mirrored ? turnedOver(line) : line),
+        return roughFit(geometry::Line::closed(ours(piece).outline),
+                        geometry::Line::closed(mirrored ? turnedOver(line) : line),
                         anglesFor(piece, other, mirrored));
     }
 
@@ -260,15 +261,15 @@ private:
             return turnedBy(fitted.mirrored ? turnedOver(line) : line, fitted.fit.angle);
         };
         const auto onto = [](OurLoop& loop, const Points2& line, const RoughFit& fit) {
-            ClosedLine there(line);
-            LineMap map(ClosedLine(loop.drawn.points()), there, fit);
+            auto there = geometry::Line::closed(line);
+            LineMap map(geometry::Line::closed(loop.drawn.points()), there, fit);
             return RestLoop(std::move(loop.space), std::move(loop.drawn), std::move(there),
                             std::move(map));
         };
         // At rest the piece lies as ours does, but for its place.
         const Points2 outline = asLaid(geometry::antiClockwise(sewingLine(other)));
-        const Eigen::RowVector2d move =
-            middleOf(ClosedLine(loops[0].drawn.points())) - middleOf(ClosedLine(outline));
+        const Eigen::RowVector2d move = middleOf(geometry::Line::closed(loops[0].drawn.points())) -
+                                        middleOf(geometry::Line::closed(outline));
         rest.loops.emplace_back(onto(loops[0], outline, fitted.fit));
         std::vector<Points2> holes;
         for (const Points2& hole : other.holes) {
@@ -280,17 +281,17 @@ private:
                                                              : line);
         }
         for (std::size_t k = 1; k < loops.size(); ++k) {
-            const ClosedLine rim(loops[k].drawn.points());
+            const auto rim = geometry::Line::closed(loops[k].drawn.points());
             const Eigen::RowVector2d middle = middleOf(rim) - move;
             const auto farFrom = [&](const Points2& hole) {
-                return (middleOf(ClosedLine(hole)) - middle).norm();
+                return (middleOf(geometry::Line::closed(hole)) - middle).norm();
             };
             const auto found = std::ranges::min_element(holes, {}, farFrom);
             if (found == holes.end() || farFrom(*found) > rim.length() / 4) {
                 rest.loops.emplace_back();
                 continue;
             }
-            const RoughFit fit = roughFitAt(rim, ClosedLine(*found), 0);
+            const RoughFit fit = roughFitAt(rim, geometry::Line::closed(*found), 0);
             rest.loops.emplace_back(onto(loops[k], *found, fit));
             holes.erase(found);
         }
@@ -330,7 +331,7 @@ RestPattern referencePattern(const Garment& garment) {
         }
         RestPiece& made = rest.pieces.back().emplace();
         for (OurLoop& loop : ourLoops(piece, flat, nullptr)) {
-            ClosedLine line(loop.drawn.points());
+            auto line = geometry::Line::closed(loop.drawn.points());
             const LineMap map(line.length());
             made.loops.emplace_back(
                 RestLoop(std::move(loop.space), std::move(loop.drawn), std::move(line), map));

@@ -16,10 +16,11 @@ class RestLoop {
 public:
     /// @param space  of its vertices  @param drawn  measured by arc length on the garment
     /// @param rest   measured along itself  @param map  from `drawn` along itself to `rest`
-    RestLoop(Points3 space, ClosedLine drawn, ClosedLine rest, LineMap map);
+    RestLoop(Points3 space, geometry::Line drawn, geometry::Line rest, LineMap map);
 
     double length() const { return drawn_.length(); }
-    Eigen::RowVector3d spaceAt(double place) const;
+    double apart(double a, double b) const { return space_.apart(a, b); }
+    Eigen::RowVector3d spaceAt(double place) const { return space_.pointAt(place); }
     Eigen::RowVector2d drawnAt(double place) const { return drawn_.pointAt(place); }
     Eigen::RowVector2d restAt(double place) const { return rest_.pointAt(restPlace(place)); }
     /// Along the line at rest, from one place to a later one, mm.
@@ -27,16 +28,13 @@ public:
     /// Its corners as it is drawn.
     const std::vector<double>& corners() const { return corners_; }
     /// Those of the garment's vertices on it, and its end.
-    const std::vector<double>& vertices() const { return arc_; }
+    const std::vector<double>& vertices() const { return space_.arc().values(); }
 
 private:
-    /// The same place on the first turn.
-    double withinTurn(double place) const;
     double restPlace(double place) const { return map_.theirsAt(drawn_.placeOn(along_, place)); }
 
-    Points3 space_;
-    std::vector<double> arc_;  ///< of `space_`, over one turn
-    ClosedLine drawn_, along_, rest_;
+    geometry::SpaceLine space_;
+    geometry::Line drawn_, along_, rest_;
     LineMap map_;
     std::vector<double> corners_;
 };

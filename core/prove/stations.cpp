@@ -45,7 +45,7 @@ public:
     std::vector<int> putInOrder();
 
 private:
-    double apart(double a, double b) const;
+    double apart(double a, double b) const { return loop_.apart(a, b); }
     std::vector<double> within(const std::vector<double>& places, const SeamSide& side) const;
 
     struct Range {
@@ -60,11 +60,6 @@ private:
 
 /// Of the edge: where two points are farther apart there is room for another.
 constexpr double kRoom = 1.6;
-
-double LoopStations::apart(double a, double b) const {
-    const double way = std::fmod(std::abs(a - b), loop_.length());
-    return std::min(way, loop_.length() - way);
-}
 
 int LoopStations::at(double place) {
     const auto far = [&](double other) { return apart(other, place); };

@@ -102,9 +102,9 @@ Segment segmentOf(const Outlines& outlines, int edge) {
     const Outline& outline = outlines.of(edge);
     const int k = outlines.local(edge);
     Segment s;
-    s.from = outline.P.row(k);
+    s.from = outline.line.point(k);
     s.length = outlines.lengthOf(edge);
-    s.along = (outline.P.row((k + 1) % outline.size()).transpose() - s.from) / s.length;
+    s.along = (outline.line.point(k + 1).transpose() - s.from) / s.length;
     s.inward = outline.inward.row(k);
     s.spacing = outline.spacing[k];
     return s;

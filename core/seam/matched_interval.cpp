@@ -132,7 +132,7 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
         apart = apart > 0.5 * outline.length() ? apart - outline.length() : apart;
         const double tip = outline.wrap(f.a + 0.5 * apart);
         const int k = outline.edgeAt(tip);
-        const bool first = tip - outline.arc[k] < outline.arc[k + 1] - tip;
+        const bool first = tip - outline.arcOf(k) < outline.arcOf(k + 1) - tip;
         const bool atVertex =
             std::abs(outline.nearestVertex(tip) - tip) < 0.25 * outline.spacingAt(tip);
         foldEnds.angle =

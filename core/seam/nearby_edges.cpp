@@ -134,7 +134,7 @@ NearbyEdges nearbyEdges(const Outlines& outlines, const std::vector<char>& skip,
     for (int edge = 0; edge < outlines.edgeCount(); ++edge) {
         const Outline& outline = outlines.of(edge);
         const int k = outlines.local(edge);
-        stretches.push_back({outline.P.row(k), outline.P.row((k + 1) % outline.size()),
+        stretches.push_back({outline.line.point(k), outline.line.point(k + 1),
                              radius[edge] + kRounding * outlines.size});
         if (!skip[edge]) {
             edges.push_back(edge);

@@ -32,30 +32,21 @@ Outline buildOutline(const Piece& piece, int index, int hole) {
         return outline;
     }
     outline.vertices = loop;
-    outline.P.resize(n, 3);
+    outline.line = geometry::SpaceLine::closed(piece.mesh.V(loop, Eigen::all));
     outline.inward.resize(n, 3);
-    outline.arc.assign(n + 1, 0);
     outline.spacing.resize(n);
     for (int k = 0; k < n; ++k) {
-        outline.P.row(k) = piece.mesh.V.row(loop[k]);
-    }
-    std::vector<double> length(n);
-    for (int k = 0; k < n; ++k) {
         const int u = loop[k], v = loop[(k + 1) % n];
-        const Eigen::Vector3d along = outline.P.row((k + 1) % n) - outline.P.row(k);
+        const Eigen::Vector3d along = outline.line.point(k + 1) - outline.line.point(k);
         const Eigen::Vector3d across =
             piece.mesh.V.row(oppositeVertex(piece, u, v)) - piece.mesh.V.row(u);
-        length[k] = along.norm();
-        outline.arc[k + 1] = outline.arc[k] + length[k];
         outline.inward.row(k) =
             (across - along * (across.dot(along) / along.squaredNorm())).normalized();
     }
     for (int k = 0; k < n; ++k) {
-        double sum = 0;
-        for (int d = -kSpacingRadius; d <= kSpacingRadius; ++d) {
-            sum += length[outline.wrapIndex(k + d)];
-        }
-        outline.spacing[k] = sum / (2 * kSpacingRadius + 1);
+        const double length =
+            outline.arcOf(k + kSpacingRadius + 1) - outline.arcOf(k - kSpacingRadius);
+        outline.spacing[k] = length / (2 * kSpacingRadius + 1);
     }
     outline.angle = boundaryAngles3d(piece.mesh, loop);
     return outline;
@@ -63,33 +54,9 @@ Outline buildOutline(const Piece& piece, int index, int hole) {
 
 }  // namespace
 
-double Outline::wrap(double s) const {
-    const double r = s - std::floor(s / length()) * length();
-    return r < length() ? r : 0;
-}
-
-int Outline::edgeAt(double s) const {
-    const auto next = std::upper_bound(arc.begin(), arc.end(), wrap(s));
-    return std::clamp(static_cast<int>(next - arc.begin()) - 1, 0, size() - 1);
-}
-
-Eigen::Vector3d Outline::pointAt(double s) const {
-    const int k = edgeAt(s);
-    const double t = (wrap(s) - arc[k]) / (arc[k + 1] - arc[k]);
-    return (1 - t) * P.row(k) + t * P.row((k + 1) % size());
-}
-
-double Outline::arcOf(int k) const {
-    const int local = wrapIndex(k);
-    const int turns = (k - local) / size();
-    return arc[local] + length() * turns;
-}
-
 double Outline::nearestVertex(double s) const {
-    const double turns = s - wrap(s);
-    const int k = edgeAt(s);
-    const double r = wrap(s);
-    return turns + (r - arc[k] < arc[k + 1] - r ? arc[k] : arc[k + 1]);
+    const auto [edge, share] = line.arc().edgePlace(s);
+    return s - wrap(s) + line.arc()[share < 0.5 ? edge : edge + 1];
 }
 
 Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) {
@@ -107,7 +74,7 @@ Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) 
         add(buildOutline(*pieces[p], p, 0));
         const Outline& outline = all.list.back();
         for (int k = 0; k < outline.size(); ++k) {
-            box.extend(Eigen::Vector3d(outline.P.row(k)));
+            box.extend(Eigen::Vector3d(outline.line.point(k)));
         }
     }
     for (int p = 0; p < count; ++p) {

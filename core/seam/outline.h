@@ -8,33 +8,33 @@
 
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
+#include "core/geometry/line.h"
 
 namespace toile::seam {
 
 /// The boundary of a piece, or the rim of a hole in it, as a closed polyline, ready for measuring.
 /// Arc lengths in mm.
 struct Outline {
-    int piece = -1;               ///< whose
-    int loop = 0;                 ///< as in SeamSide
-    std::vector<int> vertices;    ///< #n, of the piece, in loop order
-    Points3 P;                    ///< #n x 3, vertices in loop order
+    int piece = -1;             ///< whose
+    int loop = 0;               ///< as in SeamSide
+    std::vector<int> vertices;  ///< #n, of the piece, in loop order
+    geometry::SpaceLine line = geometry::SpaceLine::closed({});  ///< #n points, in loop order
     Points3 inward;               ///< #n x 3, per edge: unit vector into the cloth
-    std::vector<double> arc;      ///< #n + 1, of each vertex; the last is the perimeter
     std::vector<double> spacing;  ///< #n, per edge: mean edge length around it
     Eigen::VectorXd angle;        ///< #n, inner angle of each vertex, radians
 
-    int size() const { return static_cast<int>(P.rows()); }
-    double length() const { return arc.empty() ? 0 : arc.back(); }
+    int size() const { return line.count(); }
+    double length() const { return line.length(); }
     /// Index modulo the size, for any integer.
     int wrapIndex(int k) const { return (k % size() + size()) % size(); }
     /// Arc length modulo the perimeter, in [0, length).
-    double wrap(double s) const;
+    double wrap(double s) const { return line.wrap(s); }
     /// The edge that an arc length lies in.
-    int edgeAt(double s) const;
+    int edgeAt(double s) const { return line.edgeAt(s); }
     double spacingAt(double s) const { return spacing[edgeAt(s)]; }
-    Eigen::Vector3d pointAt(double s) const;
+    Eigen::Vector3d pointAt(double s) const { return line.pointAt(s).transpose(); }
     /// Arc length of vertex k counted on over any number of turns: k may be negative or large.
-    double arcOf(int k) const;
+    double arcOf(int k) const { return line.placeOf(k); }
     /// The arc length of the vertex nearest to `s`, counted on like `s`.
     double nearestVertex(double s) const;
 };
@@ -52,7 +52,7 @@ struct Outlines {
     const Outline& of(int edge) const { return list[outlineOf[edge]]; }
     int local(int edge) const { return edge - firstEdge[outlineOf[edge]]; }
     double lengthOf(int edge) const {
-        return of(edge).arc[local(edge) + 1] - of(edge).arc[local(edge)];
+        return of(edge).arcOf(local(edge) + 1) - of(edge).arcOf(local(edge));
     }
     /// The piece that an edge is of.
     int pieceOf(int edge) const { return of(edge).piece; }

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/words.h"
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 #include "core/quality/measures.h"
 
 namespace toile {
@@ -143,10 +143,9 @@ std::vector<LengthChange> changesOf(const Seam& seam, const PieceResults& result
         const auto [low, high] = std::minmax(side->start, side->end);
         std::map<LengthCause, double> sums;
         for (const ChangedPart& part : changedParts(*results[at])) {
-            for (const double turn : {-perimeter, 0.0, perimeter}) {
-                const double shared =
-                    std::min(high, part.to + turn) - std::max(low, part.from + turn);
-                sums[part.cause] += (part.factor - 1) * std::max(shared, 0.0);
+            for (const auto& shared :
+                 geometry::commonParts({low, high}, {part.from, part.to}, perimeter)) {
+                sums[part.cause] += (part.factor - 1) * shared.length();
             }
         }
         for (const auto& [cause, millimetres] : sums) {
@@ -167,7 +166,7 @@ const std::vector<int>& loopOf(const SeamSide& side, const Piece& piece) {
 double flatLength(const SeamSide& side, const Piece& piece, const FlatPiece& flat) {
     if (isDrawn(side, flat)) {
         const auto [low, high] = std::minmax(side.start, side.end);
-        return ClosedLine(flat.line->points, flat.line->arc).lengthOf(low, high);
+        return geometry::Line::closed(flat.line->points, flat.line->arc).lengthOf(low, high);
     }
     double length = 0;
     for (const PartOfEdge& part : partsOf(side, piece)) {
@@ -179,7 +178,8 @@ double flatLength(const SeamSide& side, const Piece& piece, const FlatPiece& fla
 Points2 flatLine(const SeamSide& side, const Piece& piece, const FlatPiece& flat) {
     if (isDrawn(side, flat)) {
         const auto [low, high] = std::minmax(side.start, side.end);
-        const Points2 line = ClosedLine(flat.line->points, flat.line->arc).part(low, high);
+        const Points2 line =
+            geometry::Line::closed(flat.line->points, flat.line->arc).part(low, high);
         return side.reversed ? Points2(line.colwise().reverse()) : line;
     }
     return lineThrough(side, piece, flat.Q);
@@ -195,36 +195,23 @@ StretchLines stretchLines(const SeamSide& side, const Piece& piece, const FlatPi
     }
     // Arc lengths of what is on the stretch: its ends, vertices, and the points of the drawn line.
     const auto [low, high] = std::minmax(side.start, side.end);
-    const Points3 space = lineThrough(wholeOutline(piece, side.piece), piece, piece.mesh.V);
-    std::vector<double> arc{0};
-    for (Eigen::Index k = 1; k < space.rows(); ++k) {
-        arc.push_back(arc.back() + (space.row(k) - space.row(k - 1)).norm());
-    }
+    const auto space = geometry::SpaceLine::closed(piece.mesh.V(piece.boundary, Eigen::all));
+    const auto line = geometry::Line::closed(flat.line->points, flat.line->arc);
     std::vector<double> places{low, high};
-    for (const auto* points :
-         std::initializer_list<const std::vector<double>*>{&arc, &flat.line->arc}) {
-        for (const double at : *points) {
-            for (const double turn : {-1.0, 0.0, 1.0}) {
-                const double place = at + turn * arc.back();
-                if (place > low + kSamePlace && place < high - kSamePlace) {
-                    places.push_back(place);
-                }
-            }
+    for (const geometry::Arc* arc : {&space.arc(), &line.arc()}) {
+        const int end = arc->firstAfter(high - kSamePlace);
+        for (int k = arc->firstAfter(low + kSamePlace); k < end; ++k) {
+            places.push_back(arc->placeOf(k));
         }
     }
     std::ranges::sort(places);
     const auto same = [](double a, double b) { return b - a < kSamePlace; };
     places.erase(std::unique(places.begin(), places.end(), same), places.end());
-    const ClosedLine line(flat.line->points, flat.line->arc);
     const auto count = static_cast<Eigen::Index>(places.size());
     StretchLines lines{Points3(count, 3), Points2(count, 2)};
     for (Eigen::Index i = 0; i < count; ++i) {
         const double place = side.reversed ? places[count - 1 - i] : places[i];
-        const double within = place - std::floor(place / arc.back()) * arc.back();
-        const auto next = std::upper_bound(arc.begin() + 1, arc.end() - 1, within);
-        const Eigen::Index k = next - arc.begin();
-        const double t = (within - arc[k - 1]) / (arc[k] - arc[k - 1]);
-        lines.space.row(i) = (1 - t) * space.row(k - 1) + t * space.row(k);
+        lines.space.row(i) = space.pointAt(place);
         lines.flat.row(i) = line.pointAt(place);
     }
     return lines;

@@ -67,14 +67,14 @@ LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline, const 
     return tracedStretch(side, outline, piece.origins, nullptr);
 }
 
-std::vector<ArcInterval> partsOf(const LineStretch& stretch, const seam::Outline& outline,
-                                 const Piece& piece) {
+std::vector<geometry::Interval> partsOf(const LineStretch& stretch, const seam::Outline& outline,
+                                        const Piece& piece) {
     const bool isForward = stretch.from < stretch.to;
     const auto [first, last] = std::minmax(stretch.from, stretch.to);
-    std::vector<ArcInterval> parts;
+    std::vector<geometry::Interval> parts;
     const auto add = [&parts](double from, double to) {
-        if (!parts.empty() && from <= parts.back().to + kTouching) {
-            parts.back().to = std::max(parts.back().to, to);
+        if (!parts.empty() && from <= parts.back().high + kTouching) {
+            parts.back().high = std::max(parts.back().high, to);
         } else {
             parts.push_back({from, to});
         }
@@ -87,15 +87,12 @@ std::vector<ArcInterval> partsOf(const LineStretch& stretch, const seam::Outline
         }
         const auto [low, high] = std::minmax(origin->from, origin->to);
         const auto arcAt = [&](double share) -> double {
-            return outline.arc[k] + (share - origin->from) / (origin->to - origin->from) *
-                                        (outline.arc[k + 1] - outline.arc[k]);
+            return outline.arcOf(k) + (share - origin->from) / (origin->to - origin->from) *
+                                          (outline.arcOf(k + 1) - outline.arcOf(k));
         };
-        for (const double turn : {-1.0, 0.0, 1.0}) {
-            const double from = std::max(low, first + turn), to = std::min(high, last + turn);
-            if (from < to) {
-                const auto [begin, end] = std::minmax({arcAt(from), arcAt(to)});
-                add(begin, end);
-            }
+        for (const auto& part : geometry::commonParts({low, high}, {first, last}, 1)) {
+            const auto [begin, end] = std::minmax({arcAt(part.low), arcAt(part.high)});
+            add(begin, end);
         }
     }
     return parts;

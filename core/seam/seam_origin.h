@@ -15,15 +15,11 @@ namespace toile {
 /// known. @param side  along `outline`, which is one of the piece  Cost: its edges. Pure.
 LineStretch stretchOf(const SeamSide& side, const seam::Outline& outline, const Piece& piece);
 
-/// A part of an outline, as arc lengths, mm.
-struct ArcInterval {
-    double from = 0, to = 0;
-};
-
-/// The parts of an outline that come of a stretch, in its order, none of which goes on in the next.
-/// The one across the outline's first vertex is in two. Cost: the outline's edges. Pure.
-std::vector<ArcInterval> partsOf(const LineStretch& stretch, const seam::Outline& outline,
-                                 const Piece& piece);
+/// The parts of an outline, as arc lengths in mm, that come of a stretch, in its order, none of
+/// which goes on in the next. The one across the outline's first vertex is in two. Cost: the
+/// outline's edges. Pure.
+std::vector<geometry::Interval> partsOf(const LineStretch& stretch, const seam::Outline& outline,
+                                        const Piece& piece);
 
 /// Writes down, for every seam and free edge, where its two sides come from, and gives it an id.
 /// Cost: linear in the edges of the seams, times the logarithm of the outlines'.

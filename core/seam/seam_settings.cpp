@@ -90,8 +90,8 @@ double covered(const LineStretch& a, const LineStretch& b) {
     const auto [low, high] = std::minmax(a.from, a.to);
     const auto [first, last] = std::minmax(b.from, b.to);
     double common = 0;
-    for (const double turn : {-1.0, 0.0, 1.0}) {
-        common += std::max(0.0, std::min(high, last + turn) - std::max(low, first + turn));
+    for (const auto& part : geometry::commonParts({low, high}, {first, last}, 1)) {
+        common += part.length();
     }
     return std::min(1.0, common / (high - low));
 }

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "core/geometry/line.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::sew {
@@ -13,40 +14,6 @@ namespace {
 
 /// Of the shorter of two edges: nearer to a vertex a place is the vertex.
 constexpr double kAcross = 0.05;
-
-/// Where a place on a loop is: on which edge, how far along it.
-struct LoopPlace {
-    int edge;
-    double share;   ///< of the edge, in [0, 1]
-    double length;  ///< of the edge, mm
-};
-
-class LoopMeasure {
-public:
-    LoopMeasure(const std::vector<int>& loop, const Points3& V) {
-        arc_.push_back(0);
-        for (std::size_t k = 0; k < loop.size(); ++k) {
-            const int head = loop[k + 1 < loop.size() ? k + 1 : 0];
-            arc_.push_back(arc_.back() + (V.row(head) - V.row(loop[k])).norm());
-        }
-    }
-
-    bool hasLength() const { return arc_.back() > 0; }
-
-    /// Precondition: it has a length.
-    LoopPlace at(double arc) const {
-        const double whole = arc_.back();
-        double s = std::fmod(arc, whole);
-        s = s < 0 ? s + whole : s;
-        const auto above = std::upper_bound(arc_.begin() + 1, arc_.end() - 1, s);
-        const auto edge = static_cast<int>(above - arc_.begin()) - 1;
-        const double length = arc_[edge + 1] - arc_[edge];
-        return {edge, length > 0 ? std::clamp((s - arc_[edge]) / length, 0.0, 1.0) : 0, length};
-    }
-
-private:
-    std::vector<double> arc_;
-};
 
 /// A piece whose rim edges are divided at places to come.
 class DividedPiece {
@@ -137,14 +104,16 @@ public:
         if (!isHere(seam.left) || !isHere(seam.right)) {
             return;
         }
-        const LoopMeasure left = measureOf(seam.left), right = measureOf(seam.right);
-        if (!left.hasLength() || !right.hasLength()) {
+        const geometry::Arc left = arcOf(seam.left), right = arcOf(seam.right);
+        if (!(left.length() > 0) || !(right.length() > 0)) {
             return;
         }
         for (const SeamMatch& match : seam.matches) {
-            LoopPlace a = left.at(match.left), b = right.at(match.right);
-            const double across = kAcross * std::min(a.length, b.length);
-            const bool atA = snap(a, across), atB = snap(b, across);
+            geometry::EdgePlace a = left.edgePlace(match.left), b = right.edgePlace(match.right);
+            const double lengthA = left[a.edge + 1] - left[a.edge];
+            const double lengthB = right[b.edge + 1] - right[b.edge];
+            const double across = kAcross * std::min(lengthA, lengthB);
+            const bool atA = snap(a, lengthA, across), atB = snap(b, lengthB, across);
             if (atA || atB) {
                 sewn_.push_back({{seam.left.piece, vertexAt(seam.left, a)},
                                  {seam.right.piece, vertexAt(seam.right, b)}});
@@ -191,21 +160,22 @@ private:
     const std::vector<int>& loop(const SeamSide& side) const {
         return loopOf(side, *garment_.pieces[side.piece]);
     }
-    LoopMeasure measureOf(const SeamSide& side) const {
-        return {loop(side), garment_.pieces[side.piece]->mesh.V};
+    geometry::Arc arcOf(const SeamSide& side) const {
+        const Points3& V = garment_.pieces[side.piece]->mesh.V;
+        return geometry::SpaceLine::closed(V(loop(side), Eigen::all)).arc();
     }
 
-    static bool snap(LoopPlace& place, double across) {
-        const double along = place.share * place.length;
+    static bool snap(geometry::EdgePlace& place, double length, double across) {
+        const double along = place.share * length;
         if (along <= across) {
             place.share = 0;
-        } else if (place.length - along <= across) {
+        } else if (length - along <= across) {
             place.share = 1;
         }
         return place.share == 0 || place.share == 1;
     }
 
-    int vertexAt(const SeamSide& side, const LoopPlace& place) {
+    int vertexAt(const SeamSide& side, const geometry::EdgePlace& place) {
         const std::vector<int>& vertices = loop(side);
         const int tail = vertices[place.edge];
         const int head = vertices[(place.edge + 1) % static_cast<int>(vertices.size())];

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/flatten/boundary/boundary_problem.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 
 namespace toile {
@@ -14,56 +15,32 @@ namespace {
 /// Corners nearer than this share of a segment are one.
 constexpr double kSameCorner = 1e-9;
 
-/// A closed line with what is asked of it.
-struct MeasuredLine {
-    Eigen::VectorXd arc;   ///< #n + 1, of each corner; the last is the perimeter
-    Eigen::VectorXd turn;  ///< #n, outer angle of each corner, radians
-
-    explicit MeasuredLine(const Points2& line) : arc(line.rows() + 1), turn(line.rows()) {
-        const Eigen::Index n = line.rows();
-        arc[0] = 0;
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const Eigen::RowVector2d in = line.row(k) - line.row((k + n - 1) % n);
-            const Eigen::RowVector2d out = line.row((k + 1) % n) - line.row(k);
-            arc[k + 1] = arc[k] + out.norm();
-            turn[k] = geometry::turnBetween(in, out);
-        }
-    }
-
-    double perimeter() const { return arc[arc.size() - 1]; }
-    /// Modulo the perimeter, in [0, perimeter).
-    double wrapped(double place) const {
-        const double rest = place - std::floor(place / perimeter()) * perimeter();
-        return rest < perimeter() ? rest : 0;
-    }
-};
-
 /// The segments of a line, in the sense in which they are walked.
 class Segments {
 public:
     /// @param ends  in the order of the walk  @param sense  1 along the line, -1 backwards
-    Segments(const MeasuredLine& line, const std::vector<double>& ends, int sense)
+    Segments(const geometry::Line& line, const std::vector<double>& ends, int sense)
         : line_(line), first_(ends.front()), sense_(sense) {
         for (const double end : ends) {
             begins_.push_back(walked(end));
         }
-        begins_.push_back(line.perimeter());
+        begins_.push_back(line.length());
     }
 
     double length(std::size_t segment) const { return begins_[segment + 1] - begins_[segment]; }
 
     /// The place of a corner: the number of its segment and the share of it that lies before.
     double placeOf(Eigen::Index corner) const {
-        const double way = walked(line_.arc[corner]);
+        const double way = walked(line_.arc()[static_cast<int>(corner)]);
         const auto next = std::upper_bound(begins_.begin() + 1, begins_.end() - 1, way);
         const auto segment = static_cast<std::size_t>(next - begins_.begin()) - 1;
         return static_cast<double>(segment) + (way - begins_[segment]) / length(segment);
     }
 
 private:
-    double walked(double place) const { return line_.wrapped(sense_ * (place - first_)); }
+    double walked(double place) const { return line_.wrap(sense_ * (place - first_)); }
 
-    const MeasuredLine& line_;
+    const geometry::Line& line_;
     double first_;
     int sense_;
     std::vector<double> begins_;  ///< of each segment, along the walk; the perimeter at the end
@@ -102,11 +79,11 @@ struct CommonCorners {
     std::vector<int> rowOf[2];
 };
 
-CommonCorners commonCorners(const std::vector<Mark>& marks, const MeasuredLine& a,
-                            const MeasuredLine& b) {
+CommonCorners commonCorners(const std::vector<Mark>& marks, const geometry::Line& a,
+                            const geometry::Line& b) {
     CommonCorners common;
-    common.rowOf[0].resize(static_cast<std::size_t>(a.turn.size()));
-    common.rowOf[1].resize(static_cast<std::size_t>(b.turn.size()));
+    common.rowOf[0].resize(static_cast<std::size_t>(a.count()));
+    common.rowOf[1].resize(static_cast<std::size_t>(b.count()));
     double before = -1;
     for (const Mark& mark : marks) {
         if (mark.place - before > kSameCorner) {
@@ -118,7 +95,7 @@ CommonCorners commonCorners(const std::vector<Mark>& marks, const MeasuredLine& 
             common.place.back() = mark.place;  // exactly
             continue;
         }
-        common.turn.back() += 0.5 * (mark.line == 0 ? a : b).turn[mark.corner];
+        common.turn.back() += 0.5 * (mark.line == 0 ? a : b).turnAt(mark.corner);
         common.rowOf[mark.line][mark.corner] = static_cast<int>(common.place.size()) - 1;
     }
     return common;
@@ -162,12 +139,8 @@ Points2 upright(const Points2& line, int above) {
 }  // namespace
 
 Points2 mirroredLine(const Points2& line, double start) {
-    const MeasuredLine measured(line);
-    const double at = measured.wrapped(start);
     const auto n = static_cast<int>(line.rows());
-    const double* const arcs = measured.arc.data();
-    const int edge = static_cast<int>(std::upper_bound(arcs, arcs + n, at) - arcs) - 1;
-    const double share = (at - arcs[edge]) / (arcs[edge + 1] - arcs[edge]);
+    const auto [edge, share] = geometry::Line::closed(line).arc().edgePlace(start);
     const bool isCorner = share <= kSameCorner, isNext = share >= 1 - kSameCorner;
     const int first = isNext ? edge + 1 : edge;  // the corner before the start, or at it
     const bool isWithin = !isCorner && !isNext;
@@ -183,7 +156,7 @@ Points2 mirroredLine(const Points2& line, double start) {
 
 Result<MirroredPair> meanLine(const Points2& a, const Points2& b,
                               const std::vector<MirrorEnd>& ends) {
-    const MeasuredLine lineA(a), lineB(b);
+    const auto lineA = geometry::Line::closed(a), lineB = geometry::Line::closed(b);
     std::vector<double> endsOfA, endsOfB;
     for (const MirrorEnd& end : ends) {
         endsOfA.push_back(end.a);

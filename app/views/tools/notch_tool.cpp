@@ -15,12 +15,12 @@
 #include "app/render/render_style.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/notch_mark.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/piece_allowance.h"
 #include "core/pattern/seam_places.h"
-#include "core/quality/closed_line.h"
 
 namespace toile::app {
 
@@ -87,13 +87,13 @@ void NotchTool::find() const {
     notches_ = pattern ? notchesOf(*pattern) : std::vector<SeamNotch>{};
     for (std::size_t i = 0; pattern && i < pattern->pieces.size(); ++i) {
         const PatternPiece& piece = pattern->pieces[i];
-        std::optional<ClosedLine> outline;
+        std::optional<geometry::Line> outline;
         for (const PieceNotch& notch : piece.notches) {
             if (notch.hole >= 0) {
                 continue;
             }
             if (!outline) {
-                outline.emplace(piece.outline);
+                outline = geometry::Line::closed(piece.outline);
             }
             const NotchSpot spot = notchSpot(*outline, notch.at);
             const double width = allowanceAt(piece, outline->length(), notch.at);

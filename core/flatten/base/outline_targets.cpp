@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/garment/piece.h"
-#include "core/quality/closed_line.h"
+#include "core/geometry/line.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
 #include "core/quality/piece_quality.h"
@@ -19,7 +19,7 @@ namespace {
 
 /// Length of each edge of the outline along the line that it is drawn by.
 Eigen::VectorXd lengthsAlong(const FlatLine& drawn, const Piece& piece) {
-    const ClosedLine line(drawn.points, drawn.arc);
+    const auto line = geometry::Line::closed(drawn.points, drawn.arc);
     Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);
     double at = 0;
     for (double& length : lengths) {

@@ -33,7 +33,7 @@ double distanceFromChord(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
 /// Between turn points that follow each other the polygon is as long as the line, and nowhere far
 /// from it.
 void expectKept(const DrawnPath& path, const KeyPoints& keys) {
-    const StationLine line(path.points, path.closed);
+    const geometry::Line line(path.points, path.closed);
     ASSERT_GE(keys.size(), 2U) << path.id;
     double lost = 0;
     const std::size_t count = path.closed ? keys.size() : keys.size() - 1;
@@ -44,11 +44,8 @@ void expectKept(const DrawnPath& path, const KeyPoints& keys) {
         lost = keys[k].isTurn ? 0 : lost;
         lost += to - from - (b - a).norm();
         EXPECT_LT(lost, kStretchLength) << path.id << ' ' << from;
-        for (std::size_t v = line.firstBeyond(from); v < line.vertexCount(); ++v) {
-            if (line.arcOf(v) >= to) {
-                break;
-            }
-            EXPECT_LT(distanceFromChord(line.vertex(v), a, b), kBeside) << path.id;
+        for (int v = line.firstAfter(from); v < line.firstAfter(to); ++v) {
+            EXPECT_LT(distanceFromChord(line.point(v).transpose(), a, b), kBeside) << path.id;
         }
     }
     EXPECT_TRUE(std::ranges::all_of(
@@ -57,7 +54,7 @@ void expectKept(const DrawnPath& path, const KeyPoints& keys) {
 
 std::set<double> sharesOf(const DrawnEdge& edge, const DrawnPath& path, const KeyPoints& keys,
                           bool reversed) {
-    const StationLine line(path.points, path.closed);
+    const geometry::Line line(path.points, path.closed);
     std::set<double> shares;
     for (const KeyPoint& key : keys) {
         for (const double turns : {0.0, line.length()}) {
@@ -196,7 +193,7 @@ TEST(KeyPoints, AreNotManyMoreThanTheLengthNeeds) {
         const double angle = 2 * kPi * k / kPoints;
         circle.row(k) << kRadius * std::cos(angle), kRadius * std::sin(angle);
     }
-    const StationLine line(circle, true);
+    const geometry::Line line(circle, true);
     const KeyStretch all{&line, 0, line.length()};
     const double needed = std::sqrt(std::pow(kPi, 3) * kRadius / (3 * kKeyLost));
     const std::vector<double> shares = keyShares({&all, 1}, {});
@@ -210,7 +207,7 @@ TEST(KeyPoints, AreNotManyMoreThanTheLengthNeeds) {
 TEST(KeyPoints, KeepWhatIsFixedAndBothSides) {
     const Points2 straight = (Points2(2, 2) << 0, 0, 500, 0).finished();
     const Points2 zigzag = (Points2(5, 2) << 0, 0, 100, 30, 200, 0, 300, 30, 400, 0).finished();
-    const StationLine a(straight, false), b(zigzag, false);
+    const geometry::Line a(straight, false), b(zigzag, false);
     const KeyStretch sides[] = {{&a, 0, a.length()}, {&b, 0, b.length(), true}};
     const std::vector<double> shares = keyShares(sides, {0.1, 2.0, std::nan("")});
     const std::vector<double> expected{0, 0.1, 0.25, 0.5, 0.75, 1};

@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/line.h"
 #include "core/pattern/corners.h"
-#include "core/quality/closed_line.h"
 
 namespace toile::test {
 namespace {
@@ -17,7 +17,7 @@ using Eigen::Vector2d;
 
 /// Begins the line's measure later.
 template <class Stretch>
-void shift(std::vector<Stretch>& stretches, const ClosedLine& line, double by) {
+void shift(std::vector<Stretch>& stretches, const geometry::Line& line, double by) {
     for (Stretch& stretch : stretches) {
         const double length = stretch.to - stretch.from;
         stretch.from = line.wrap(stretch.from - by);
@@ -26,7 +26,7 @@ void shift(std::vector<Stretch>& stretches, const ClosedLine& line, double by) {
 }
 
 template <class Stretch>
-void reverse(std::vector<Stretch>& stretches, const ClosedLine& line) {
+void reverse(std::vector<Stretch>& stretches, const geometry::Line& line) {
     for (Stretch& stretch : stretches) {
         const double length = stretch.to - stretch.from;
         stretch.from = line.wrap(line.length() - stretch.to);
@@ -34,7 +34,7 @@ void reverse(std::vector<Stretch>& stretches, const ClosedLine& line) {
     }
 }
 
-bool isTurn(const ClosedLine& line, int row) {
+bool isTurn(const geometry::Line& line, int row) {
     return std::abs(line.turnAt(row)) > kLineCorner.turn;
 }
 
@@ -51,7 +51,7 @@ Points2 asOutline(const Corners& points) {
 PatternPiece pieceWithDarts(const Corners& outline, const std::vector<DartRows>& darts,
                             std::vector<int> turns) {
     PatternPiece piece{{}, "piece", "piece", asOutline(outline)};
-    const ClosedLine line(piece.outline);
+    const auto line = geometry::Line::closed(piece.outline);
     const auto stretch = [&](int from, int to) {
         const double first = line.arc()[from], last = line.arc()[to];
         return std::pair(first, last > first ? last : last + line.length());
@@ -116,7 +116,7 @@ PatternPiece ClosedDart::opened() const {
 
 PatternPiece begunAt(const PatternPiece& piece, int row) {
     PatternPiece begun = piece;
-    const ClosedLine line(piece.outline);
+    const auto line = geometry::Line::closed(piece.outline);
     for (int k = 0; k < line.count(); ++k) {
         begun.outline.row(k) = piece.outline.row((k + row) % line.count());
     }
@@ -134,14 +134,14 @@ PatternPiece moved(PatternPiece piece, double angle, const Eigen::RowVector2d& b
 }
 
 PatternPiece mirrored(PatternPiece piece) {
-    const ClosedLine before(piece.outline);
+    const auto before = geometry::Line::closed(piece.outline);
     piece.outline = piece.outline.colwise().reverse().eval();
     piece.outline.col(0) *= -1;
     // Row 0 was the last one: the measure begins there.
     reverse(piece.seams, before);
     reverse(piece.segments, before);
-    const double last = before.arc().back() - before.arc()[before.arc().size() - 2];
-    const ClosedLine line(piece.outline);
+    const double last = before.length() - before.arc()[before.count() - 1];
+    const auto line = geometry::Line::closed(piece.outline);
     shift(piece.seams, line, last);
     shift(piece.segments, line, last);
     for (PatternSegment& segment : piece.segments) {

@@ -12,12 +12,12 @@
 #include <gtest/gtest.h>
 
 #include "core/cut/seams_file.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/allowance.h"
 #include "core/pattern/capped_outline.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "core/quality/outline_crossings.h"
 #include "tests/core/pattern/allowance_shapes.h"
 #include "tests/core/pattern/dart_shapes.h"
@@ -88,7 +88,7 @@ void expectSoundCloth(const PieceDart& dart, const Points2& cloth) {
 
 /// The cap and the legs, back.
 Points2 clothOf(const PatternPiece& piece, const PieceDart& dart) {
-    const Points2 legs = ClosedLine(piece.outline).part(dart.from, dart.to);
+    const Points2 legs = geometry::Line::closed(piece.outline).part(dart.from, dart.to);
     Points2 cloth(dart.cap.rows() + legs.rows() - 2, 2);
     cloth << dart.cap, legs.middleRows(1, legs.rows() - 2).colwise().reverse();
     return cloth;
@@ -251,7 +251,7 @@ TEST(Darts, AreTheSameHoweverThePieceLiesOrBegins) {
             const PatternPiece begun = test::begunAt(piece, row);
             const PieceDart again = onlyDart(begun);
             expectSame(dart, again, 0, {0, 0});
-            EXPECT_LT(again.from, ClosedLine(begun.outline).length());
+            EXPECT_LT(again.from, geometry::Line::closed(begun.outline).length());
             const CappedOutline capped = cappedOutline(begun, {again});
             EXPECT_NEAR(test::areaOf(capped.line), test::areaOf(cappedOutline(piece, {dart}).line),
                         1e-6);

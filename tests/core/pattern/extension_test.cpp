@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/pattern/piece_allowance.h"
-#include "core/quality/closed_line.h"
 #include "tests/core/pattern/allowance_shapes.h"
 
 namespace toile {
@@ -21,7 +21,7 @@ PatternPiece polygonPiece(const std::vector<Eigen::RowVector2d>& corners) {
     for (std::size_t k = 0; k < corners.size(); ++k) {
         piece.outline.row(static_cast<Eigen::Index>(k)) = corners[k];
     }
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     for (std::size_t k = 0; k < corners.size(); ++k) {
         PatternSegment& segment = piece.segments.emplace_back();
         segment.from = outline.arc()[k];
@@ -44,7 +44,7 @@ PatternPiece disk(double radius, int count) {
     }
     PatternPiece piece = polygonPiece(corners);
     piece.segments.resize(1);
-    piece.segments.front().to = ClosedLine(piece.outline).length();
+    piece.segments.front().to = geometry::Line::closed(piece.outline).length();
     return piece;
 }
 
@@ -122,7 +122,7 @@ TEST(Extension, OfRandomOutlinesIsRoundThem) {
         test::AllowanceCase shape = test::randomAllowances(seed);
         PatternPiece piece;
         piece.outline = shape.seamLine;
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (std::size_t k = 0; k < shape.stretches.size(); ++k) {
             const bool isLast = k + 1 == shape.stretches.size();
             const int first = shape.stretches[k].first;

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "tests/core/pattern/allowance_shapes.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 
@@ -34,7 +34,7 @@ Pattern withNeckline() {
     for (std::size_t k = 0; k < points.size(); ++k) {
         piece.outline.row(static_cast<Eigen::Index>(k)) = points[k];
     }
-    const ClosedLine outline(piece.outline);
+    const auto outline = geometry::Line::closed(piece.outline);
     const std::size_t corners[] = {0, 1, 2, 3, 3 + kSteps, 4 + kSteps};
     for (std::size_t k = 0; k < 6; ++k) {
         PatternSegment& segment = piece.segments.emplace_back();
@@ -66,7 +66,7 @@ TEST(Facings, FollowTheirEdgePointByPoint) {
     EXPECT_EQ(strip.segments.front().seam, 7);
     // Half a ring, to within the chords of both of its edges.
     EXPECT_NEAR(test::areaOf(strip.outline), std::numbers::pi / 2 * (45 * 45 - 30 * 30), 2);
-    EXPECT_NEAR(strip.segments.back().to, ClosedLine(strip.outline).length(), 1e-9);
+    EXPECT_NEAR(strip.segments.back().to, geometry::Line::closed(strip.outline).length(), 1e-9);
 }
 
 TEST(Facings, HaveAnInnerEdgeFromEndToEnd) {
@@ -193,7 +193,7 @@ TEST(Facings, OfAGarmentFitTheirEdges) {
     for (const FacingPiece& facing : pattern.facings) {
         const PatternPiece& strip = facing.strip;
         ASSERT_GT(strip.outline.rows(), 0);
-        const ClosedLine outline(strip.outline);
+        const auto outline = geometry::Line::closed(strip.outline);
         const PatternSegment& sewn = strip.segments.front();
         EXPECT_NEAR(outline.lengthOf(sewn.from, sewn.to), sewn.length, 1e-6);
         EXPECT_EQ(sewn.allowance, lines.allowance->seam);

@@ -45,8 +45,8 @@ Points2 uneven(const CornerList& corners, double edge, double noise, unsigned se
 
 /// An outline that is the same in 3D, from corner to corner, and how it is to be drawn.
 OutlineReference referenceTo(const Points2& points) {
-    const ClosedLine line(points);
-    OutlineReference reference{points, line.arc(), {}};
+    const auto line = geometry::Line::closed(points);
+    OutlineReference reference{points, line.arc().values(), {}};
     for (int k = 0; k < line.count(); ++k) {
         reference.turn.push_back(line.turnAt(k));
     }
@@ -54,7 +54,7 @@ OutlineReference referenceTo(const Points2& points) {
 }
 
 OutlinePlan planFor(const OutlineReference& reference) {
-    const ClosedLine line(reference.points);
+    const auto line = geometry::Line::closed(reference.points);
     OutlinePlan plan;
     plan.smoothing = 40;
     for (const int k : findCorners(reference.points, kPlainCorner)) {
@@ -97,7 +97,7 @@ DrawnCount drawnSimply(const CornerList& corners, double noise, double edge = 4)
             }
             drawn.yielded += line->hasYielded ? 1 : 0;
             EXPECT_TRUE(isSimpleLine(line->points)) << size << ' ' << seed;
-            const ClosedLine closed(line->points, line->arc);
+            const auto closed = geometry::Line::closed(line->points, line->arc);
             for (Eigen::Index k = 0; k < points.rows(); ++k) {
                 points.row(k) = closed.pointAt(reference.arc[static_cast<std::size_t>(k)]);
             }

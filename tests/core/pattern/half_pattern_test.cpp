@@ -92,7 +92,7 @@ void expectExactHalf(const PatternPiece& whole, const PatternPiece& half) {
     EXPECT_NEAR(2 * (perimeterOf(half.outline) - edge), perimeterOf(whole.outline), 1e-9);
     // What lies on it covers the half and nothing besides.
     double at = 0;
-    const ClosedLine outline(half.outline);
+    const auto outline = geometry::Line::closed(half.outline);
     for (const PatternSegment& segment : half.segments) {
         EXPECT_NEAR(curveLength(curvesOf(half, outline, segment)), segment.length,
                     kCurveLengthTolerance);

@@ -49,13 +49,13 @@ TEST(NotchMark, DoubleOnesLieSideBySideAboutTheSpot) {
 }
 
 TEST(NotchMark, SpotsLieOnTheLineAndPointAwayFromTheCloth) {
-    const ClosedLine square(points({{0, 0}, {100, 0}, {100, 100}, {0, 100}}));
+    const auto square = geometry::Line::closed(points({{0, 0}, {100, 0}, {100, 100}, {0, 100}}));
     const NotchSpot lower = notchSpot(square, 50), right = notchSpot(square, 130 + 400);
     EXPECT_LT((lower.point - kLower.point).norm(), 1e-12);
     EXPECT_LT((lower.outward - kLower.outward).norm(), 1e-12);
     EXPECT_LT((right.point - Eigen::Vector2d(100, 30)).norm(), 1e-12);
     EXPECT_LT((right.outward - Eigen::Vector2d(1, 0)).norm(), 1e-12);
-    const ClosedLine hole(points({{0, 0}, {0, 100}, {100, 100}, {100, 0}}));
+    const auto hole = geometry::Line::closed(points({{0, 0}, {0, 100}, {100, 100}, {100, 0}}));
     EXPECT_LT((notchSpot(hole, 50).outward - Eigen::Vector2d(1, 0)).norm(), 1e-12);
 }
 

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "core/export/drawing.h"
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/notch_mark.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "core/quality/outline_crossings.h"
 #include "core/seam/find_seams.h"
 #include "tests/core/pattern/allowance_shapes.h"
@@ -222,7 +222,7 @@ TEST(PieceAllowance, PiecesWithOtherAllowancesOnTheirRightAreNotHalved) {
 TEST(PieceNotches, AtTheFoldPointAlongIt) {
     for (const auto& left : kObliqueShapes) {
         Pattern pattern{"", {symmetricPiece(left, {30, 10, 15, 30})}};
-        const double half = ClosedLine(pattern.pieces[0].outline).length() / 2;
+        const double half = geometry::Line::closed(pattern.pieces[0].outline).length() / 2;
         pattern.pieces[0].notches = {{.seam = 1, .at = 0}, {.seam = 1, .at = half}};
         pattern.pieces[0].notches.push_back({.seam = 1, .at = half, .count = 2});
         const Pattern cut = asCut(pattern);
@@ -273,7 +273,7 @@ void expectStatedWidths(const Pattern& pattern) {
         std::vector<int> all(static_cast<std::size_t>(piece.cuttingLine.rows()));
         std::iota(all.begin(), all.end(), 0);
         EXPECT_TRUE(outlineIsSimple(piece.cuttingLine, all)) << piece.name;
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
             const double length = segment.to - segment.from;
             if (length > 6 * kWidest) {
@@ -307,7 +307,7 @@ void expectNotchesOpposite(const Pattern& pattern) {
         }
         for (auto& [seam, notches] : ofSeam) {
             std::ranges::sort(notches, {}, &PieceNotch::share);
-            const double length = ClosedLine(piece.outline).length();
+            const double length = geometry::Line::closed(piece.outline).length();
             for (std::size_t k = 1; k < notches.size(); ++k) {
                 const double way =
                     std::abs(std::remainder(notches[k]->at - notches[k - 1]->at, length));
@@ -329,7 +329,7 @@ void expectNotchesOpposite(const Pattern& pattern) {
 void expectMarksOnTheCuttingLine(const Pattern& pattern) {
     int marks = 0;
     for (const PatternPiece& piece : pattern.pieces) {
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         const auto strokes = notchMarks(pattern, piece);
         ASSERT_EQ(strokes.size(), piece.notches.size());
         for (std::size_t n = 0; n < strokes.size(); ++n) {
@@ -353,7 +353,7 @@ TEST(PieceNotches, WhereTheFoldStartsStayOnTheHalf) {
     lines.mirror = Mirror::Mean;
     Pattern pattern = cutPattern(test::tube4(test::draped), lines).pattern;
     for (PatternPiece& piece : pattern.pieces) {
-        const double length = ClosedLine(piece.outline).length();
+        const double length = geometry::Line::closed(piece.outline).length();
         piece.byHalf = true;
         piece.notches = {{.seam = 1, .at = 1}, {.seam = 1, .at = length - 1}};
         piece.notches.push_back({.seam = 1, .at = length - 1e-10});

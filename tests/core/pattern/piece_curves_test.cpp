@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/curve_fit.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 
@@ -71,7 +71,7 @@ TEST_P(PatternSegments, CoverTheOutlineInOrder) {
                 const PatternSegment& segment = piece.segments[k];
                 const bool isLast = k + 1 == piece.segments.size();
                 const double next =
-                    isLast ? piece.segments[0].from + ClosedLine(piece.outline).length()
+                    isLast ? piece.segments[0].from + geometry::Line::closed(piece.outline).length()
                            : piece.segments[k + 1].from;
                 EXPECT_NEAR(segment.to, next, 1e-6) << piece.name;
                 EXPECT_NEAR(segment.to - segment.from, segment.length, 1e-6) << piece.name;
@@ -84,7 +84,7 @@ TEST_P(PatternSegments, CoverTheOutlineInOrder) {
 TEST_P(PatternSegments, CurvesAreAsLongAsToldAndOnTheLine) {
     const DrawnPattern made = drawnPattern(GetParam(), fairLines(Mirror::Mean));
     for (const PatternPiece& piece : made.pattern.pieces) {
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
             const auto curves = curvesOf(piece, outline, segment);
             ASSERT_FALSE(curves.empty());
@@ -106,7 +106,7 @@ TEST_P(PatternSegments, BothSidesOfASeamHaveCurvesOfOneLength) {
     const DrawnPattern made = drawnPattern(GetParam(), fairLines());
     std::map<std::pair<int, bool>, double> lengths;
     for (const PatternPiece& piece : made.pattern.pieces) {
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
             lengths[{segment.seam, segment.isRight}] +=
                 curveLength(curvesOf(piece, outline, segment));
@@ -131,7 +131,7 @@ TEST_P(PatternSegments, PolygonsStayPolygons) {
     const DrawnPattern made = drawnPattern(GetParam(), {});
     for (const PatternPiece& piece : made.pattern.pieces) {
         EXPECT_FALSE(piece.isFine);
-        const ClosedLine outline(piece.outline);
+        const auto outline = geometry::Line::closed(piece.outline);
         for (const PatternSegment& segment : piece.segments) {
             for (const CubicCurve& curve : curvesOf(piece, outline, segment)) {
                 EXPECT_TRUE(curve.isLine) << piece.name;
@@ -155,7 +155,7 @@ TEST(PatternSegmentsByHand, ATurnPointThatWasAddedPartsASegment) {
                                 longest.place.from > longest.place.to});
     const PatternPiece after = makePattern(garment, results, lines).pieces[0];
     ASSERT_EQ(after.segments.size(), before.segments.size() + 1);
-    const ClosedLine outline(before.outline);
+    const auto outline = geometry::Line::closed(before.outline);
     const double middle = (longest.from + longest.to) / 2;
     EXPECT_TRUE(std::ranges::any_of(after.segments, [&](const PatternSegment& segment) {
         return segment.isCorner && outline.apart(segment.from, middle) < 1e-4;

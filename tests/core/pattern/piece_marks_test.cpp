@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"
-#include "core/quality/closed_line.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
 
@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 /// A piece of this outline, sewn all round by seams of equal lengths.
 PatternPiece sewnRound(const Points2& outline, int seamCount, int firstNumber) {
     PatternPiece piece{{}, "piece with a long name", "piece", outline};
-    const ClosedLine line(outline);
+    const auto line = geometry::Line::closed(outline);
     for (int k = 0; k < seamCount; ++k) {
         SeamLine& seam = piece.seams.emplace_back();
         seam.number = firstNumber + k;

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/pattern/fair_outline.h"
-#include "core/quality/closed_line.h"
 #include "tests/core/pattern/dart_shapes.h"
 
 namespace toile {
@@ -17,8 +17,8 @@ namespace {
 constexpr double kSameOutline = 1e-9;  // mm
 
 OutlineReference asReference(const Points2& outline) {
-    const ClosedLine line(outline);
-    OutlineReference reference{outline, line.arc(), {}};
+    const auto line = geometry::Line::closed(outline);
+    OutlineReference reference{outline, line.arc().values(), {}};
     for (int k = 0; k < line.count(); ++k) {
         reference.turn.push_back(line.turnAt(k));
     }
@@ -53,7 +53,8 @@ const test::ClosedDart kCurved{{{-300, 0}}, {0, 0}, {10, 120},
 
 void expectOpened(const OutlineReference& made, const OutlineReference& before,
                   const OutlinePlan::Dart& dart) {
-    const ClosedLine line(made.points, made.arc), exact(before.points, before.arc);
+    const auto line = geometry::Line::closed(made.points, made.arc);
+    const auto exact = geometry::Line::closed(before.points, before.arc);
     const Eigen::RowVector2d from = line.pointAt(dart.from), tip = line.pointAt(dart.tip),
                              to = line.pointAt(dart.to);
     EXPECT_NEAR((to - from).norm(), dart.intake, kSameOutline);

@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/line.h"
 #include "core/pattern/segments.h"
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/seam_measure.h"
 #include "core/seam/seam_settings.h"
 #include "tests/core/support/shared_data.h"
@@ -156,7 +156,7 @@ TEST_F(SaidLengths, AStraightSegmentIsStraightAndAsLong) {
     const FlatLine& line = *results[piece]->flat->line;
     for (const Segment& segment : asked) {
         const Points2 drawn =
-            ClosedLine(line.points, line.arc).part(segment.at.start, segment.at.end);
+            geometry::Line::closed(line.points, line.arc).part(segment.at.start, segment.at.end);
         const Eigen::RowVector2d whole = drawn.bottomRows<1>() - drawn.topRows<1>();
         EXPECT_NEAR(whole.norm(), segment.length(), 1e-9 * segment.length());
     }

@@ -7,11 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/base/outline_targets.h"
+#include "core/geometry/line.h"
 #include "core/pattern/fair_outline.h"
 #include "core/pattern/trueing.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/pipeline/pipeline.h"
-#include "core/quality/closed_line.h"
 #include "core/seam/find_seams.h"
 #include "core/seam/seam_measure.h"
 #include "tests/core/support/line_figures.h"
@@ -134,7 +134,7 @@ double drawnKink(const SeamEnd& end, const std::vector<OutlineSegments>& segment
         const double at = segments[corner.piece].turnPoints[corner.point].at;
         const auto node =
             std::ranges::min_element(line.arc, {}, [at](double arc) { return std::abs(arc - at); });
-        kink -= ClosedLine(line.points)
+        kink -= geometry::Line::closed(line.points)
                     .turnAt(static_cast<int>(node - line.arc.begin()) %
                             static_cast<int>(line.points.rows()));
     }

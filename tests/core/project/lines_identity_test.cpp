@@ -152,14 +152,9 @@ private:
     /// Where a notch is on the garment, on the left side of its seam.
     Eigen::RowVector3d spotOf(const Notch& notch) const {
         const SeamSide& side = state_.garment.seams.seams[notch.seam].left;
-        const Piece& piece = *state_.garment.pieces[side.piece];
         const auto outlines = seam::buildOutlines(state_.garment.pieces);
         const seam::Outline& outline = outlines.list[outlines.indexOf(side)];
-        const double arc = outline.wrap(notch.at.left);
-        const int k = outline.edgeAt(arc);
-        const double t = (arc - outline.arc[k]) / (outline.arc[k + 1] - outline.arc[k]);
-        const int next = outline.vertices[(k + 1) % outline.size()];
-        return (1 - t) * piece.mesh.V.row(outline.vertices[k]) + t * piece.mesh.V.row(next);
+        return outline.pointAt(notch.at.left).transpose();
     }
 
     void expectAllNotches(const std::vector<OutlineSegments>& all) const {

@@ -92,7 +92,7 @@ TEST(LineMap, FollowsALineWithoutCorners) {
     for (int k = 0; k < 90; ++k) {
         other.row(k) = oval.row((k + 37) % 90);
     }
-    const ClosedLine ours(oval), theirs(other);
+    const auto ours = geometry::Line::closed(oval), theirs = geometry::Line::closed(other);
     const LineMap map(ours, theirs, roughFit(ours, theirs, {0}));
     for (double at = -50; at < 700; at += 13) {
         EXPECT_LT((ours.pointAt(at) - theirs.pointAt(map.theirsAt(at))).norm(), 1e-4) << at;
@@ -104,7 +104,7 @@ TEST(LineMap, PairsCornersWhereLengthsDiffer) {
     ours << 0, 0, 300, 0, 300, 100, 0, 100;
     // 12 mm shorter, begun elsewhere, with a notch cut into one side.
     theirs << 288, 100, 0, 100, 0, 0, 140, 0, 144, 1, 288, 0;
-    const ClosedLine line(ours), other(theirs);
+    const auto line = geometry::Line::closed(ours), other = geometry::Line::closed(theirs);
     const LineMap map(line, other, roughFit(line, other, {0}));
     for (int k = 0; k < 4; ++k) {
         const Eigen::RowVector2d there = other.pointAt(map.theirsAt(line.arc()[k]));

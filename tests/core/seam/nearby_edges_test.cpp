@@ -52,8 +52,8 @@ double distanceBetween(const seam::Outlines& outlines, int a, int b) {
     const auto ends = [&outlines](int edge) {
         const seam::Outline& outline = outlines.of(edge);
         const int k = outlines.local(edge);
-        return std::pair<Eigen::Vector3d, Eigen::Vector3d>{outline.P.row(k),
-                                                           outline.P.row((k + 1) % outline.size())};
+        return std::pair<Eigen::Vector3d, Eigen::Vector3d>{outline.line.point(k),
+                                                           outline.line.point(k + 1)};
     };
     const auto [a0, a1] = ends(a);
     const auto [b0, b1] = ends(b);

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/garment/garment.h"
+#include "core/geometry/line.h"
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/segments.h"
-#include "core/quality/closed_line.h"
 #include "core/quality/measures.h"
 
 namespace toile::test {
@@ -21,7 +21,7 @@ struct Variation {
     int count = 0;
 
     void add(const Points2& points, const std::set<int>& cuts) {
-        const ClosedLine line(points);
+        const auto line = geometry::Line::closed(points);
         const int n = line.count();
         const auto kappa = [&](int k) -> double {
             const int at = k % n, before = (at + n - 1) % n;
@@ -65,7 +65,7 @@ inline std::set<int> referenceCuts(const Garment& garment, std::size_t index,
             cuts.insert(nearest);
         }
     }
-    const ClosedLine reference((*piece.reference)(piece.boundary, Eigen::all));
+    const auto reference = geometry::Line::closed((*piece.reference)(piece.boundary, Eigen::all));
     for (int k = 0; k < n; ++k) {
         if (std::abs(reference.turnAt(k)) > kLineCorner.turn) {
             cuts.insert(k);
@@ -81,8 +81,9 @@ struct CornerScore {
     int found = 0, right = 0;     ///< those found; those of them that are the designer's
 
     void add(const Piece& piece, const OutlineSegments& segments) {
-        const ClosedLine reference((*piece.reference)(piece.boundary, Eigen::all));
-        const ClosedLine worn(reference.points(), outlineArc(piece));
+        const auto reference =
+            geometry::Line::closed((*piece.reference)(piece.boundary, Eigen::all));
+        const auto worn = geometry::Line::closed(reference.points(), outlineArc(piece));
         std::vector<double> there, here;
         for (int k = 0; k < reference.count(); ++k) {
             if (std::abs(reference.turnAt(k)) > kLineCorner.turn) {
