@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <span>
 
+#include "core/base/statistics.h"
 #include "core/project/piece_settings.h"
 
 namespace toile::app {
@@ -158,10 +159,7 @@ OverlayScale robustScale(std::vector<float> values, bool signedValues, double fi
     for (float& value : values) {
         value = std::abs(value);
     }
-    const auto rank =
-        static_cast<std::ptrdiff_t>(kShownShare * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), values.begin() + rank, values.end());
-    const double shown = static_cast<double>(values[static_cast<std::size_t>(rank)]);
+    const double shown = static_cast<double>(quantileOf(std::move(values), kShownShare));
 
     const double end = std::max(finest, roundedUpClosely(shown));
     scale.high = end;

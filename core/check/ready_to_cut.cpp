@@ -335,8 +335,7 @@ private:
             if (!result || !result->flat || !placement) {
                 continue;  // what has no place gets one beside the others
             }
-            outlines[i] = turnedLine(cutOutline(i, *result), *placement).rowwise() +
-                          placement->offset.transpose();
+            outlines[i] = placedLine(cutOutline(i, *result), *placement);
         }
         for (const auto& [one, other] : overlappingOutlines(outlines)) {
             Finding finding;

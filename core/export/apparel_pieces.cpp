@@ -31,10 +31,6 @@ const PatternPiece& pieceOf(const Pattern& pattern, const DrawnBlock& block) {
     return pattern.pieces[static_cast<std::size_t>(block.piece)];
 }
 
-Points2 placedLine(const Points2& line, const Placement& placement) {
-    return turnedLine(line, placement).rowwise() + placement.offset.transpose();
-}
-
 bool isDrillSymbol(const DrawnPath& path) {
     return path.layer == LayerKind::Internal &&
            (path.id.find("--point-") != std::string::npos || path.id.ends_with("-drill") ||

@@ -93,10 +93,9 @@ void addNotches(Drawing& drawing, const Pattern& pattern, const PatternPiece& pi
     for (std::size_t n = 0; n < marks.size(); ++n) {
         const std::string id = "piece-" + piece.slug + "--notch-" + std::to_string(n + 1);
         for (std::size_t k = 0; k < marks[n].size(); ++k) {
-            drawing.paths.push_back(
-                {k == 0 ? id : id + "-" + std::to_string(k + 1), LayerKind::Notches,
-                 turnedLine(marks[n][k], placement).rowwise() + placement.offset.transpose(),
-                 false});
+            drawing.paths.push_back({k == 0 ? id : id + "-" + std::to_string(k + 1),
+                                     LayerKind::Notches, placedLine(marks[n][k], placement),
+                                     false});
         }
     }
 }
@@ -109,8 +108,7 @@ void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& plac
         const auto add = [&](const char* what, const Points2& line, bool closed) {
             if (line.rows() > 0) {
                 drawing.paths.push_back(
-                    {id + what, LayerKind::Internal,
-                     turnedLine(line, placement).rowwise() + placement.offset.transpose(), closed});
+                    {id + what, LayerKind::Internal, placedLine(line, placement), closed});
             }
         };
         const DartMarks marks = dartMarks(darts[k]);
@@ -134,8 +132,7 @@ void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& 
             const int number = k > 0 ? points : isPoint ? ++points : ++lines;
             drawing.paths.push_back(
                 {id + std::to_string(number) + (k > 0 ? "-" + std::to_string(k + 1) : ""),
-                 LayerKind::Internal,
-                 turnedLine(line, placement).rowwise() + placement.offset.transpose(), isClosed});
+                 LayerKind::Internal, placedLine(line, placement), isClosed});
         }
     }
 }
@@ -180,11 +177,9 @@ void addEdges(Drawing& drawing, const PatternPiece& piece, const Placement& plac
         const std::string id =
             "piece-" + piece.slug + "--edge-" + std::to_string(seam.number) + (isSecond ? "b" : "");
         const auto [first, last] = drawnPlaces(lines[line], from, to, placement.mirrored);
-        drawing.edges.push_back(
-            {taken.free(id, "-"), "", seam.name, seam.number,
-             static_cast<int>(line == 0 ? seamPath : rims + line - 1), first, last,
-             turnedLine(seam.line, placement).rowwise() + placement.offset.transpose(),
-             seam.length3d});
+        drawing.edges.push_back({taken.free(id, "-"), "", seam.name, seam.number,
+                                 static_cast<int>(line == 0 ? seamPath : rims + line - 1), first,
+                                 last, placedLine(seam.line, placement), seam.length3d});
     }
 }
 
@@ -222,7 +217,7 @@ void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Pattern
         "piece-" + piece.slug, index, placement, drawing.paths.size(), drawing.texts.size(),
         drawing.edges.size()};
     const auto placed = [&placement](const Points2& line) -> Points2 {
-        return turnedLine(line, placement).rowwise() + placement.offset.transpose();
+        return placedLine(line, placement);
     };
     const std::vector<std::string> wanted = labelLines(piece.name, piece, placement.mirrored, words,
                                                        piece.cutAs, factsOf(pattern, piece));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/base/words.h"
 #include "core/garment/corner_uv.h"
 #include "core/geometry/buckets.h"
@@ -191,9 +192,7 @@ std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulati
     if (ratios.empty()) {
         return std::nullopt;
     }
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    const double median = *middle;
+    const double median = medianOf(ratios);
     const auto close = std::count_if(ratios.begin(), ratios.end(), [median](double ratio) {
         return std::abs(ratio / median - 1) <= kIsometricBand;
     });

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/polygon.h"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "core/geometry/segment.h"
 
 namespace toile::geometry {
@@ -42,6 +46,34 @@ Eigen::AlignedBox2d boxAround(const Polygon& points) {
         box.extend(row.transpose());
     }
     return box;
+}
+
+// Andrew's monotone chain: the lower half from left to right, then the upper half back.
+Polygon convexHull(const Polygon& points) {
+    std::vector<Eigen::RowVector2d> sorted, hull;
+    for (Eigen::Index k = 0; k < points.rows(); ++k) {
+        sorted.emplace_back(points.row(k));
+    }
+    std::ranges::sort(sorted, {}, [](const auto& p) { return std::pair(p.x(), p.y()); });
+    for (int half = 0; half < 2; ++half) {
+        const std::size_t first = hull.size();
+        for (const Eigen::RowVector2d& point : sorted) {
+            while (hull.size() > first + 1 &&
+                   cross(hull.back() - hull[hull.size() - 2], point - hull.back()) <= 0) {
+                hull.pop_back();
+            }
+            hull.push_back(point);
+        }
+        if (!hull.empty()) {
+            hull.pop_back();  // the other half begins with it
+        }
+        std::ranges::reverse(sorted);
+    }
+    Polygon corners(static_cast<Eigen::Index>(hull.size()), 2);
+    for (std::size_t k = 0; k < hull.size(); ++k) {
+        corners.row(static_cast<Eigen::Index>(k)) = hull[k];
+    }
+    return corners;
 }
 
 Polygon antiClockwise(const Polygon& closed) {

@@ -18,6 +18,9 @@ double signedAreaOf(const Polygon& closed);
 bool isInside(const Polygon& closed, const Eigen::Vector2d& point);
 /// Empty where it has no point.
 Eigen::AlignedBox2d boxAround(const Polygon& points);
+/// The corners of the convex hull, anti-clockwise; of fewer than three corners what there is.
+/// Cost: n log n.
+Polygon convexHull(const Polygon& points);
 /// The same line anti-clockwise: as it is, or from its last point to its first.
 Polygon antiClockwise(const Polygon& closed);
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/garment/fabric.h"
+#include "core/geometry/placement.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/placement.h"
 
 namespace toile {
 

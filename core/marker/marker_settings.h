@@ -11,8 +11,8 @@
 #include <Eigen/Core>
 
 #include "core/base/id.h"
+#include "core/geometry/placement.h"
 #include "core/geometry/polygon.h"
-#include "core/pattern/placement.h"
 
 namespace toile {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/place_words.h"
+#include "core/base/statistics.h"
 #include "core/geometry/point_index.h"
 
 namespace toile {
@@ -79,12 +80,7 @@ double weldTolerance(const Triangles& F, const PointsView& V) {
             }
         }
     }
-    if (lengths.empty()) {
-        return 0;
-    }
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::nth_element(lengths.begin(), middle, lengths.end());
-    return kToleranceOfMedianEdge * *middle;
+    return kToleranceOfMedianEdge * medianOf(std::move(lengths));
 }
 
 bool looksUnwelded(const Triangles& F, const PointsView& V) {

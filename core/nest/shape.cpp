@@ -145,34 +145,6 @@ std::vector<Vector2d> hullOf(const Polygon& points, double near) {
     return hull;
 }
 
-double hullAreaOf(const Polygon& points) {
-    std::vector<Vector2d> sorted;
-    for (Eigen::Index k = 0; k < points.rows(); ++k) {
-        sorted.emplace_back(points.row(k));
-    }
-    std::ranges::sort(sorted, {}, [](const Vector2d& p) { return std::pair(p.x(), p.y()); });
-    const Vector2d first = sorted.front();  // so that little is lost far from the origin
-    for (Vector2d& p : sorted) {
-        p -= first;
-    }
-    double twice = 0;
-    for (int side = 0; side < 2; ++side) {
-        std::vector<Vector2d> chain;
-        for (const Vector2d& p : sorted) {
-            while (chain.size() > 1 &&
-                   geometry::cross(chain.back() - chain[chain.size() - 2], p - chain.back()) <= 0) {
-                chain.pop_back();
-            }
-            chain.push_back(p);
-        }
-        for (std::size_t k = 1; k < chain.size(); ++k) {
-            twice += geometry::cross(chain[k - 1], chain[k]);
-        }
-        std::ranges::reverse(sorted);
-    }
-    return std::max(0.0, twice / 2);
-}
-
 Shape makeShape(const Rings& all) {
     Shape shape;
     std::size_t points = 0;
@@ -201,7 +173,7 @@ Shape makeShape(const Rings& all) {
         }
     }
     shape.box = boxOf(shape);
-    shape.hullRoot = std::sqrt(hullAreaOf(rings[0]));
+    shape.hullRoot = std::sqrt(geometry::signedAreaOf(geometry::convexHull(rings[0])));
     const double width = shape.box.right - shape.box.left;
     const double height = shape.box.top - shape.box.bottom;
     shape.diameter = std::sqrt(width * width + height * height);

@@ -49,7 +49,5 @@ void turn(const Shape& shape, double angle, Shape& turned);
 Eigen::Vector2d wayOf(double angle);
 /// The points of a convex hull, and those whose triangle with its sides is less than `near`.
 std::vector<Eigen::Vector2d> hullOf(const geometry::Polygon& points, double near);
-/// Area of the convex hull of points.
-double hullAreaOf(const geometry::Polygon& points);
 
 }  // namespace toile::nest

@@ -79,44 +79,31 @@ ReflectedPoints pointsOfLines(const PieceResult& piece, const PieceResult& other
     return points;
 }
 
-/// The best reflection in the least-squares sense. With angles a of the reflected points about
-/// their mean and b of what they are to meet, of all turns t that with the largest sum of
-/// |from| |to| cos(t - a - b).
-FlatReflection bestReflection(const ReflectedPoints& points) {
-    const double sum = points.weight.sum();
-    FlatReflection best;
-    best.from = points.weight.transpose() * points.from / sum;
-    best.to = points.weight.transpose() * points.to / sum;
-    const Points2 from = points.from.rowwise() - best.from, to = points.to.rowwise() - best.to;
-    const Eigen::Matrix2d product = from.transpose() * points.weight.asDiagonal() * to;
-    best.turn = std::atan2(product(0, 1) + product(1, 0), product(0, 0) - product(1, 1));
-    return best;
-}
-
-FlatReflection inverse(const FlatReflection& reflection) {
-    return {reflection.turn, reflection.to, reflection.from};
+Placement bestReflection(const ReflectedPoints& points) {
+    return geometry::fitMotion(points.from, points.to, true, points.weight);
 }
 
 /// Places on an outline, evenly, and what they are nearest to on another once they are reflected.
 ReflectedPoints nearestPlaces(const geometry::Line& line, const geometry::Line& other,
-                              const FlatReflection& reflection) {
+                              const Placement& reflection) {
     ReflectedPoints points{Points2(kOutlinePlaces, 2), Points2(kOutlinePlaces, 2),
                            Eigen::VectorXd::Ones(kOutlinePlaces)};
     for (int i = 0; i < kOutlinePlaces; ++i) {
         points.from.row(i) = line.pointAt(line.length() * i / kOutlinePlaces);
-        points.to.row(i) = other.pointAt(other.nearestPlace(reflection(points.from.row(i))));
+        points.to.row(i) =
+            other.pointAt(other.nearestPlace(reflection.appliedToRow(points.from.row(i))));
     }
     return points;
 }
 
 /// Lays one outline over the other.
-FlatReflection improved(FlatReflection reflection, const geometry::Line& line,
-                        const geometry::Line& other) {
+Placement improved(Placement reflection, const geometry::Line& line, const geometry::Line& other) {
     for (int round = 0; round < kOutlineRounds; ++round) {
-        const FlatReflection next =
-            bestReflection(bothWays(nearestPlaces(line, other, reflection),
-                                    nearestPlaces(other, line, inverse(reflection))));
-        const double moved = (next(next.from) - reflection(next.from)).norm();
+        const ReflectedPoints points = bothWays(nearestPlaces(line, other, reflection),
+                                                nearestPlaces(other, line, reflection.inverse()));
+        const Placement next = bestReflection(points);
+        const Eigen::RowVector2d middle = points.from.colwise().mean();
+        const double moved = (next.appliedToRow(middle) - reflection.appliedToRow(middle)).norm();
         const double turned = std::abs(std::sin((next.turn - reflection.turn) / 2));
         reflection = next;
         if (moved <= kReflectionAtRest && turned <= kReflectionAtRest) {
@@ -132,19 +119,13 @@ geometry::Line outlineOf(const PieceResult& result) {
 
 }  // namespace
 
-Eigen::RowVector2d FlatReflection::operator()(const Eigen::RowVector2d& p) const {
-    const double c = std::cos(turn), s = std::sin(turn);
-    const Eigen::RowVector2d d = p - from;
-    return to + Eigen::RowVector2d(c * d.x() + s * d.y(), s * d.x() - c * d.y());
-}
-
-FlatReflection reflectionBetween(const PieceResult& piece, const PieceResult& counterpart,
-                                 const MirrorPlane& plane) {
+Placement reflectionBetween(const PieceResult& piece, const PieceResult& counterpart,
+                            const MirrorPlane& plane) {
     if (isDrawnMirrored(piece) && isDrawnMirrored(counterpart)) {
         return bestReflection(pointsOfLines(piece, counterpart));
     }
-    const FlatReflection start = bestReflection(bothWays(nearestPoints(piece, counterpart, plane),
-                                                         nearestPoints(counterpart, piece, plane)));
+    const Placement start = bestReflection(bothWays(nearestPoints(piece, counterpart, plane),
+                                                    nearestPoints(counterpart, piece, plane)));
     return improved(start, outlineOf(piece), outlineOf(counterpart));
 }
 

@@ -2,17 +2,10 @@
 #pragma once
 
 #include "core/flatten/base/piece_result.h"
+#include "core/geometry/placement.h"
 #include "core/symmetry/mirror_plane.h"
 
 namespace toile {
-
-/// A reflection in the plane, with a shift along its axis.
-struct FlatReflection {
-    double turn = 0;                          ///< radians: a direction d becomes turn - d
-    Eigen::RowVector2d from{0, 0}, to{0, 0};  ///< a point, and where it comes to lie, mm
-
-    Eigen::RowVector2d operator()(const Eigen::RowVector2d& p) const;
-};
 
 /// The reflection that lays a flat piece best over the flat piece that mirrors it, or over itself,
 /// in the least-squares sense. It starts from vertices and the points nearest to their mirror
@@ -24,7 +17,7 @@ struct FlatReflection {
 /// Precondition: both are flat.
 /// Cost: linear in the two, O(log #F) for each of at most 800 vertices, and 40 rounds of 400 times
 /// the outlines' edges: some hundredths of a second. Pure.
-FlatReflection reflectionBetween(const PieceResult& piece, const PieceResult& counterpart,
-                                 const MirrorPlane& plane);
+Placement reflectionBetween(const PieceResult& piece, const PieceResult& counterpart,
+                            const MirrorPlane& plane);
 
 }  // namespace toile

@@ -138,7 +138,7 @@ void halve(PatternPiece& piece) {
     piece.segments = halfSegments(piece.segments, end, fold);
     piece.outline = Points2(piece.outline.topRows(half + 1));
     for (PieceNotch& notch : piece.notches) {
-        if (notch.hole < 0 && notch.at > 2 * end - kNothing) {
+        if (notch.hole < 0 && outline.apart(notch.at, 0) < kNothing) {
             notch.at = 0;  // where the fold starts, but for rounding
         }
     }

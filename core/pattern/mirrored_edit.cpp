@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -123,7 +122,7 @@ public:
 
     Eigen::Vector3d image(const SurfaceLinks& links, const SurfacePoint& point) const {
         const Eigen::RowVector2d flat =
-            reflection_(flatPositionOf(piece_.flat->Q, links.mesh().F, point));
+            reflection_.appliedToRow(flatPositionOf(piece_.flat->Q, links.mesh().F, point));
         const auto rim = rims_.placeOf(links, point);
         if (!rim) {
             return positionOf(other_.piece->mesh, nearest_.find({flat.x(), flat.y(), 0}));
@@ -162,7 +161,7 @@ private:
     const Symmetry& symmetry_;
     const PieceResult &piece_, &other_;
     int index_;
-    FlatReflection reflection_;
+    Placement reflection_;
     PieceRims rims_, otherRims_;
     MeshArrays flatOther_;
     NearestSurface nearest_;  ///< of that
@@ -302,8 +301,7 @@ std::optional<double> mirroredDirection(const Garment& garment, const PieceResul
     if (piece == other || !here || !there) {
         return std::nullopt;
     }
-    const FlatReflection reflection = reflectionBetween(*here, *there, symmetry.plane);
-    return std::remainder(reflection.turn - direction, 2 * std::numbers::pi);
+    return directionOnSheet(reflectionBetween(*here, *there, symmetry.plane), direction);
 }
 
 }  // namespace toile

@@ -1,36 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/outline_reference.h"
 
-#include <cmath>
 #include <numbers>
 
-#include <Eigen/Geometry>
-
 #include "core/geometry/line.h"
-#include "core/geometry/segment.h"
+#include "core/geometry/placement.h"
 #include "core/quality/measures.h"
 
 namespace toile {
-namespace {
-
-/// Moves points as the rigid motion moves others that brings them nearest to a third set.
-Points2 movedAs(const Points2& points, const Points2& others, const Points2& onto) {
-    const Eigen::RowVector2d from = others.colwise().mean(), to = onto.colwise().mean();
-    double along = 0, across = 0;
-    for (Eigen::Index i = 0; i < others.rows(); ++i) {
-        const Eigen::RowVector2d a = others.row(i) - from, b = onto.row(i) - to;
-        along += a.dot(b);
-        across += geometry::cross(a, b);
-    }
-    const Eigen::Rotation2Dd turn(std::atan2(across, along));
-    Points2 moved(points.rows(), 2);
-    for (Eigen::Index i = 0; i < points.rows(); ++i) {
-        moved.row(i) = to + (turn * (points.row(i) - from).transpose()).transpose();
-    }
-    return moved;
-}
-
-}  // namespace
 
 std::vector<double> outlineArc(const Piece& piece) {
     return geometry::arcOf(boundaryLengths3d(piece.mesh.V, piece.boundary));
@@ -43,7 +20,7 @@ OutlineReference referenceOf(const Piece& piece, const FlatPiece& exact) {
 }
 
 Points2 laidOver(const Points2& points, const Points2& onto) {
-    return movedAs(points, points, onto);
+    return geometry::fitMotion(points, onto).appliedToRows(points);
 }
 
 void layOver(FlatLine& line, const OutlineReference& onto) {
@@ -52,7 +29,7 @@ void layOver(FlatLine& line, const OutlineReference& onto) {
     for (Eigen::Index k = 0; k < there.rows(); ++k) {
         there.row(k) = closed.pointAt(onto.arc[k]);
     }
-    line.points = movedAs(line.points, there, onto.points);
+    line.points = geometry::fitMotion(there, onto.points).appliedToRows(line.points);
 }
 
 }  // namespace toile

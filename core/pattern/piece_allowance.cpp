@@ -66,11 +66,16 @@ void addCuttingLine(PatternPiece& piece) {
 }
 
 int segmentAt(const PatternPiece& piece, double length, double at) {
-    const auto found = std::ranges::find_if(piece.segments, [&](const PatternSegment& segment) {
-        // What passes the outline's first point is met a turn later.
-        return (at >= segment.from && at < segment.to) ||
-               (at + length >= segment.from && at + length < segment.to);
-    });
+    const auto contains = [&](double slack) {
+        return std::ranges::find_if(piece.segments, [&](const PatternSegment& segment) {
+            // What passes the outline's first point is met a turn later.
+            return (at >= segment.from - slack && at < segment.to + slack) ||
+                   (at + length >= segment.from - slack && at + length < segment.to + slack);
+        });
+    };
+    constexpr double kRounding = 1e-6;  // mm: between the end of a segment and the next one's start
+    auto found = contains(0);
+    found = found != piece.segments.end() ? found : contains(kRounding);
     if (found == piece.segments.end()) {
         return -1;
     }

@@ -128,8 +128,11 @@ std::optional<double> axisOf(const PieceResult& result, const DrawnMirror& drawn
         return angleOf((line.row(line.rows() / 2) - line.row(0)).transpose());
     }
     const bool isOwnImage = symmetry && symmetry->pieces.counterpart[piece] == piece;
-    return isOwnImage ? std::optional(reflectionBetween(result, result, symmetry->plane).turn / 2)
-                      : std::nullopt;
+    return isOwnImage
+               ? std::optional(
+                     wrappedAngle(reflectionBetween(result, result, symmetry->plane).turn + kPi) /
+                     2)
+               : std::nullopt;
 }
 
 /// The direction nearest to an angle of those that are whole steps off the axis.

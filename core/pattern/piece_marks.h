@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/placement.h"
 #include "core/pattern/grain_line.h"
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/placement.h"
 #include "core/pattern/seam_marks.h"
 
 namespace toile {

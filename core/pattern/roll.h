@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/garment/seam.h"
-#include "core/pattern/placement.h"
+#include "core/geometry/placement.h"
 #include "core/pattern/seam_places.h"
 #include "core/pattern/walk.h"
 

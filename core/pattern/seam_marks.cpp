@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/geometry/line.h"
+#include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/triangle_tree.h"
 
@@ -129,24 +130,12 @@ public:
             isMet = isMet || box.meets(points_[a], points_[b]);
         });
         return isMet || std::ranges::any_of(taken_, [&box](const Points2& line) {
-                   return goesRound(line, box.middle);
+                   return geometry::isInside(line, box.middle);
                });
     }
 
 private:
     using Tree = geometry::TriangleTree<2>;
-
-    static bool goesRound(const Points2& line, const Vector2d& point) {
-        bool isInside = false;
-        for (Eigen::Index i = 1; i < line.rows(); ++i) {
-            const Vector2d a = line.row(i - 1).transpose() - point;
-            const Vector2d b = line.row(i).transpose() - point;
-            if ((a.y() > 0) != (b.y() > 0)) {
-                isInside = isInside != ((geometry::cross(a, b) > 0) == (b.y() > a.y()));
-            }
-        }
-        return isInside;
-    }
 
     std::vector<Points2> taken_;
 

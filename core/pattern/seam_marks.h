@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/geometry/placement.h"
 #include "core/pattern/grain_line.h"
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/placement.h"
 
 namespace toile {
 

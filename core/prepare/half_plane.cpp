@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/geometry/polygon.h"
+#include "core/geometry/segment.h"
 #include "core/mesh/repair.h"
 
 namespace toile {
@@ -209,50 +211,29 @@ std::optional<Plane> besideCloth(const HalfRims& half, const Plane& plane, doubl
     return most >= -least ? plane : Plane(-plane.normal(), -plane.offset());
 }
 
-/// The outline of the rims as they are seen from above, anti-clockwise.
-std::vector<Eigen::Vector2d> outlineFromAbove(const HalfRims& half) {
-    std::vector<Eigen::Vector2d> points;
+/// The convex hull of the rims as they are seen from above.
+geometry::Polygon outlineFromAbove(const HalfRims& half) {
+    geometry::Polygon points(2 * static_cast<Eigen::Index>(half.rims.size()), 2);
+    Eigen::Index k = 0;
     for (const auto& [a, b] : half.rims) {
         for (const int v : {a, b}) {
-            points.emplace_back(half.V->row(v) * half.along[0], half.V->row(v) * half.along[1]);
+            points.row(k++) << half.V->row(v) * half.along[0], half.V->row(v) * half.along[1];
         }
     }
-    std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
-    });
-    std::vector<Eigen::Vector2d> hull;
-    const auto add = [&hull](const Eigen::Vector2d& point, std::size_t from) {
-        const auto turnsLeft = [&] {
-            const Eigen::Vector2d before = hull.back() - hull[hull.size() - 2];
-            const Eigen::Vector2d after = point - hull.back();
-            return before.x() * after.y() - before.y() * after.x() > 0;
-        };
-        while (hull.size() >= from + 2 && !turnsLeft()) {
-            hull.pop_back();
-        }
-        hull.push_back(point);
-    };
-    for (const Eigen::Vector2d& point : points) {
-        add(point, 0);
-    }
-    const std::size_t lower = hull.empty() ? 0 : hull.size() - 1;
-    for (auto point = points.rbegin(); point != points.rend(); ++point) {
-        add(*point, lower);
-    }
-    return hull;
+    return geometry::convexHull(points);
 }
 
 /// Planes in which the cloth may be mirrored, the likeliest first; the first two are the file's.
 std::vector<Plane> candidates(const HalfRims& half) {
     std::vector<Plane> planes{{half.along[0], 0}, {half.along[1], 0}};
-    const std::vector<Eigen::Vector2d> hull = outlineFromAbove(half);
-    for (std::size_t k = 0; k + 1 < hull.size(); ++k) {
-        const Eigen::Vector2d way = hull[k + 1] - hull[k];
+    const geometry::Polygon hull = outlineFromAbove(half);
+    for (Eigen::Index k = 0; k < hull.rows(); ++k) {
+        const Eigen::Vector2d way = hull.row((k + 1) % hull.rows()) - hull.row(k);
         if (way.norm() >= kLeastSpread * half.size) {
-            const Eigen::Vector2d inwards = Eigen::Vector2d(-way.y(), way.x()).normalized();
+            const Eigen::Vector2d inwards = geometry::leftOf(way.normalized());
             const Eigen::Vector3d normal =
                 inwards.x() * half.along[0] + inwards.y() * half.along[1];
-            planes.emplace_back(normal, -inwards.dot(hull[k]));
+            planes.emplace_back(normal, -hull.row(k).dot(inwards));
         }
     }
     // A flat panel has no outline from above: its ends.

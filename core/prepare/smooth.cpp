@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/geometry/buckets.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/repair.h"
@@ -51,9 +52,7 @@ double noiseOf(const Triangles& F, const EdgeTable& table, const Directions& nor
     if (differences.empty()) {
         return kLargestFeature;
     }
-    const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-    std::ranges::nth_element(differences, middle);
-    return *middle;
+    return medianOf(std::move(differences));
 }
 
 /// A vertex on the rim, and the rim's edges before and behind it: each is named by its tail.

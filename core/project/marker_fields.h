@@ -12,8 +12,8 @@
 #include "core/base/field_archive.h"
 #include "core/base/text.h"
 #include "core/garment/fabric.h"
+#include "core/geometry/placement.h"
 #include "core/marker/marker_plan.h"
-#include "core/pattern/placement.h"
 #include "core/project/piece_settings.h"
 
 namespace toile::project_fields {

@@ -9,8 +9,8 @@
 
 #include "core/base/id.h"
 #include "core/garment/garment.h"
+#include "core/geometry/placement.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/placement.h"
 
 namespace toile {
 

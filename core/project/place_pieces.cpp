@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/geometry/polygon.h"
 #include "core/layout/arrange.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
@@ -24,15 +25,6 @@ constexpr double kChanged = 0.1;       // mm: less is no other shape
 
 Eigen::AlignedBox2d boxOf(const Points2& points) {
     return outlineBox(points, Placement{});
-}
-
-/// Twice the area inside, whichever way the outline runs.
-double areaOf(const Points2& outline) {
-    double area = 0;
-    for (Eigen::Index i = 0, k = outline.rows() - 1; i < outline.rows(); k = i++) {
-        area += outline(k, 0) * outline(i, 1) - outline(i, 0) * outline(k, 1);
-    }
-    return std::abs(area);
 }
 
 class Placing {
@@ -189,8 +181,9 @@ private:
 
     /// @return the part that stays
     std::size_t takeApart(std::vector<std::size_t> parts, double between) {
-        std::ranges::stable_sort(parts, std::greater<>(),
-                                 [this](std::size_t part) { return areaOf(outlines_[part]); });
+        std::ranges::stable_sort(parts, std::greater<>(), [this](std::size_t part) {
+            return std::abs(geometry::signedAreaOf(outlines_[part]));
+        });
         std::vector<Points2> later;  // those that have no place yet are in nobody's way
         later.reserve(parts.size());
         for (const std::size_t part : parts) {
@@ -215,7 +208,8 @@ private:
                 continue;
             }
             // Rather the one that is as it was; of two alike the smaller one.
-            bool first = areaOf(outlines_[one]) < areaOf(outlines_[other]);
+            bool first = std::abs(geometry::signedAreaOf(outlines_[one])) <
+                         std::abs(geometry::signedAreaOf(outlines_[other]));
             if (changed[one] != changed[other]) {
                 first = !changed[one];
             }

@@ -11,11 +11,6 @@
 namespace toile {
 namespace {
 
-Eigen::Matrix2d rotation(double turn) {
-    const double c = std::cos(turn), s = std::sin(turn);
-    return (Eigen::Matrix2d() << c, -s, s, c).finished();
-}
-
 /// Root mean square distance from the centre.
 double spread(const Points2& points) {
     return std::sqrt((points.rowwise() - points.colwise().mean()).rowwise().squaredNorm().mean());
@@ -39,7 +34,7 @@ std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const P
 
 /// Whether a motion is none, for a piece that reaches so far from the origin.
 bool staysThere(const RigidMotion& oldOfNew, double radius) {
-    return std::abs(oldOfNew.turn) * radius + oldOfNew.shift.norm() <= kUnmoved;
+    return std::abs(oldOfNew.turn) * radius + oldOfNew.offset.norm() <= kUnmoved;
 }
 
 struct Fit {
@@ -67,26 +62,11 @@ std::optional<Fit> fitOf(const std::vector<Anchor>& anchors, const Points2& Q) {
 
 }  // namespace
 
-Eigen::Vector2d RigidMotion::applied(const Eigen::Vector2d& point) const {
-    return shift + rotation(turn) * point;
-}
-
 RigidMotion bestMotion(const Points2& from, const Points2& to) {
-    RigidMotion motion;
-    if (from.rows() == 0) {
-        return motion;
+    RigidMotion motion{geometry::fitMotion(from, to)};
+    if (from.rows() > 0) {
+        motion.middle = from.colwise().mean().transpose();
     }
-    const Eigen::RowVector2d a = from.colwise().mean(), b = to.colwise().mean();
-    // Sums of dot and cross products about the centres: their angle is the turn.
-    double dot = 0, cross = 0;
-    for (Eigen::Index i = 0; i < from.rows(); ++i) {
-        const Eigen::RowVector2d p = from.row(i) - a, q = to.row(i) - b;
-        dot += p.dot(q);
-        cross += p.x() * q.y() - p.y() * q.x();
-    }
-    motion.turn = dot != 0 || cross != 0 ? std::atan2(cross, dot) : 0;
-    motion.shift = b.transpose() - rotation(motion.turn) * a.transpose();
-    motion.middle = a.transpose();
     return motion;
 }
 
@@ -105,7 +85,7 @@ PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew,
     }
     if (settings.placement) {
         Placement& place = *settings.placement;
-        place.offset += place.linear() * oldOfNew.shift;
+        place.offset += place.linear() * oldOfNew.offset;
         // Turning before a reflection is turning the other way after it.
         place.turn += place.mirrored ? -oldOfNew.turn : oldOfNew.turn;
     }

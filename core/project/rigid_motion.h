@@ -10,19 +10,13 @@
 
 namespace toile {
 
-/// A motion of the plane without reflection: turned anti-clockwise about the origin, then moved.
-struct RigidMotion {
-    double turn = 0;  ///< radians
-    Eigen::Vector2d shift = Eigen::Vector2d::Zero();
+/// A motion of the plane without reflection.
+struct RigidMotion : Placement {
     /// The middle of the points that it was fitted to: what has no turn of its own follows this.
     Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-
-    Eigen::Vector2d applied(const Eigen::Vector2d& point) const;
 };
 
-/// The motion that brings `from` nearest to `to` in the least-squares sense, point by point (the
-/// planar Procrustes problem, solved in closed form). Points of no extent are only moved.
-/// @param from, to  #n x 2, finite, the same n  Pure; linear.
+/// `geometry::fitMotion` with its middle.
 RigidMotion bestMotion(const Points2& from, const Points2& to);
 
 /// How far a point is at most from the one that it was to be brought to, mm.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/result.h"
+#include "core/base/statistics.h"
 #include "core/geometry/polygon.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/cotangents.h"
@@ -122,9 +123,7 @@ std::optional<Error> inOtherUnit(const RestPattern& pattern, const FileUnit& rea
     if (times.empty()) {
         return {};
     }
-    const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-    std::ranges::nth_element(times, middle);
-    const double median = *middle;
+    const double median = medianOf(std::move(times));
     if (1 / kOtherUnit < median && median < kOtherUnit) {
         return {};
     }
@@ -140,10 +139,9 @@ UsualEdge usualEdge(const Garment& garment, const RestPattern& pattern) {
             lengths.insert(lengths.end(), edges.begin(), edges.end());
         }
     }
-    const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-    std::ranges::nth_element(lengths, middle);
+    const double usual = medianOf(std::move(lengths));
     const double least = std::min(std::sqrt(flatAreaOf(garment, pattern) / kMaxSquares), kMaxEdge);
-    return {*middle, std::clamp(*middle, least, kMaxEdge)};
+    return {usual, std::clamp(usual, least, kMaxEdge)};
 }
 
 MeshArrays inSpace(const Points2& flat, const Triangles& F) {

@@ -2,52 +2,39 @@
 #include "core/quality/piece_quality.h"
 
 #include <cmath>
+#include <utility>
 
 #include "core/garment/garment.h"
+#include "core/geometry/placement.h"
 #include "core/quality/measures.h"
 
 namespace toile {
 namespace {
 
-/// The motion that brings the reference to the flat piece: reference -> turn, about the means.
-struct Motion {
-    Eigen::Matrix2d turn;  ///< acts on rows from the right; with a reflection where mirrored
-    ReferenceFit fit;
-};
-
-/// The best rotation in the plane has a closed form. Both point sets about their means.
-Motion turnTo(const Points2& flat, const Points2& reference, bool mirrored) {
-    Eigen::Matrix2d reflection = Eigen::Matrix2d::Identity();
-    reflection(0, 0) = mirrored ? -1 : 1;
-    const Eigen::Matrix2d H = (reference * reflection).transpose() * flat;
-    const double angle = std::atan2(H(0, 1) - H(1, 0), H(0, 0) + H(1, 1));
-    Eigen::Matrix2d R;
-    R << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
-    const Eigen::Matrix2d turn = reflection * R;
-    const Eigen::VectorXd distance = (reference * turn - flat).rowwise().norm();
-    return {turn,
-            {std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size())),
-             distance.maxCoeff(), mirrored}};
-}
-
-Motion bestMotion(const Points2& flat, const Points2& reference) {
-    const Points2 to = flat.rowwise() - flat.colwise().mean();
-    const Points2 from = reference.rowwise() - reference.colwise().mean();
-    const Motion turned = turnTo(to, from, false);
-    const Motion mirrored = turnTo(to, from, true);
-    return mirrored.fit.rms < turned.fit.rms ? mirrored : turned;
+/// How the reference comes to lie on the flat piece, mirrored if that is nearer.
+std::pair<Placement, ReferenceFit> bestFit(const Points2& flat, const Points2& reference) {
+    std::pair<Placement, ReferenceFit> best;
+    for (const bool mirrored : {false, true}) {
+        const Placement motion = geometry::fitMotion(reference, flat, mirrored);
+        const Eigen::VectorXd distance = (motion.appliedToRows(reference) - flat).rowwise().norm();
+        const ReferenceFit fit{
+            std::sqrt(distance.squaredNorm() / static_cast<double>(distance.size())),
+            distance.maxCoeff(), mirrored};
+        if (!mirrored || fit.rms < best.second.rms) {
+            best = {motion, fit};
+        }
+    }
+    return best;
 }
 
 }  // namespace
 
 ReferenceFit fitToReference(const Points2& flat, const Points2& reference) {
-    return bestMotion(flat, reference).fit;
+    return bestFit(flat, reference).second;
 }
 
 Points2 placedReference(const Points2& flat, const Points2& reference) {
-    const Motion motion = bestMotion(flat, reference);
-    return ((reference.rowwise() - reference.colwise().mean()) * motion.turn).rowwise() +
-           flat.colwise().mean();
+    return bestFit(flat, reference).first.appliedToRows(reference);
 }
 
 PieceQuality measure(const Piece& piece, const Points2& Q) {

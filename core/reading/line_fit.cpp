@@ -9,6 +9,7 @@
 
 #include "core/geometry/likeness.h"
 #include "core/geometry/nearest_on_line.h"
+#include "core/geometry/placement.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/reading/pattern_file.h"
@@ -126,9 +127,7 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
         if (isSettled) {
             break;
         }
-        const auto first = centred(pairs.first, middle);
-        const auto second = centred(pairs.second, otherMiddle);
-        other = turned(other, std::arg(geometry::likeness(first, second)), otherMiddle, middle);
+        other = geometry::fitMotion(pairs.second, pairs.first).appliedToRows(other);
     }
     return fit;
 }

@@ -6,6 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/statistics.h"
 #include "core/cut/nearest_search.h"
 #include "core/symmetry/garment_surface.h"
 
@@ -40,10 +41,8 @@ struct ReflectedPairs {
 };
 
 void leaveOutFarPairs(ReflectedPairs& pairs) {
-    std::vector<double> distances(pairs.distance.begin(), pairs.distance.end());
-    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    const double most = kMediansKept * *middle;
+    const double most =
+        kMediansKept * medianOf(std::vector(pairs.distance.begin(), pairs.distance.end()));
     pairs.weight = (pairs.distance.array() <= most).select(pairs.weight, 0.0);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/statistics.h"
 #include "core/cut/surface_paths.h"
 
 namespace toile {
@@ -22,12 +23,6 @@ constexpr int kBands = 60;
 constexpr double kWidest = 0.995;
 /// What it costs to be off the widest place by all of it, and to look ahead there.
 constexpr double kOffWidest = 20, kAheadOnEnvelope = 0.2;
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + std::ssize(values) / 2;
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 /// Normals of the vertices, smoothed; not of unit length where the cloth turns sharply.
 Points3 smoothNormals(const SurfaceLinks& links, double usualEdge, const Progress& progress) {
@@ -112,13 +107,7 @@ std::vector<double> BodyWays::envelope() const {
     }
     std::vector<double> widest(kBands, 1);
     for (int band = 0; band < kBands; ++band) {
-        std::vector<double>& all = widths[band];
-        if (!all.empty()) {
-            const auto at = all.begin() + static_cast<std::ptrdiff_t>(
-                                              kWidest * static_cast<double>(all.size() - 1));
-            std::nth_element(all.begin(), at, all.end());
-            widest[band] = std::max(*at, 1.0);
-        }
+        widest[band] = std::max(quantileOf(std::move(widths[band]), kWidest), 1.0);
     }
     return costs([&](int v) {
         const double off = 1 - std::min(std::abs(across(v)) / widest[bandOf(v)], 1.0);

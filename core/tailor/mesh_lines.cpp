@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/statistics.h"
 #include "core/cut/surface_paths.h"
 #include "core/geometry/buckets.h"
 
@@ -33,16 +34,6 @@ constexpr double kBorder = 0.95;
 constexpr double kUnusual = 3;
 /// Median of |x| to the standard deviation of x, of a normal distribution.
 constexpr double kToDeviation = 1.48;
-
-double quantile(std::vector<double> values, double part) {
-    if (values.empty()) {
-        return 0;
-    }
-    const auto at =
-        values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
-    std::nth_element(values.begin(), at, values.end());
-    return *at;
-}
 
 /// Which edge goes on where another ends.
 class Continuations {
@@ -124,14 +115,14 @@ std::vector<double> bendsOf(const SurfaceLinks& links) {
             some.push_back(defect[v]);
         }
     }
-    const double deviation = std::max(kToDeviation * quantile(some, 0.5), kLeastDefect);
+    const double deviation = std::max(kToDeviation * quantileOf(some, 0.5), kLeastDefect);
     some.clear();
     std::vector<double> fold(static_cast<std::size_t>(links.edgeCount()), 0);
     for (int e = 0; e < links.edgeCount(); ++e) {
         fold[e] = links.foldAngle(e);
         some.push_back(fold[e]);
     }
-    const double usualFold = std::max(quantile(some, 0.5), kLeastFold);
+    const double usualFold = std::max(quantileOf(some, 0.5), kLeastFold);
     const auto bend = [](double value, double usual) {
         return std::min(value / (kUnusual * usual), kMostBends);
     };
@@ -261,7 +252,7 @@ MeshLines findMeshLines(const SurfaceLinks& links) {
         counts.insert(counts.end(), line.edges.size(), static_cast<double>(line.edges.size()));
         found.ways.push_back(std::move(line.way));
     }
-    const double usual = std::max<double>(kFewEdges, quantile(counts, kUsualQuantile));
+    const double usual = std::max<double>(kFewEdges, quantileOf(counts, kUsualQuantile));
     found.usual = static_cast<int>(usual);
     for (const Line& line : lines) {
         found.likeliness.push_back(likelinessOf(line, usual));

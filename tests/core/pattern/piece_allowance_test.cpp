@@ -91,6 +91,16 @@ TEST(PieceAllowance, IsThatOfTheSegmentWhereOneIsTyped) {
                 1e-3);
 }
 
+TEST(PieceAllowance, BetweenTwoSegmentsThatRoundingPartsIsThatOfOne) {
+    PatternPiece piece;
+    piece.segments.resize(2);
+    piece.segments[0] = {.from = 0, .to = 100 - 2e-12, .allowance = 10};
+    piece.segments[1] = {.from = 100, .to = 200, .allowance = 10};
+    for (const double at : {99.0, 100 - 1e-12, 100.0, 200 - 1e-14, 200.0, 250.0}) {
+        EXPECT_EQ(allowanceAt(piece, 200, at), at > 200 ? 0 : 10) << at;
+    }
+}
+
 TEST(PieceAllowance, IsNoneWhereNobodyAsks) {
     const auto made = cutPattern(twoRectangles(), {});
     EXPECT_EQ(made.pattern.pieces[0].cuttingLine.rows(), 0);

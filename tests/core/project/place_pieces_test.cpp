@@ -71,10 +71,7 @@ Box boxOf(const PieceResult& result, const PieceSettings& settings) {
 std::shared_ptr<const PieceResult> turned(const PieceResult& result, double turn,
                                           const Eigen::Vector2d& shift) {
     auto other = std::make_shared<PieceResult>(result);
-    for (Eigen::Index i = 0; i < other->flat->Q.rows(); ++i) {
-        other->flat->Q.row(i) =
-            RigidMotion{turn, shift}.applied(result.flat->Q.row(i).transpose()).transpose();
-    }
+    other->flat->Q = Placement{shift, turn}.appliedToRows(result.flat->Q);
     return other;
 }
 

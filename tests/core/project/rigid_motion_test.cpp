@@ -20,12 +20,7 @@ Points2 someShape() {
 const std::vector<int> kOutline{0, 1, 2, 3, 4};
 
 Points2 moved(const Points2& Q, double turn, const Eigen::Vector2d& shift) {
-    const RigidMotion motion{turn, shift};
-    Points2 there = Q;
-    for (Eigen::Index i = 0; i < Q.rows(); ++i) {
-        there.row(i) = motion.applied(Q.row(i).transpose()).transpose();
-    }
-    return there;
+    return Placement{shift, turn}.appliedToRows(Q);
 }
 
 Eigen::Vector2d grainOnSheet(const PieceSettings& settings) {
@@ -60,7 +55,7 @@ TEST(RigidMotion, TheBestMotionIsFoundExactlyWhereThereIsOne) {
         const Points2 there = moved(Q, turn, {7, -300});
         const RigidMotion motion = bestMotion(Q, there);
         EXPECT_NEAR(std::remainder(motion.turn - turn, 2 * M_PI), 0, kTight);
-        EXPECT_LT((moved(Q, motion.turn, motion.shift) - there).norm(), kTight);
+        EXPECT_LT((moved(Q, motion.turn, motion.offset) - there).norm(), kTight);
     }
 }
 
@@ -70,11 +65,11 @@ TEST(RigidMotion, NoOtherMotionIsBetterWhereTheShapesDiffer) {
     other.row(2) += Eigen::RowVector2d(12, -3);
     other.row(4) += Eigen::RowVector2d(-8, 9);
     const RigidMotion best = bestMotion(Q, other);
-    const double least = (moved(Q, best.turn, best.shift) - other).squaredNorm();
+    const double least = (moved(Q, best.turn, best.offset) - other).squaredNorm();
     for (const double turn : {-1e-3, 0.0, 1e-3}) {
         for (const Eigen::Vector2d& shift :
              {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.1, 0), Eigen::Vector2d(0, -0.1)}) {
-            const Points2 there = moved(Q, best.turn + turn, best.shift + shift);
+            const Points2 there = moved(Q, best.turn + turn, best.offset + shift);
             EXPECT_GE((there - other).squaredNorm(), least);
         }
     }
@@ -113,7 +108,7 @@ TEST(RigidMotion, SettingsAreTheSameToTheBitWhereNothingMoves) {
 TEST(RigidMotion, AGrainThatIsUnsetStaysUnset) {
     PieceSettings settings = turnedSettings(false);
     settings.grain.reset();
-    EXPECT_FALSE(movedSettings(settings, {0.5, {1, 2}}, 100).grain);
+    EXPECT_FALSE(movedSettings(settings, {{{1, 2}, 0.5}}, 100).grain);
 }
 
 TEST(AnchoredPlacement, AnchorsBringAPieceBackToItsPlace) {

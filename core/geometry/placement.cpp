@@ -1,9 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/placement.h"
+#include "core/geometry/placement.h"
 
 #include "core/base/units.h"
+#include "core/geometry/segment.h"
 
-namespace toile {
+namespace toile::geometry {
+
+Placement Placement::inverse() const {
+    // A reflection before a turn is one after the opposite turn.
+    Placement back{{0, 0}, mirrored ? turn : -turn, mirrored};
+    back.offset = -(back.linear() * offset);
+    return back;
+}
+
+Placement fitMotion(const Polygon& from, const Polygon& to, bool mirrored,
+                    const Eigen::VectorXd& weights) {
+    if (from.rows() == 0) {
+        return {};
+    }
+    const Eigen::VectorXd weight =
+        weights.size() > 0 ? weights : Eigen::VectorXd::Ones(from.rows()).eval();
+    const Eigen::RowVector2d middle = weight.transpose() * from / weight.sum();
+    const Eigen::RowVector2d onto = weight.transpose() * to / weight.sum();
+    // Sums of dot and cross products about the middles: their angle is the turn.
+    double along = 0, across = 0;
+    for (Eigen::Index i = 0; i < from.rows(); ++i) {
+        Eigen::RowVector2d a = from.row(i) - middle;
+        const Eigen::RowVector2d b = to.row(i) - onto;
+        a.x() *= mirrored ? -1 : 1;
+        along += weight[i] * a.dot(b);
+        across += weight[i] * cross(a, b);
+    }
+    Placement motion{{0, 0}, along != 0 || across != 0 ? std::atan2(across, along) : 0, mirrored};
+    motion.offset = (onto - motion.appliedToRow(middle)).transpose();
+    return motion;
+}
 
 double wrappedAngle(double angle) {
     if (!std::isfinite(angle)) {
@@ -47,20 +78,24 @@ double directionOnPiece(const Placement& placement, double direction) {
     return wrappedAngle(placement.mirrored ? kPi - turned : turned);
 }
 
-Points2 turnedLine(const Points2& line, const Placement& placement) {
+Polygon turnedLine(const Polygon& line, const Placement& placement) {
     if (placement.turn == 0 && !placement.mirrored) {
         return line;
     }
-    Points2 turned = line * placement.linear().transpose();
+    Polygon turned = line * placement.linear().transpose();
     if (placement.mirrored) {
         turned = turned.colwise().reverse().eval();
     }
     return turned;
 }
 
-Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
+Polygon placedLine(const Polygon& line, const Placement& placement) {
+    return turnedLine(line, placement).rowwise() + placement.offset.transpose();
+}
+
+Polygon placedOutline(const Polygon& Q, const std::vector<int>& boundary,
                       const Placement& placement) {
-    Points2 points(boundary.size(), 2);
+    Polygon points(boundary.size(), 2);
     for (std::size_t i = 0; i < boundary.size(); ++i) {
         points.row(static_cast<Eigen::Index>(i)) =
             placement.applied(Q.row(boundary[i]).transpose()).transpose();
@@ -68,7 +103,7 @@ Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
     return points;
 }
 
-Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placement) {
+Eigen::AlignedBox2d outlineBox(const Polygon& outline, const Placement& placement) {
     Eigen::AlignedBox2d box;
     const Eigen::Matrix2d linear = placement.linear();
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
@@ -77,4 +112,4 @@ Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placemen
     return box;
 }
 
-}  // namespace toile
+}  // namespace toile::geometry

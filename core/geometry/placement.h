@@ -6,13 +6,13 @@
 
 #include <Eigen/Geometry>
 
-#include "core/mesh/mesh_arrays.h"
+#include "core/geometry/polygon.h"
 
-namespace toile {
+namespace toile::geometry {
 
-/// Where a copy of a flat piece lies on the sheet, in mm and radians: it is mirrored (x becomes -x)
-/// where asked for, turned anti-clockwise about the origin of the piece's own coordinates, then
-/// moved. The piece itself is never turned. Functions here are pure.
+/// A motion of the plane in mm and radians: points are mirrored (x becomes -x) where asked for,
+/// turned anti-clockwise about the origin, then moved. It says where a copy of a flat piece lies on
+/// the sheet; the piece itself is never turned. Functions here are pure.
 struct Placement {
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();
     double turn = 0;
@@ -21,6 +21,14 @@ struct Placement {
     Eigen::Vector2d applied(const Eigen::Vector2d& point) const {
         return offset + linear() * point;
     }
+    Eigen::RowVector2d appliedToRow(const Eigen::RowVector2d& point) const {
+        return applied(point.transpose()).transpose();
+    }
+    /// @param points  #n x 2
+    Polygon appliedToRows(const Polygon& points) const {
+        return (points * linear().transpose()).rowwise() + offset.transpose();
+    }
+    Placement inverse() const;
 
     /// The point of the piece that lies at a place of the sheet.
     Eigen::Vector2d undone(const Eigen::Vector2d& place) const {
@@ -34,6 +42,13 @@ struct Placement {
 
     bool operator==(const Placement&) const = default;
 };
+
+/// The motion that brings `from` nearest to `to` in the least-squares sense, point by point (the
+/// planar Procrustes problem, solved in closed form). Points of no extent are only moved.
+/// @param from, to  #n x 2, finite  @param mirrored  whether they are mirrored first
+/// @param weights   #n, or empty: all alike
+Placement fitMotion(const Polygon& from, const Polygon& to, bool mirrored = false,
+                    const Eigen::VectorXd& weights = {});
 
 /// mm from the origin: farther away nothing is laid.
 inline constexpr double kFarthestOnSheet = 1e9;
@@ -64,14 +79,24 @@ double directionOnPiece(const Placement& placement, double direction);
 /// A line of the piece as it lies but for the offset: turned, and of a mirrored piece from its end
 /// to its beginning, so that the cloth stays on the left. The very same points where nothing is
 /// turned.
-Points2 turnedLine(const Points2& line, const Placement& placement);
+Polygon turnedLine(const Polygon& line, const Placement& placement);
+/// The same where it lies.
+Polygon placedLine(const Polygon& line, const Placement& placement);
 
 /// The outline of a piece where it lies on the sheet. @param Q  #V x 2, its flat coordinates
-Points2 placedOutline(const Points2& Q, const std::vector<int>& boundary,
+Polygon placedOutline(const Polygon& Q, const std::vector<int>& boundary,
                       const Placement& placement);
 
 /// The smallest upright box around an outline at its place; empty where there is no point.
 /// @param outline  mm, in the piece's own coordinates
-Eigen::AlignedBox2d outlineBox(const Points2& outline, const Placement& placement);
+Eigen::AlignedBox2d outlineBox(const Polygon& outline, const Placement& placement);
+
+}  // namespace toile::geometry
+
+namespace toile {
+
+using geometry::directionTo, geometry::kFarthestOnSheet, geometry::Mirroring, geometry::outlineBox,
+    geometry::placedLine, geometry::placedOutline, geometry::Placement, geometry::turnedLine,
+    geometry::wrappedAngle;
 
 }  // namespace toile
