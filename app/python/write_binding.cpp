@@ -74,8 +74,8 @@ std::string said(const Exported& written) {
 
 void bindWriting(py::module_& module, py::class_<PyFlat>& flat) {
     py::class_<Exported>(module, "Written",
-                         "A file that has been written, read back and compared. str() is a "
-                         "sentence.")
+                         "A file that has been written, read back and compared if its format "
+                         "allows it. str() is a sentence.")
         .def_property_readonly("files", &filesOf,
                                "List of paths: the one asked for, then those beside it.")
         .def_property_readonly(
@@ -83,7 +83,7 @@ void bindWriting(py::module_& module, py::class_<PyFlat>& flat) {
             [](const Exported& self) {
                 return self.readBack ? std::optional(self.readBack->pieces) : std::nullopt;
             },
-            "Pieces found when it was read back; None of a format that nobody reads.")
+            "Pieces found when it was read back; None of a format that is not read back.")
         .def_property_readonly(
             "largest_difference",
             [](const Exported& self) {

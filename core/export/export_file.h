@@ -15,7 +15,7 @@ namespace toile {
 /// What has been written.
 struct Exported {
     std::vector<std::filesystem::path> files;  ///< the one asked for first
-    std::optional<ReadBack> readBack{};        ///< none of a format that nobody reads here
+    std::optional<ReadBack> readBack{};        ///< none of a format without `readBack`
 };
 
 /// Writes an export in the format of its ending (`formatOf`), and what belongs beside it: made,

@@ -10,11 +10,9 @@
 #include "core/export/dxf_read_back.h"
 #include "core/export/garmentcode_writer.h"
 #include "core/export/html_report.h"
-#include "core/export/mesh_read_back.h"
-#include "core/export/pdf_read_back.h"
+#include "core/export/obj_read_back.h"
 #include "core/export/pdf_writer.h"
 #include "core/export/piece_meshes.h"
-#include "core/export/plt_read_back.h"
 #include "core/export/plt_writer.h"
 #include "core/export/png_read_back.h"
 #include "core/export/report_tables.h"
@@ -60,16 +58,8 @@ Result<ExportedFiles> makePdf(const ExportSource& source) {
     return oneFile(std::move(*made));
 }
 
-Result<ReadBack> readPdfBack(const ExportedFiles& files, const ExportSource& source) {
-    return readBackPdf(files.front().bytes, source.drawing(), source.options().pdf);
-}
-
 Result<ExportedFiles> makePlt(const ExportSource& source) {
     return oneFile(writePlt(source.drawing(), source.options().plt));
-}
-
-Result<ReadBack> readPltFile(const ExportedFiles& files, const ExportSource& source) {
-    return readBackPlt(files.front().bytes, source.drawing(), source.options().plt);
 }
 
 Result<ReadBack> readPngFile(const ExportedFiles& files, const ExportSource& source) {
@@ -148,13 +138,6 @@ Result<ExportedFiles> makeMeshes(const ExportSource& source) {
     return oneFile(write(pieceMeshes(source), source.laid().pattern.name));
 }
 
-template <auto read>
-Result<ReadBack> readMeshesBack(const ExportedFiles& files, const ExportSource& source) {
-    const auto file = read(files.front().bytes);
-    return file ? comparedWithMeshes(*file, pieceMeshes(source))
-                : Error{ErrorCode::NotReadBack, {}, std::string(sentence(file.error()))};
-}
-
 Result<ExportedFiles> makeGarmentCode(const ExportSource& source) {
     return oneFile(writeGarmentCode(sewnPanels(source)));
 }
@@ -201,16 +184,14 @@ Format kFormats[] = {
            .trueScale = true,
            .curves = true,
            .pages = true,
-           .write = makePdf,
-           .readBack = readPdfBack},
+           .write = makePdf},
     Format{.id = FormatId::Plt,
            .name = TR("HPGL plot"),
            .use = TR("pen plotters and roll cutters"),
            .endings = kPlt,
            .layers = true,
            .trueScale = true,
-           .write = makePlt,
-           .readBack = readPltFile},
+           .write = makePlt},
     Format{.id = FormatId::Png,
            .name = TR("PNG picture"),
            .use = TR("mails and web pages, at a stated resolution"),
@@ -229,15 +210,13 @@ Format kFormats[] = {
            .use = TR("film and simulation: garment, flat pattern and seams"),
            .endings = kUsd,
            .trueScale = true,
-           .write = makeMeshes<writeUsda>,
-           .readBack = readMeshesBack<readUsda>},
+           .write = makeMeshes<writeUsda>},
     Format{.id = FormatId::Glb,
            .name = TR("GLB mesh"),
            .use = TR("games and web pages: the garment with its pattern as its texture"),
            .endings = kGlb,
            .trueScale = true,
-           .write = makeMeshes<writeGlb>,
-           .readBack = readMeshesBack<readGlb>},
+           .write = makeMeshes<writeGlb>},
     Format{.id = FormatId::GarmentCode,
            .name = TR("GarmentCode pattern"),
            .use = TR("research and simulation: panels, curves and stitches"),

@@ -39,7 +39,8 @@ struct Format {
     /// libraries, and this build has none (`provideWriter`).
     Result<ExportedFiles> (*write)(const ExportSource&) = nullptr;
     /// Reads the files again by code of its own and compares them with what they were made from.
-    /// Errors: NotReadBack. Null: nobody reads it.
+    /// Errors: NotReadBack. Null: the file is not read when it is written. (Readers of PDF, HPGL,
+    /// USD and GLB files are among the tests: tests/core/readers.)
     Result<ReadBack> (*readBack)(const ExportedFiles&, const ExportSource&) = nullptr;
 };
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/obj_read_back.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "core/base/text.h"
-#include "core/export/mesh_read_back.h"
 #include "core/io/soup.h"
 
 namespace toile {
@@ -52,8 +53,8 @@ private:
     std::vector<std::vector<VertexOfPiece>> of_;
 };
 
-Error wrongPattern(const PieceMesh& mesh, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, mesh.name + ": " + what};
+Error wrongPattern(const std::string& subject, const std::string& what) {
+    return {ErrorCode::NotReadBack, {}, subject + ": " + what};
 }
 
 /// The corner's vertex of a piece: of those that share its position the one whose flat point is
@@ -79,7 +80,50 @@ NearestVertex nearestVertex(const std::vector<VertexOfPiece>& candidates, int pi
     return best;
 }
 
+double lengthAlong(const Points2& uv, const std::vector<int>& vertices) {
+    double length = 0;
+    for (std::size_t k = 1; k < vertices.size(); ++k) {
+        length += (uv.row(vertices[k]) - uv.row(vertices[k - 1])).norm();
+    }
+    return length;
+}
+
+/// Both sides of a seam in the pattern of the file. @param uv  by mesh
+Result<double> compareSeam(const MeshSeam& seam, const PieceMeshes& meshes,
+                           const std::vector<Points2>& uv, double rounding) {
+    double largest = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const auto mesh = static_cast<std::size_t>(seam.mesh[k]);
+        const Points2& should = meshes.meshes[mesh].uv;
+        if (should.rows() == 0) {
+            continue;  // not flat
+        }
+        const double difference =
+            lengthAlong(uv[mesh], seam.vertices[k]) - lengthAlong(should, seam.vertices[k]);
+        const double allowed =
+            kReadBackLengths + static_cast<double>(seam.vertices[k].size()) * rounding;
+        if (!(std::abs(difference) <= allowed)) {
+            return wrongPattern(seam.name, "longer by " + fixed(difference, 3) + " mm");
+        }
+        largest = std::max(largest, std::abs(difference));
+    }
+    return largest;
+}
+
 }  // namespace
+
+Result<ReadBack> withSeamsCompared(ReadBack found, const PieceMeshes& meshes,
+                                   const std::vector<Points2>& uv, double rounding) {
+    for (const MeshSeam& seam : meshes.seams) {
+        const Result<double> difference = compareSeam(seam, meshes, uv, rounding);
+        if (!difference) {
+            return difference.error();
+        }
+        found.largest = std::max(found.largest, *difference);
+        ++found.seams;
+    }
+    return found;
+}
 
 Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& source) {
     Progress progress;
@@ -108,10 +152,8 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
             const NearestVertex nearest =
                 nearestVertex(positions.at(soup->corners[corner]), piece, meshes, at);
             if (!(nearest.distance <= kReadBackCoordinates)) {
-                return Error{ErrorCode::NotReadBack,
-                             {},
-                             soup->groups[static_cast<std::size_t>(group)] +
-                                 ": a point of the pattern is elsewhere"};
+                return wrongPattern(soup->groups[static_cast<std::size_t>(group)],
+                                    "a point of the pattern is elsewhere");
             }
             piece = nearest.at.piece;
             found.largest = std::max(found.largest, nearest.distance);
@@ -120,7 +162,7 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
     }
     for (std::size_t p = 0; p < uv.size(); ++p) {
         if (!uv[p].allFinite()) {
-            return wrongPattern(meshes.meshes[p], "a point of its pattern is missing");
+            return wrongPattern(meshes.meshes[p].name, "a point of its pattern is missing");
         }
         found.pieces += uv[p].rows() > 0 ? 1 : 0;
     }

@@ -82,7 +82,7 @@ TEST(MarkerCommand, LaysAGarmentAndReadsItsFilesBack) {
         ++readBack;
         ++at;
     }
-    EXPECT_EQ(readBack, 4U) << run.out;
+    EXPECT_EQ(readBack, 2U) << run.out;
     const auto json = reportOf(folder / "m.json");
     EXPECT_GT(json["use"].get<double>(), 0.5);
     EXPECT_LE(json["rounds"].get<int>(), 2);

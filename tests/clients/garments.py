@@ -4,7 +4,6 @@ import itertools
 import json
 import os
 import pathlib
-import re
 
 from check import Fault, require, said_by
 
@@ -15,7 +14,6 @@ PROFILES = ("astm", "aama", "plain")
 PAPERS = ("a4", "letter", "tile", "a0", "arch-d", "arch-e", "roll-610", "roll-841", "roll-914",
           "projector")
 ONCE = ("json", "svg", "plt", "obj", "glb", "usda", "specification.json")
-READ_BACK = re.compile(r"wrote (\S+); read back: (\d+) pieces?, largest difference ([\d.]+) mm")
 
 
 class Garment:
@@ -28,9 +26,8 @@ class Garment:
         return self.folder / f"{self.name}.{kind}"
 
     def write(self, toile):
-        """Writes everything; `read_back` keeps what the program says of each file."""
+        """Writes everything."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        self.read_back = {}
         kinds = list(ONCE)
         for profile, paper in itertools.zip_longest(PROFILES, PAPERS):
             kinds.append(f"{paper}.pdf")
@@ -39,11 +36,8 @@ class Garment:
                 kinds.append(f"{profile}.dxf")
                 options += ["--dxf-profile", profile]
             outputs = [word for kind in kinds for word in ("-o", self.file(kind))]
-            said = said_by(toile, "flatten", self.source, "--unit", self.unit, "--pattern",
-                           *outputs, *options)
-            for path, pieces, difference in READ_BACK.findall(said):
-                kind = pathlib.Path(path).name.removeprefix(f"{self.name}.")
-                self.read_back[kind] = int(pieces), float(difference)
+            said_by(toile, "flatten", self.source, "--unit", self.unit, "--pattern", *outputs,
+                    *options)
             kinds = []
         self.report = json.loads(self.file("json").read_text(encoding="utf-8"))
         require(all(piece["status"] == "flat" for piece in self.pieces),

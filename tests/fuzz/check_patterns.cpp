@@ -6,10 +6,10 @@
 
 #include "core/base/text.h"
 #include "core/geometry/polygon.h"
-#include "core/reading/mesh_file.h"
+#include "tests/core/readers/mesh_file.h"
 #include "core/reading/pattern_match.h"
-#include "core/reading/pdf_reader.h"
-#include "core/reading/plt_reader.h"
+#include "tests/core/readers/pdf_reader.h"
+#include "tests/core/readers/plt_reader.h"
 #include "core/reading/read_pattern.h"
 
 namespace toile::fuzz {

@@ -7,7 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "core/export/marker_report.h"
+#include "core/export/pdf_writer.h"
+#include "core/export/plt_writer.h"
 #include "tests/core/marker/marker_fixtures.h"
+#include "tests/core/readers/pdf_read_back.h"
+#include "tests/core/readers/plt_read_back.h"
 
 namespace toile {
 namespace {
@@ -55,6 +59,23 @@ TEST(DrawMarker, CopiesLieAsTheMarkerSays) {
         const Points2 line = laidOutline(pattern, marker.copies[k]).array() + kDrawingMargin;
         EXPECT_LT((path.points.colwise().minCoeff() - line.colwise().minCoeff()).norm(), 1e-9);
         EXPECT_LT((path.points.colwise().maxCoeff() - line.colwise().maxCoeff()).norm(), 1e-9);
+    }
+}
+
+TEST(DrawMarker, IsReadBackFromPlotsAndPages) {
+    const Pattern pattern = drawnCloth();
+    const Drawing drawing = drawMarker(pattern, test::laidOn(1000, pattern), {}, {}).drawing;
+    for (const bool turned : {false, true}) {
+        const auto plot = readBackPlt(writePlt(drawing, {turned}), drawing, {turned});
+        ASSERT_TRUE(plot) << sentence(plot.error());
+        EXPECT_EQ(plot->pieces, 4);
+    }
+    for (const Paper paper : {Paper::A4, Paper::A0, Paper::Roll914}) {
+        const auto bytes = writePdf(drawing, pattern, {paper, 10});
+        ASSERT_TRUE(bytes) << sentence(bytes.error());
+        const auto pages = readBackPdf(*bytes, drawing, {paper, 10});
+        ASSERT_TRUE(pages) << sentence(pages.error());
+        EXPECT_EQ(pages->pieces, 4);
     }
 }
 

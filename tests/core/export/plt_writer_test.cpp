@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/export/plotter_line.h"
-#include "core/export/plt_read_back.h"
+#include "tests/core/readers/plt_read_back.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/support/generator.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/reading/pdf_reader.h"
+#include "tests/core/readers/pdf_reader.h"
 
 namespace toile {
 

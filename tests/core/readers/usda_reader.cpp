@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/io/usd_text.h"
-#include "core/reading/mesh_file.h"
+#include "tests/core/readers/mesh_file.h"
 
 namespace toile {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/pdf_reader.h"
+#include "tests/core/readers/pdf_reader.h"
 
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "core/reading/pdf_document.h"
-#include "core/reading/pdf_shown.h"
+#include "tests/core/readers/pdf_document.h"
+#include "tests/core/readers/pdf_shown.h"
 
 namespace toile {
 namespace {

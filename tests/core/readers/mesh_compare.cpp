@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/mesh_read_back.h"
+#include "tests/core/readers/mesh_compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +34,6 @@ std::string millimetresText(const std::optional<double>& distance) {
     return distance ? fixed(*distance, 3) + " mm from their places" : "another number of them";
 }
 
-double lengthAlong(const Points2& uv, const std::vector<int>& vertices) {
-    double length = 0;
-    for (std::size_t k = 1; k < vertices.size(); ++k) {
-        length += (uv.row(vertices[k]) - uv.row(vertices[k - 1])).norm();
-    }
-    return length;
-}
-
 /// @return what is wrong, or the largest difference
 Result<double> compareMesh(const FileMesh& file, const PieceMesh& mesh) {
     if (file.name != mesh.name) {
@@ -60,42 +52,7 @@ Result<double> compareMesh(const FileMesh& file, const PieceMesh& mesh) {
     return std::max(*points, *flat);
 }
 
-/// Both sides of a seam in the pattern of the file. @param uv  by mesh
-Result<double> compareSeam(const MeshSeam& seam, const PieceMeshes& meshes,
-                           const std::vector<Points2>& uv) {
-    double largest = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const auto mesh = static_cast<std::size_t>(seam.mesh[k]);
-        const Points2& should = meshes.meshes[mesh].uv;
-        if (should.rows() == 0) {
-            continue;  // not flat
-        }
-        const double difference =
-            lengthAlong(uv[mesh], seam.vertices[k]) - lengthAlong(should, seam.vertices[k]);
-        const double allowed =
-            kReadBackLengths + static_cast<double>(seam.vertices[k].size()) * farAllowance(should);
-        if (!(std::abs(difference) <= allowed)) {
-            return differs(seam.name, "longer by " + fixed(difference, 3) + " mm");
-        }
-        largest = std::max(largest, std::abs(difference));
-    }
-    return largest;
-}
-
 }  // namespace
-
-Result<ReadBack> withSeamsCompared(ReadBack found, const PieceMeshes& meshes,
-                                   const std::vector<Points2>& uv) {
-    for (const MeshSeam& seam : meshes.seams) {
-        const Result<double> difference = compareSeam(seam, meshes, uv);
-        if (!difference) {
-            return difference.error();
-        }
-        found.largest = std::max(found.largest, *difference);
-        ++found.seams;
-    }
-    return found;
-}
 
 Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& meshes) {
     if (file.meshes.size() != meshes.meshes.size() || file.seams.size() != meshes.seams.size()) {
@@ -132,7 +89,11 @@ Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& mes
             return differs(meshes.seams[k].name, "its vertices are others");
         }
     }
-    return withSeamsCompared(found, meshes, uv);
+    double rounding = 0;
+    for (const PieceMesh& mesh : meshes.meshes) {
+        rounding = std::max(rounding, farAllowance(mesh.uv));
+    }
+    return withSeamsCompared(found, meshes, uv, rounding);
 }
 
 }  // namespace toile

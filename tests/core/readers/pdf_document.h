@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/reading/pdf_lexer.h"
+#include "tests/core/readers/pdf_lexer.h"
 
 namespace toile {
 

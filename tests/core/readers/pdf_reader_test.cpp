@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/pdf_reader.h"
+#include "tests/core/readers/pdf_reader.h"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "core/export/pdf_writer.h"
-#include "core/reading/pdf_lexer.h"
-#include "core/reading/pdf_shown.h"
+#include "tests/core/readers/pdf_lexer.h"
+#include "tests/core/readers/pdf_shown.h"
 #include "tests/core/export/export_fixtures.h"
 
 namespace toile {

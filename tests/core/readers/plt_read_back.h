@@ -8,7 +8,7 @@
 #include "core/export/drawing.h"
 #include "core/export/export_options.h"
 #include "core/export/read_back.h"
-#include "core/reading/plt_reader.h"
+#include "tests/core/readers/plt_reader.h"
 
 namespace toile {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/pdf_lexer.h"
+#include "tests/core/readers/pdf_lexer.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/mesh_file.h"
+#include "tests/core/readers/mesh_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/pdf_document.h"
+#include "tests/core/readers/pdf_document.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/byte_order.h"
-#include "core/reading/mesh_file.h"
+#include "tests/core/readers/mesh_file.h"
 
 namespace toile {
 namespace {

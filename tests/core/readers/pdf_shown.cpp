@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/pdf_shown.h"
+#include "tests/core/readers/pdf_shown.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "core/reading/pdf_document.h"
+#include "tests/core/readers/pdf_document.h"
 
 namespace toile {
 namespace {

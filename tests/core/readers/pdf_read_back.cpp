@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/pdf_read_back.h"
+#include "tests/core/readers/pdf_read_back.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/reading/pdf_reader.h"
+#include "tests/core/readers/pdf_reader.h"
 
 namespace toile {
 namespace {

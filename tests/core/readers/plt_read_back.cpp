@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/plt_read_back.h"
+#include "tests/core/readers/plt_read_back.h"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/plt_reader.h"
+#include "tests/core/readers/plt_reader.h"
 
 #include <string>
 

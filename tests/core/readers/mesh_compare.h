@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/formats.h"
+#include "core/export/obj_read_back.h"
+#include "tests/core/readers/mesh_file.h"
+
+namespace toile {
+
+/// Compares meshes as read with those that were to be written: each is there, by name, with its
+/// points and its pattern within kReadBackCoordinates, the same triangles, and both sides of each
+/// seam as long in the pattern, within kReadBackLengths.
+/// Errors: NotReadBack. Cost: linear. Pure.
+Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& meshes);
+
+}  // namespace toile
