@@ -24,10 +24,6 @@ constexpr double kMovedNotch = 1;
 /// The ends of a wide mark may be by so much nearer to a bent line than its middle, mm.
 constexpr double kBentNotch = 0.1;
 
-Error apparelFault(std::string_view piece, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, std::string(piece) + ": " + what};
-}
-
 bool isNear(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
     return (a - b).norm() <= kReadBackCoordinates;
 }
@@ -106,7 +102,7 @@ public:
             const DxfLine* key = taken(next, layer);
             const DxfLine* exact = isAstm_ ? taken(next, validationLayer(layer)) : key;
             if (!key || !exact) {
-                return apparelFault(drawn.id, "it is missing");
+                return notReadBack(drawn.id, "it is missing");
             }
             ReadPlaces own;
             int turns = 0;
@@ -118,7 +114,7 @@ public:
             if (isAstm_ && !(exact->points.rows() > 0 && key->points.rows() > 0 &&
                              exact->points.row(0) == key->points.row(0) &&
                              hasEveryPoint(exact->points, drawn, own))) {
-                return apparelFault(drawn.id, "its validation curve is another line");
+                return notReadBack(drawn.id, "its validation curve is another line");
             }
             places.insert(own.begin(), own.end());
             keys.lines.push_back({kindOf(layer), drawn.id, key->points, key->closed, true,
@@ -126,13 +122,13 @@ public:
             dense.lines.push_back({kindOf(layer), drawn.id, exact->points, exact->closed});
         }
         if (block_.polylines.size() != lines_.size() * (isAstm_ ? 2 : 1)) {
-            return apparelFault(block_.name, "it has other lines too");
+            return notReadBack(block_.name, "it has other lines too");
         }
         const bool isNamed =
             !isNamedTwice_ && named_.size() == places.size() &&
             std::ranges::all_of(places, [&](const auto& at) { return named_.contains(at); });
         return isNamed ? std::nullopt
-                       : std::optional(apparelFault(
+                       : std::optional(notReadBack(
                              block_.name, "turn and curve points are not those of its lines"));
     }
 
@@ -140,16 +136,16 @@ public:
     std::optional<Error> othersFault() const {
         const auto name = block_.said.find("piece name");
         if (name == block_.said.end() || name->second != block_.name) {
-            return apparelFault(block_.name, "no piece name");
+            return notReadBack(block_.name, "no piece name");
         }
         for (const char* key : {"quantity", "annotation", "category", "material", "size"}) {
             if (!block_.said.contains(key)) {
-                return apparelFault(block_.name, std::string("no ") + key);
+                return notReadBack(block_.name, std::string("no ") + key);
             }
         }
         const bool isOnFold = piece_.cutAs == CutAs::OnFold;
         if (linesOn(kGrainLayer) != 1 || linesOn(kMirrorLayer) != (isOnFold ? 1 : 0)) {
-            return apparelFault(block_.name, "grain or mirror line");
+            return notReadBack(block_.name, "grain or mirror line");
         }
         if (auto fault = lineFault()) {
             return fault;
@@ -238,7 +234,7 @@ private:
                                      : fromCut(line.points.row(0)) <= kReadBackCoordinates &&
                                            fromCut(line.points.row(1)) <= kReadBackCoordinates;
             if (!isRight) {
-                return apparelFault(block_.name, "grain or mirror line is elsewhere");
+                return notReadBack(block_.name, "grain or mirror line is elsewhere");
             }
         }
         return {};
@@ -250,13 +246,13 @@ private:
             std::accumulate(piece_.notches.begin(), piece_.notches.end(), 0,
                             [](int sum, const PieceNotch& notch) { return sum + notch.count; });
         if (static_cast<int>(records.size()) != count) {
-            return apparelFault(block_.name,
-                                counted(static_cast<long long>(records.size()), "notch record") +
-                                    " instead of " + std::to_string(count));
+            return notReadBack(block_.name,
+                               counted(static_cast<long long>(records.size()), "notch record") +
+                                   " instead of " + std::to_string(count));
         }
         for (const DxfRecord* record : records) {
             if (!record->height || !record->angle) {
-                return apparelFault(block_.name, "a notch without depth or angle");
+                return notReadBack(block_.name, "a notch without depth or angle");
             }
             const Eigen::Vector2d end =
                 record->point + *record->height * Eigen::Vector2d(std::cos(*record->angle),
@@ -265,7 +261,7 @@ private:
             const double moved = std::min(kMovedNotch, off + kBentNotch);
             if (!(onMark <= kReadBackCoordinates ||
                   (onMark <= moved && fromCut(record->point) <= kReadBackCoordinates))) {
-                return apparelFault(block_.name, "a notch is not where it is drawn");
+                return notReadBack(block_.name, "a notch is not where it is drawn");
             }
         }
         return {};
@@ -287,13 +283,13 @@ private:
             if (next >= records.size() || !records[next]->height ||
                 !isNear(records[next]->point.transpose(), middle.transpose()) ||
                 !(std::abs(*records[next]->height - kDrillDiameter) <= kReadBackLengths)) {
-                return apparelFault(path.id, "no drill hole");
+                return notReadBack(path.id, "no drill hole");
             }
             ++next;
         }
         return next == records.size()
                    ? std::nullopt
-                   : std::optional(apparelFault(block_.name, "it has other drill holes too"));
+                   : std::optional(notReadBack(block_.name, "it has other drill holes too"));
     }
 
     const DxfGroupOfEntities& block_;
@@ -313,16 +309,16 @@ std::optional<Error> insertFault(const DxfDrawing& read) {
     for (std::size_t k = 0; k < read.blocks.size(); ++k) {
         const std::string_view name = read.blocks[k].name;
         if (name.empty() || name.size() > 20 || !names.insert(name).second) {
-            return apparelFault(name, "no name for a piece");
+            return notReadBack(name, "no name for a piece");
         }
         if (k >= read.page.inserts.size() || read.page.inserts[k].first != name ||
             read.page.inserts[k].second != Eigen::Vector2d(0, 0)) {
-            return apparelFault(name, "it is not where it lies");
+            return notReadBack(name, "it is not where it lies");
         }
     }
     return read.page.inserts.size() == read.blocks.size()
                ? std::nullopt
-               : std::optional(apparelFault("inserts", "more than blocks"));
+               : std::optional(notReadBack("inserts", "more than blocks"));
 }
 
 std::optional<Error> controlFault(const DxfGroupOfEntities& block, const Drawing& drawing) {
@@ -336,7 +332,7 @@ std::optional<Error> controlFault(const DxfGroupOfEntities& block, const Drawing
                                         hasEveryPoint(line.points, path, {});
                              });
         if (!isRight) {
-            return apparelFault(kControlName, "it is no square of 100 mm");
+            return notReadBack(kControlName, "it is no square of 100 mm");
         }
     }
     return {};
@@ -373,13 +369,13 @@ Result<ReadBack> readApparelBack(const DxfDrawing& read, const ExportSource& sou
     const ApparelDrawing made = apparelDrawing(source);
     const std::size_t pieces = made.drawing.blocks.size();
     if (read.blocks.size() != pieces + (options.controlPiece ? 1 : 0)) {
-        return apparelFault(
+        return notReadBack(
             "blocks", std::to_string(read.blocks.size()) + " instead of " + std::to_string(pieces));
     }
     const auto units = read.page.said.find("units");
     if (units == read.page.said.end() ||
         units->second != (options.unit == LengthUnit::Inch ? "ENGLISH" : "METRIC")) {
-        return apparelFault("units", "another unit is stated");
+        return notReadBack("units", "another unit is stated");
     }
     if (const auto fault = insertFault(read)) {
         return *fault;

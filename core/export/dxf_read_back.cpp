@@ -27,10 +27,6 @@ constexpr std::array kNamedLayers{
     NamedKind{"MARKS", LayerKind::Marks},     NamedKind{"GRAIN", LayerKind::Grain},
     NamedKind{"CHECK", LayerKind::Check}};
 
-Error dxfFault(const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, what};
-}
-
 /// The lines of the plain profile have no names: those of a layer are in the drawing's order.
 Result<ReadBack> readPlainBack(const DxfDrawing& read, const Drawing& drawing) {
     ReadDrawing lines;
@@ -38,7 +34,7 @@ Result<ReadBack> readPlainBack(const DxfDrawing& read, const Drawing& drawing) {
     for (const DxfLine& line : read.page.polylines) {
         const auto layer = std::ranges::find(kNamedLayers, line.layer, &NamedKind::name);
         if (layer == kNamedLayers.end()) {
-            return dxfFault("layer \"" + std::string(line.layer) + "\"");
+            return notReadBack({}, "layer \"" + std::string(line.layer) + "\"");
         }
         lines.lines.push_back({layer->kind, {}, line.points, line.closed});
         byLayer[layer->kind].push_back(&line);
@@ -49,7 +45,7 @@ Result<ReadBack> readPlainBack(const DxfDrawing& read, const Drawing& drawing) {
         const std::size_t at = next[path.layer]++;
         if (at < byLayer[path.layer].size() &&
             !hasEveryPoint(byLayer[path.layer][at]->points, path, {})) {
-            return dxfFault(path.id + ": points are missing or elsewhere");
+            return notReadBack({}, path.id + ": points are missing or elsewhere");
         }
         holes += path.layer == LayerKind::Cut ? 1 : 0;
     }
@@ -59,8 +55,9 @@ Result<ReadBack> readPlainBack(const DxfDrawing& read, const Drawing& drawing) {
         words += text.lines.size();
     }
     if (read.page.texts.size() != words) {
-        return dxfFault(countWording(static_cast<long long>(read.page.texts.size()), "text") +
-                        " instead of " + std::to_string(words));
+        return notReadBack({},
+                           countWording(static_cast<long long>(read.page.texts.size()), "text") +
+                               " instead of " + std::to_string(words));
     }
     return comparedWithDrawing(
         lines, drawing,
@@ -81,26 +78,26 @@ bool isRuleTable(std::string_view bytes, LengthUnit unit) {
 
 Result<ReadBack> readDxfBack(const ExportedFiles& files, const ExportSource& source) {
     if (files.empty()) {
-        return dxfFault("no file");
+        return notReadBack({}, "no file");
     }
     const auto document = readDxfDocument(files.front().bytes);
     if (!document) {
-        return dxfFault(document.error().detail);
+        return notReadBack({}, document.error().detail);
     }
     if (!document->hasEnd) {
-        return dxfFault("it has no end");
+        return notReadBack({}, "it has no end");
     }
     const DxfOptions& options = source.options().dxf;
     const double unit = millimetresPer(options.unit);
     if (options.profile == DxfProfile::Plain) {
         if (statedUnit(*document) != unit) {
-            return dxfFault("its unit is another");
+            return notReadBack({}, "its unit is another");
         }
         return readPlainBack(dxfDrawing(*document, unit), source.drawing());
     }
     for (const ExportedFile& file : files) {
         if (file.beside == ".rul" && !isRuleTable(file.bytes, options.unit)) {
-            return dxfFault("the rule table is none");
+            return notReadBack({}, "the rule table is none");
         }
     }
     return readApparelBack(dxfDrawing(*document, unit), source);

@@ -12,10 +12,6 @@
 namespace toile {
 namespace {
 
-Error codeNotReadBack(const std::string& id, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, id + ": " + what};
-}
-
 /// The place on a line nearest to a point among those near a place.
 double placeNear(const geometry::Line& line, double expected, const Eigen::RowVector2d& point) {
     constexpr double kReach = 2;  // mm
@@ -56,12 +52,12 @@ public:
             const double off =
                 std::max((line_.pointAt(begin) - from).norm(), (line_.pointAt(end) - to).norm());
             if (!(off <= kReadBackCoordinates)) {
-                return codeNotReadBack(panel_.name, fixed(off, 3) + " mm from its outline");
+                return notReadBack(panel_.name, fixed(off, 3) + " mm from its outline");
             }
             const double difference = std::abs(end - begin - edge.length);
             if (!(difference <= kReadBackLengths)) {
-                return codeNotReadBack(
-                    panel_.name, "an edge is off by " + fixed(difference, 3) + " mm in length");
+                return notReadBack(panel_.name,
+                                   "an edge is off by " + fixed(difference, 3) + " mm in length");
             }
             largest = std::max({largest, off, difference});
             places_.push_back((begin + end) / 2);
@@ -72,8 +68,8 @@ public:
         const double allowed =
             kReadBackLengths * std::max<double>(1, static_cast<double>(piece_.segments.size()));
         if (!(difference <= allowed)) {
-            return codeNotReadBack(panel_.name,
-                                   "its outline is off by " + fixed(difference, 3) + " mm");
+            return notReadBack(panel_.name,
+                               "its outline is off by " + fixed(difference, 3) + " mm");
         }
         return std::max(largest, difference);
     }
@@ -107,7 +103,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
     }
     const auto code = readGarmentCode(bytes);
     if (!code) {
-        return codeNotReadBack(pattern.name, sentence(code.error()));
+        return notReadBack(pattern.name, sentence(code.error()));
     }
     ReadBack found;
     std::vector<PanelCheck> checks;
@@ -117,7 +113,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         }
         const auto index = static_cast<std::size_t>(found.pieces);
         if (index >= code->panels.size() || code->panels[index].name != piece.slug) {
-            return codeNotReadBack(piece.name, "it is missing");
+            return notReadBack(piece.name, "it is missing");
         }
         auto& check = checks.emplace_back(piece, code->panels[index]);
         const Result<double> off = check.check();
@@ -128,7 +124,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         ++found.pieces;
     }
     if (static_cast<std::size_t>(found.pieces) != code->panels.size()) {
-        return codeNotReadBack(pattern.name, "it has panels that are none of the pattern");
+        return notReadBack(pattern.name, "it has panels that are none of the pattern");
     }
     // Each side of a seam by what its stitches cover.
     std::map<std::pair<int, bool>, double> covered;
@@ -146,7 +142,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         }
         if (!segments[0] || !segments[1] || segments[0]->seam != segments[1]->seam ||
             segments[0]->isRight == segments[1]->isRight) {
-            return codeNotReadBack(pattern.name, "a stitch joins what is not sewn together");
+            return notReadBack(pattern.name, "a stitch joins what is not sewn together");
         }
     }
     std::map<std::pair<int, bool>, std::pair<double, int>> sewn;
@@ -160,8 +156,8 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
     for (const auto& [side, length] : covered) {
         const auto& [meant, count] = sewn.at(side);
         if (!(std::abs(length - meant) <= kReadBackLengths * count)) {
-            return codeNotReadBack("seam " + std::to_string(side.first),
-                                   "its stitches are off by " + fixed(length - meant, 3) + " mm");
+            return notReadBack("seam " + std::to_string(side.first),
+                               "its stitches are off by " + fixed(length - meant, 3) + " mm");
         }
         found.largest = std::max(found.largest, std::abs(length - meant));
     }

@@ -53,10 +53,6 @@ private:
     std::vector<std::vector<VertexOfPiece>> of_;
 };
 
-Error wrongPattern(const std::string& subject, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, subject + ": " + what};
-}
-
 /// The corner's vertex of a piece: of those that share its position the one whose flat point is
 /// nearest, in the piece of the face's other corners where that is known.
 struct NearestVertex {
@@ -103,7 +99,7 @@ Result<double> compareSeam(const MeshSeam& seam, const PieceMeshes& meshes,
         const double allowed =
             kReadBackLengths + static_cast<double>(seam.vertices[k].size()) * rounding;
         if (!(std::abs(difference) <= allowed)) {
-            return wrongPattern(seam.name, "longer by " + fixed(difference, 3) + " mm");
+            return notReadBack(seam.name, "longer by " + fixed(difference, 3) + " mm");
         }
         largest = std::max(largest, std::abs(difference));
     }
@@ -129,7 +125,7 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
     Progress progress;
     const auto soup = readObj(std::make_shared<const std::string>(obj), "", progress);
     if (!soup) {
-        return Error{ErrorCode::NotReadBack, {}, sentence(soup.error())};
+        return notReadBack({}, sentence(soup.error()));
     }
     const PieceMeshes meshes = pieceMeshes(source);
     const Positions positions(source.garment());
@@ -152,8 +148,8 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
             const NearestVertex nearest =
                 nearestVertex(positions.at(soup->corners[corner]), piece, meshes, at);
             if (!(nearest.distance <= kReadBackCoordinates)) {
-                return wrongPattern(soup->groups[static_cast<std::size_t>(group)],
-                                    "a point of the pattern is elsewhere");
+                return notReadBack(soup->groups[static_cast<std::size_t>(group)],
+                                   "a point of the pattern is elsewhere");
             }
             piece = nearest.at.piece;
             found.largest = std::max(found.largest, nearest.distance);
@@ -162,7 +158,7 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
     }
     for (std::size_t p = 0; p < uv.size(); ++p) {
         if (!uv[p].allFinite()) {
-            return wrongPattern(meshes.meshes[p].name, "a point of its pattern is missing");
+            return notReadBack(meshes.meshes[p].name, "a point of its pattern is missing");
         }
         found.pieces += uv[p].rows() > 0 ? 1 : 0;
     }

@@ -62,19 +62,13 @@ std::optional<PngSize> sizeOf(std::string_view png) {
     return {};
 }
 
-Error pngDiffers(const std::string& what, double is, double should) {
-    return {ErrorCode::NotReadBack,
-            {},
-            "the picture: " + fixed(is, 0) + " " + what + " instead of " + fixed(should, 0)};
-}
-
 }  // namespace
 
 Result<ReadBack> readBackPng(std::string_view bytes, const Drawing& drawing,
                              const PngOptions& options) {
     const std::optional<PngSize> size = sizeOf(bytes);
     if (!size) {
-        return Error{ErrorCode::NotReadBack, {}, "the picture: it is not whole"};
+        return notReadBack("the picture", "it is not whole");
     }
     const double perMillimetre = options.dpi / kMillimetresPerInch;
     struct {
@@ -86,7 +80,8 @@ Result<ReadBack> readBackPng(std::string_view bytes, const Drawing& drawing,
                      {"dots per metre", double(size->dotsPerMetreDown), 1000 * perMillimetre}};
     for (const auto& [what, is, should] : all) {
         if (is != std::round(should)) {
-            return pngDiffers(what, is, std::round(should));
+            return notReadBack("the picture", fixed(is, 0) + " " + what + " instead of " +
+                                                  fixed(std::round(should), 0));
         }
     }
     return ReadBack{.dots = {static_cast<int>(size->width), static_cast<int>(size->height)}};

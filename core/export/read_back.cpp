@@ -112,10 +112,6 @@ Matched matched(const geometry::Line& read, const geometry::Line& drawn, bool ha
     return best;
 }
 
-Error notReadBack(const std::string& id, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, id + ": " + what};
-}
-
 std::string millimetres(double value) {
     return std::isfinite(value) ? fixed(value, 3) + " mm" : "no length";
 }
@@ -197,6 +193,11 @@ double lengthOn(const geometry::Line& read, const geometry::Line& drawn, double 
 }
 
 }  // namespace
+
+Error notReadBack(std::string_view subject, const std::string& what) {
+    return {
+        ErrorCode::NotReadBack, {}, std::string(subject) + (subject.empty() ? "" : ": ") + what};
+}
 
 std::string readBackSentence(const ReadBack& found) {
     if (found.dots[0] > 0) {

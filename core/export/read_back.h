@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -30,6 +31,9 @@ struct ReadBack {
     double largest = 0;         ///< difference of any coordinate or length, mm
     std::array<int, 2> dots{};  ///< of a picture, of which nothing but the size is read
 };
+
+/// What a file says differently. @param subject  the line, piece or part; empty: the file
+Error notReadBack(std::string_view subject, const std::string& what);
 
 /// "read back: 13 pieces, largest difference 0.004 mm", or "read back: 2480 x 3508 dots".
 std::string readBackSentence(const ReadBack& found);

@@ -13,10 +13,6 @@
 namespace toile {
 namespace {
 
-Error otherReport(const std::string& subject, const char* field) {
-    return {ErrorCode::NotReadBack, {}, subject + ": " + field};
-}
-
 /// The difference between a field and a length, mm; none where one is missing and the other not,
 /// or they differ by more than is allowed.
 std::optional<double> lengthDifference(const JsonDocument& json, const char* field,
@@ -47,7 +43,7 @@ Result<ReadBack> readBackReport(const std::string& bytes, const Garment& garment
     const JsonDocument* const pieces = listOf(*report, "pieces", results.size());
     const JsonDocument* const seams = listOf(*report, "seams", garment.seams.seams.size());
     if (!pieces || !seams) {
-        return otherReport("report", "pieces or seams are missing");
+        return notReadBack("report", "pieces or seams are missing");
     }
     ReadBack found;
     for (std::size_t k = 0; k < results.size(); ++k) {
@@ -55,7 +51,7 @@ Result<ReadBack> readBackReport(const std::string& bytes, const Garment& garment
         const auto perimeter = quality ? std::optional(quality->perimeter2d) : std::nullopt;
         const auto difference = lengthDifference((*pieces)[k], "perimeter_2d", perimeter);
         if (!difference) {
-            return otherReport(garment.pieces[k]->name, "perimeter_2d");
+            return notReadBack(garment.pieces[k]->name, "perimeter_2d");
         }
         found.pieces += quality ? 1 : 0;
         found.largest = std::max(found.largest, *difference);
@@ -73,7 +69,7 @@ Result<ReadBack> readBackReport(const std::string& bytes, const Garment& garment
                        : std::nullopt;
             const auto difference = lengthDifference((*seams)[k], field, length);
             if (!difference) {
-                return otherReport(seam.name, field);
+                return notReadBack(seam.name, field);
             }
             found.seams += isFlat ? 1 : 0;
             found.largest = std::max(found.largest, *difference);

@@ -20,10 +20,6 @@ constexpr Word<LayerKind> kReadLayers[] = {
     {LayerKind::Internal, "internal"}, {LayerKind::Marks, "marks"}, {LayerKind::Grain, "grain"},
     {LayerKind::Text, "text"},         {LayerKind::Check, "check"}};
 
-Error svgDiffers(const std::string& what, const std::string& how) {
-    return {ErrorCode::NotReadBack, {}, what + ": " + how};
-}
-
 /// "it is 3.0000 mm instead of 2.0000 mm".
 std::string insteadOf(double is, double should) {
     return "it is " + fixed(is, 4) + " mm instead of " + fixed(should, 4) + " mm";
@@ -33,7 +29,7 @@ Result<void> comparePage(const ReadSvg& svg, const Drawing& drawing) {
     for (const auto& [is, should] :
          {std::pair(svg.width, drawing.width), std::pair(svg.height, drawing.height)}) {
         if (!(std::abs(is - should) <= kReadBackCoordinates)) {
-            return svgDiffers("the page", insteadOf(is, should));
+            return notReadBack("the page", insteadOf(is, should));
         }
     }
     return {};
@@ -48,7 +44,7 @@ Result<void> compareLayers(const ReadDrawing& read, const Drawing& drawing) {
     for (const ReadLine& line : read.lines) {
         const auto found = layers.find(line.id);
         if (found == layers.end() || found->second != line.layer) {
-            return svgDiffers(line.id, "it is on another layer");
+            return notReadBack(line.id, "it is on another layer");
         }
     }
     return {};
@@ -58,16 +54,16 @@ Result<void> compareLayers(const ReadDrawing& read, const Drawing& drawing) {
 Result<double> compareSeam(const SvgLine& line, const DrawnEdge& edge) {
     const SvgSeam& seam = *line.seam;
     if (seam.pair != edge.pair || seam.name != cleanText(edge.seam)) {
-        return svgDiffers(edge.id, "it is another seam");
+        return notReadBack(edge.id, "it is another seam");
     }
     if (!(std::abs(seam.length3d - edge.length3d) <= kReadBackLengths)) {
-        return svgDiffers(edge.id, insteadOf(seam.length3d, edge.length3d));
+        return notReadBack(edge.id, insteadOf(seam.length3d, edge.length3d));
     }
     const double distance = distanceBetween(
         {.id = line.id, .points = line.points, .closed = line.closed},
         {.id = edge.id, .layer = LayerKind::Sew, .points = edge.points, .closed = false});
     if (line.closed || !(distance <= kReadBackCoordinates)) {
-        return svgDiffers(edge.id, "it is out of its place");
+        return notReadBack(edge.id, "it is out of its place");
     }
     return distance;
 }
@@ -77,14 +73,14 @@ Result<double> compareSeams(const ReadSvg& svg, const std::vector<DrawnEdge>& ed
     std::map<std::string_view, const SvgLine*> found;
     for (const SvgLine& line : svg.lines) {
         if (line.seam && !found.emplace(line.id, &line).second) {
-            return svgDiffers(line.id, "it is there twice");
+            return notReadBack(line.id, "it is there twice");
         }
     }
     double largest = 0;
     for (const DrawnEdge& edge : edges) {
         const auto at = found.find(edge.id);
         if (at == found.end()) {
-            return svgDiffers(edge.id, "it is missing");
+            return notReadBack(edge.id, "it is missing");
         }
         const auto distance = compareSeam(*at->second, edge);
         if (!distance) {
@@ -93,8 +89,8 @@ Result<double> compareSeams(const ReadSvg& svg, const std::vector<DrawnEdge>& ed
         largest = std::max(largest, *distance);
     }
     if (found.size() != edges.size()) {
-        return svgDiffers("seams", std::to_string(found.size()) + " sides instead of " +
-                                       std::to_string(edges.size()));
+        return notReadBack("seams", std::to_string(found.size()) + " sides instead of " +
+                                        std::to_string(edges.size()));
     }
     return largest;
 }
@@ -126,7 +122,7 @@ Result<ReadBack> readBackSvg(std::string_view bytes, const Drawing& drawing,
                              const SvgOptions& options) {
     const auto svg = readSvg(bytes);
     if (!svg) {
-        return svgDiffers(drawing.title, sentence(svg.error()));
+        return notReadBack(drawing.title, sentence(svg.error()));
     }
     const ReadDrawing read = drawingOf(*svg);
     for (const auto& compared : {comparePage(*svg, drawing), compareLayers(read, drawing)}) {

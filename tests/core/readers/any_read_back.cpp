@@ -10,7 +10,7 @@ namespace {
 
 Result<ReadBack> comparedMeshes(const Result<MeshFile>& file, const ExportSource& source) {
     return file ? comparedWithMeshes(*file, pieceMeshes(source))
-                : Error{ErrorCode::NotReadBack, {}, std::string(sentence(file.error()))};
+                : notReadBack({}, sentence(file.error()));
 }
 
 }  // namespace

@@ -9,10 +9,6 @@
 namespace toile {
 namespace {
 
-Error differs(const std::string& subject, const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, subject + ": " + what};
-}
-
 /// The largest difference of two tables of points; none where they are of other sizes.
 template <class Matrix>
 std::optional<double> apart(const Matrix& is, const Matrix& should) {
@@ -37,17 +33,17 @@ std::string millimetresText(const std::optional<double>& distance) {
 /// @return what is wrong, or the largest difference
 Result<double> compareMesh(const FileMesh& file, const PieceMesh& mesh) {
     if (file.name != mesh.name) {
-        return differs(mesh.name, "\"" + file.name + "\" stands in its place");
+        return notReadBack(mesh.name, "\"" + file.name + "\" stands in its place");
     }
     if (file.F.rows() != mesh.F.rows() || (file.F - mesh.F).cwiseAbs().maxCoeff() != 0) {
-        return differs(mesh.name, "its triangles are others");
+        return notReadBack(mesh.name, "its triangles are others");
     }
     const auto points = apart(file.V, mesh.V), flat = apart(file.uv, mesh.uv);
     if (!points || !(*points <= kReadBackCoordinates + farAllowance(mesh.V))) {
-        return differs(mesh.name, "points: " + millimetresText(points));
+        return notReadBack(mesh.name, "points: " + millimetresText(points));
     }
     if (!flat || !(*flat <= kReadBackCoordinates + farAllowance(mesh.uv))) {
-        return differs(mesh.name, "points of the pattern: " + millimetresText(flat));
+        return notReadBack(mesh.name, "points of the pattern: " + millimetresText(flat));
     }
     return std::max(*points, *flat);
 }
@@ -56,8 +52,8 @@ Result<double> compareMesh(const FileMesh& file, const PieceMesh& mesh) {
 
 Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& meshes) {
     if (file.meshes.size() != meshes.meshes.size() || file.seams.size() != meshes.seams.size()) {
-        return differs("garment", std::to_string(file.meshes.size()) + " meshes and " +
-                                      std::to_string(file.seams.size()) + " seams");
+        return notReadBack("garment", std::to_string(file.meshes.size()) + " meshes and " +
+                                          std::to_string(file.seams.size()) + " seams");
     }
     ReadBack found;
     std::vector<Points2> uv;
@@ -77,7 +73,7 @@ Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& mes
             flat.V.leftCols<2>() = mesh.uv;
             difference = nextFlat < file.flat.size()
                              ? compareMesh(file.flat[nextFlat++], flat)
-                             : differs(mesh.name, "its flat mesh is missing");
+                             : notReadBack(mesh.name, "its flat mesh is missing");
             if (!difference) {
                 return difference.error();
             }
@@ -86,7 +82,7 @@ Result<ReadBack> comparedWithMeshes(const MeshFile& file, const PieceMeshes& mes
     for (std::size_t k = 0; k < file.seams.size(); ++k) {
         if (file.seams[k].vertices != meshes.seams[k].vertices ||
             file.seams[k].name != meshes.seams[k].name) {
-            return differs(meshes.seams[k].name, "its vertices are others");
+            return notReadBack(meshes.seams[k].name, "its vertices are others");
         }
     }
     double rounding = 0;

@@ -55,10 +55,6 @@ ExpectedPaper expected(Paper paper) {
     return {0, 0};
 }
 
-Error notAsMeant(const std::string& what) {
-    return {ErrorCode::NotReadBack, {}, what};
-}
-
 bool isSide(double points, double millimetres) {
     return millimetres == 0 ? points > 0 && points <= kMostOfPage + kBoxWithin
                             : std::abs(points - kUnit * millimetres) <= kBoxWithin;
@@ -76,14 +72,15 @@ Result<void> comparePages(const ReadPdf& read, Paper paper) {
         const bool isMap = k == 0 && read.pages[k].views.empty();
         const ExpectedPaper mapPaper = own.isForTiles ? own : expected(Paper::A4);
         if (!isOnPaper(read.pages[k].size, isMap ? mapPaper : own)) {
-            return notAsMeant("page " + std::to_string(k + 1) + ": it has another size");
+            return notReadBack({}, "page " + std::to_string(k + 1) + ": it has another size");
         }
         for (const ReadPdfView& view : read.pages[k].views) {
             const Eigen::Matrix2d linear = view.matrix.leftCols<2>() / kUnit;
             const Eigen::Matrix2d square = linear.transpose() * linear;
             const double off = (square - Eigen::Matrix2d::Identity()).cwiseAbs().maxCoeff();
             if (!(off <= kScaleWithin) || !(linear.determinant() > 0)) {
-                return notAsMeant("page " + std::to_string(k + 1) + ": it is not in true scale");
+                return notReadBack({},
+                                   "page " + std::to_string(k + 1) + ": it is not in true scale");
             }
         }
     }
@@ -155,7 +152,7 @@ Result<void> compareSquare(const ReadPdf& read, const std::string& id, double si
     }
     return count == 1 && isRight
                ? Result<void>()
-               : notAsMeant(id + ": it is no square of " + fixed(side, 1) + " mm");
+               : notReadBack({}, id + ": it is no square of " + fixed(side, 1) + " mm");
 }
 
 Result<void> comparePdfLayers(const ReadPdf& read, const std::vector<LayerKind>& layers,
@@ -166,13 +163,14 @@ Result<void> comparePdfLayers(const ReadPdf& read, const std::vector<LayerKind>&
     for (const LayerKind layer : layers) {
         const std::string name = kNames[static_cast<std::size_t>(layer)];
         if (std::ranges::find(read.layers, name) == read.layers.end()) {
-            return notAsMeant("layer " + name + ": it is missing");
+            return notReadBack({}, "layer " + name + ": it is missing");
         }
     }
     const std::vector<std::string> hidden =
         isGrid ? std::vector<std::string>{"grid"} : std::vector<std::string>{};
-    return read.hiddenLayers == hidden ? Result<void>()
-                                       : notAsMeant("other layers are hidden than are meant to be");
+    return read.hiddenLayers == hidden
+               ? Result<void>()
+               : notReadBack({}, "other layers are hidden than are meant to be");
 }
 
 }  // namespace
@@ -181,7 +179,7 @@ Result<ReadBack> readBackPdf(std::string_view bytes, const Drawing& drawing,
                              const PdfOptions& options) {
     const auto read = readPdf(bytes);
     if (!read) {
-        return notAsMeant(read.error().detail);
+        return notReadBack({}, read.error().detail);
     }
     // Where the first page is a map it has squares, and the drawing has none.
     const bool hasMap = !read->pages.empty() && read->pages.front().views.empty();
@@ -207,7 +205,7 @@ Result<ReadBack> readBackPdf(std::string_view bytes, const Drawing& drawing,
     Windows windows(*read);
     for (const DrawnPath& path : drawing.paths) {
         if (std::ranges::find(layers, path.layer) != layers.end() && !isAllShown(path, windows)) {
-            return notAsMeant(path.id + ": no page shows all of it");
+            return notReadBack({}, path.id + ": no page shows all of it");
         }
     }
     return found;

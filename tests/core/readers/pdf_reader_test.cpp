@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "core/export/pdf_writer.h"
+#include "tests/core/export/export_fixtures.h"
 #include "tests/core/readers/pdf_lexer.h"
 #include "tests/core/readers/pdf_shown.h"
-#include "tests/core/export/export_fixtures.h"
 
 namespace toile {
 namespace {

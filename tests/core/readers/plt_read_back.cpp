@@ -36,10 +36,6 @@ int countPieces(const std::vector<ReadLine>& lines, const Drawing& drawing) {
     }));
 }
 
-Error pltDiffers(const std::string& what, const std::string& how) {
-    return {ErrorCode::NotReadBack, {}, what + ": " + how};
-}
-
 /// @return  false where a line is off the page by more than the writing of places allows
 bool isOnPage(const std::vector<PltLine>& plot, const Drawing& drawing, const PltOptions& options) {
     return std::ranges::all_of(plot, [&](const PltLine& line) {
@@ -87,10 +83,10 @@ Result<ReadBack> readBackPlt(std::string_view bytes, const Drawing& drawing,
                              const PltOptions& options) {
     const auto plot = readPlt(bytes);
     if (!plot) {
-        return pltDiffers(drawing.title, sentence(plot.error()));
+        return notReadBack(drawing.title, sentence(plot.error()));
     }
     if (!isOnPage(*plot, drawing, options)) {
-        return pltDiffers("the page", "a line leaves it");
+        return notReadBack("the page", "a line leaves it");
     }
     const ReadDrawing read = drawingOf(*plot, drawing, options);
     return comparedWithDrawing(read, drawing, {kLayerKinds.begin(), kLayerKinds.end()},
