@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/base/text.h"
 
@@ -35,20 +34,6 @@ LengthUnit bySize(double extent) {
     return extent > kLong ? LengthUnit::Millimetre : LengthUnit::Centimetre;
 }
 
-std::optional<LengthUnit> headerUnit(const DxfDocument& document) {
-    const auto variable = document.header.find("$INSUNITS");
-    if (variable == document.header.end() || variable->second.empty()) {
-        return {};
-    }
-    const double code = variable->second.front().number().value_or(0);
-    return code == 1    ? std::optional(LengthUnit::Inch)
-           : code == 4  ? std::optional(LengthUnit::Millimetre)
-           : code == 5  ? std::optional(LengthUnit::Centimetre)
-           : code == 6  ? std::optional(LengthUnit::Metre)
-           : code == 14 ? std::optional(LengthUnit::Decimetre)
-                        : std::nullopt;
-}
-
 /// What a file says, or what the size tells where that cannot be.
 DxfUnit judged(LengthUnit said, const Wording& source, double extent) {
     const auto length = [extent](LengthUnit unit) { return figure(extent * millimetresPer(unit)); };
@@ -66,6 +51,20 @@ DxfUnit judged(LengthUnit said, const Wording& source, double extent) {
 }
 
 }  // namespace
+
+std::optional<LengthUnit> headerUnit(const DxfDocument& document) {
+    const auto variable = document.header.find("$INSUNITS");
+    if (variable == document.header.end() || variable->second.empty()) {
+        return {};
+    }
+    const double code = variable->second.front().number().value_or(0);
+    return code == 1    ? std::optional(LengthUnit::Inch)
+           : code == 4  ? std::optional(LengthUnit::Millimetre)
+           : code == 5  ? std::optional(LengthUnit::Centimetre)
+           : code == 6  ? std::optional(LengthUnit::Metre)
+           : code == 14 ? std::optional(LengthUnit::Decimetre)
+                        : std::nullopt;
+}
 
 DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double extent) {
     std::string word = units;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/reading/dxf_document.h"
@@ -17,6 +18,9 @@ struct DxfUnit {
     Wording reason{};
     bool inDoubt = false;
 };
+
+/// The unit that $INSUNITS names; none if there is none.
+std::optional<LengthUnit> headerUnit(const DxfDocument& document);
 
 /// @param units   the value of the text "Units"; empty: none
 /// @param extent  of the largest piece, in the file's unit; 0: not known

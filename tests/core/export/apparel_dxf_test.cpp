@@ -9,7 +9,7 @@
 
 #include "core/export/apparel_pieces.h"
 #include "core/export/apparel_text.h"
-#include "core/reading/dxf_drawing.h"
+#include "tests/core/readers/dxf_drawing.h"
 #include "tests/core/export/dxf_reader.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/export/exported_garments.h"

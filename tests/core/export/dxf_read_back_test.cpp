@@ -123,6 +123,22 @@ TEST(DxfReadBack, FindsAGrainLineThatRunsElsewhere) {
     EXPECT_FALSE(readAgain(made, options, bytes));
 }
 
+TEST(DxfReadBack, FindsBlocksThatAreInsertedLargerOrTurned) {
+    const test::ExportedGarment made = test::markedPieces();
+    for (const DxfProfile profile : {DxfProfile::Astm, DxfProfile::Aama}) {
+        const ExportOptions options = test::dxfOptions(profile);
+        const std::string bytes = test::dxfOf(made, options);
+        const std::string begin = "INSERT\r\n  8\r\n1\r\n";
+        const std::size_t at = bytes.find(begin);
+        ASSERT_NE(at, std::string::npos);
+        for (const char* change : {" 41\r\n2\r\n", " 42\r\n-1\r\n", " 50\r\n90\r\n"}) {
+            std::string changed = bytes;
+            changed.insert(at + begin.size(), change);
+            EXPECT_FALSE(readAgain(made, options, changed)) << change;
+        }
+    }
+}
+
 TEST(DxfReadBack, FindsWhatIsMissing) {
     const test::ExportedGarment made = test::markedPieces();
     for (const DxfProfile profile : kAllProfiles) {

@@ -51,7 +51,4 @@ struct DxfDrawing {
 /// @param unit  of the file, mm  Cost: linear. Pure.
 DxfDrawing dxfDrawing(const DxfDocument& document, double unit);
 
-/// Millimetres of the unit that $INSUNITS names; none where there is none.
-std::optional<double> statedUnit(const DxfDocument& document);
-
 }  // namespace toile

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/dxf_drawing.h"
+#include "tests/core/readers/dxf_drawing.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "core/base/text.h"
 #include "core/base/units.h"
@@ -57,18 +56,6 @@ DxfDrawing dxfDrawing(const DxfDocument& document, double unit) {
         addEntity(drawing.page, entity, unit);
     }
     return drawing;
-}
-
-std::optional<double> statedUnit(const DxfDocument& document) {
-    const auto found = document.header.find("$INSUNITS");
-    if (found == document.header.end() || found->second.empty()) {
-        return {};
-    }
-    static constexpr std::pair<std::string_view, double> kUnits[] = {
-        {"1", 25.4}, {"4", 1}, {"5", 10}, {"6", 1000}};
-    const auto unit = std::ranges::find(kUnits, found->second.front().value,
-                                        &std::pair<std::string_view, double>::first);
-    return unit == std::end(kUnits) ? std::nullopt : std::optional(unit->second);
 }
 
 }  // namespace toile

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/reading/dxf_drawing.h"
+#include "tests/core/readers/dxf_drawing.h"
 
 #include <algorithm>
 
@@ -7,6 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/units.h"
+#include "core/reading/dxf_unit.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -24,7 +25,7 @@ TEST(DxfDrawingReader, HoldsLinesRecordsAndTextsInMillimetres) {
     const auto document = readDxfDocument(kOnePiece);
     ASSERT_TRUE(document);
     EXPECT_TRUE(document->hasEnd);
-    EXPECT_EQ(statedUnit(*document), 25.4);
+    EXPECT_EQ(headerUnit(*document), LengthUnit::Inch);
     const DxfDrawing read = dxfDrawing(*document, 25.4);
     ASSERT_EQ(read.blocks.size(), 1U);
     const DxfGroupOfEntities& block = read.blocks.front();
