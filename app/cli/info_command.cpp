@@ -355,15 +355,18 @@ void printSeams(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
-/// Whether the file names something so, or by what comes before a number.
+/// Whether the piece has the name, or a number behind it, that the file gives one of its faces.
 bool isNamedInFile(const Piece& piece, const Garment& garment) {
     const PolygonSoup& soup = *garment.files[static_cast<std::size_t>(piece.file)]->soup;
-    const std::string_view name = piece.name;
-    const auto isOf = [name](const std::string& known) {
-        return !known.empty() && name.find(known) != std::string_view::npos;
+    const auto isOf = [&piece](const std::vector<int>& ofFace,
+                               const std::vector<std::string>& names) {
+        return std::ranges::any_of(piece.sourceFace, [&](int face) {
+            const int k = face < 0 || ofFace.empty() ? -1 : ofFace[face];
+            return k >= 0 && !names[k].empty() && piece.name.find(names[k]) != std::string::npos;
+        });
     };
-    return std::ranges::any_of(soup.objects, isOf) || std::ranges::any_of(soup.groups, isOf) ||
-           std::ranges::any_of(soup.materials, isOf);
+    return isOf(soup.faceObject, soup.objects) || isOf(soup.faceGroup, soup.groups) ||
+           isOf(soup.faceMaterial, soup.materials);
 }
 
 /// What Toile assumes about the pieces unless told otherwise, and what that rests on

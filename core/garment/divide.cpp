@@ -126,6 +126,10 @@ public:
         divided_.problems = std::move(triangles.problems);
         divided_.split = chooseSplit(options_.split, *file_.soup, triangles);
         const Division division = splitTriangles(divided_.split.mode, *file_.soup, triangles);
+        divided_.partCount = division.partCount;
+        if (division.partCount > kMaxPiecesOfFile) {
+            return std::move(divided_);
+        }
         if (divided_.split.mode == SplitMode::Uv) {
             uvScale_ = measureUvScale(*file_.soup, triangles);
             if (uvScale_ && std::abs(uvScale_->ratio - 1) < kExactScaleBand) {

@@ -16,8 +16,13 @@ struct DivideOptions {
     bool repair = true;
 };
 
+/// Files that fall into more pieces are not divided: no garment has as many, and a piece of one
+/// triangle takes up to 8 kB and 0.1 ms.
+inline constexpr int kMaxPiecesOfFile = 50'000;
+
 /// A file divided into pieces.
 struct DividedFile {
+    int partCount = 0;                           ///< beyond `kMaxPiecesOfFile` no pieces are made
     std::vector<std::shared_ptr<Piece>> pieces;  ///< without ids yet (`identify`)
     SplitChoice split;                           ///< the mode used, and why
     Problems problems;                           ///< what triangulating and repair had to say
