@@ -170,7 +170,8 @@ bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::
 /// @param lines  largest first
 void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vector2d>& texts,
                  std::vector<Wording>& notes) {
-    while (!lines.empty() && hasBorder(lines, texts)) {
+    constexpr int kMaxBorders = 8;  // of one sheet; each looks at all lines
+    for (int k = 0; k < kMaxBorders && !lines.empty() && hasBorder(lines, texts); ++k) {
         const DrawnOutline border = lines.front();
         const bool isOwnLayer = std::ranges::all_of(lines, [&border](const DrawnOutline& line) {
             return line.layer != border.layer || line.isRectangle();
