@@ -64,6 +64,14 @@ std::variant<ProofOrder, Refusal> orderOfOwn(const Arguments& arguments, const G
     return order;
 }
 
+std::vector<std::string> notesOf(const ProofOrder& order) {
+    std::vector<std::string> notes;
+    for (const Wording& note : order.file ? order.file->notes : std::vector<Wording>{}) {
+        notes.push_back(shownText(note, kMaxOfDetail));
+    }
+    return notes;
+}
+
 std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const Garment& garment,
                                              Progress& progress) {
     const ProofPlan plan = proofPlanOf(arguments);

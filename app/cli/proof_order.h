@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "app/cli/refusal.h"
 #include "core/base/progress.h"
@@ -21,6 +23,9 @@ ProofPlan proofPlanOf(const Arguments& arguments);
 /// pattern. Refused: what `readBody` says, and `kNotProved` where it does not suit the garment.
 std::variant<ProofOrder, Refusal> orderOfOwn(const Arguments& arguments, const Garment& garment,
                                              Progress& progress);
+
+/// What reading the pattern of a file left out or put right; empty without such a file.
+std::vector<std::string> notesOf(const ProofOrder& order);
 
 /// The same with what is to be sewn, read too. Refused: also what `readPatternFile` says.
 std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const Garment& garment,

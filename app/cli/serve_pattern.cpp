@@ -139,7 +139,9 @@ ServeOutcome ServeSession::State::prove(const ServeRequest& request, Progress& p
         return refusalOfProof(proof.error(), settled.results);
     }
     pattern = std::move(settled);
-    return Json::parse(writeProof(garment, **proof));
+    Json told = Json::parse(writeProof(garment, **proof));
+    told["notes"] = notesOf(std::get<ProofOrder>(order));
+    return told;
 }
 
 }  // namespace toile::app

@@ -5,6 +5,7 @@
 
 #include "app/document/document.h"
 #include "app/document/shown_proof.h"
+#include "core/base/file.h"
 
 namespace toile::app {
 
@@ -13,10 +14,11 @@ namespace {
 /// Changes that come closer after each other than this are one.
 constexpr int kDelayMilliseconds = 60;
 
-constexpr DocumentChanges kMatters =
-    DocumentChange::Garment | DocumentChange::Results | DocumentChange::Options |
-    DocumentChange::Fabric | DocumentChange::Settings | DocumentChange::Seams |
-    DocumentChange::Loading | DocumentChange::Proof | DocumentChange::Marker;
+constexpr DocumentChanges kMatters = DocumentChange::Garment | DocumentChange::Results |
+                                     DocumentChange::Options | DocumentChange::Fabric |
+                                     DocumentChange::Settings | DocumentChange::Seams |
+                                     DocumentChange::Loading | DocumentChange::Proof |
+                                     DocumentChange::Marker | DocumentChange::Reference;
 
 }  // namespace
 
@@ -66,6 +68,7 @@ std::shared_ptr<const Proof> ReadyChecker::proofNow() const {
 }
 
 CutPlan ReadyChecker::planOfDocument() const {
+    const auto& [path, reference] = document_.state().reference;
     return {.garment = document_.garment(),
             .results = document_.results(),
             .options = document_.options(),
@@ -77,6 +80,8 @@ CutPlan ReadyChecker::planOfDocument() const {
             .labels = document_.state().labels,
             .rules = clothRules(document_.state().markers.all()),
             .proof = proofNow(),
+            .referenceName = pathText(path.filename()),
+            .referenceNotes = reference ? reference->notes : std::vector<Wording>{},
             .guessesKept = guessesKept_};
 }
 

@@ -13,10 +13,9 @@ namespace toile::app {
 class Document;
 
 /// Keeps the findings of "ready to cut?" as the document is: looked through anew on another thread
-/// whenever garment, results, options, fabric, settings, ease, the proof or what has been said of
-/// laying pieces on cloth change. Changes that
-/// follow each other closely, as those of a drag, are answered once; an answer to what is no more
-/// is cancelled. GUI thread only.
+/// whenever garment, results, options, fabric, settings, ease, the proof, the reference pattern or
+/// the settings of markers change. Changes that follow each other closely, as those of a drag, are
+/// answered once; an outdated search is cancelled. GUI thread only.
 class ReadyChecker : public QObject {
     Q_OBJECT
 

@@ -22,6 +22,7 @@ namespace {
 struct PyProof {
     std::shared_ptr<const HeldFlat> held;
     std::shared_ptr<const Proof> proof;
+    std::vector<std::string> notes;
 };
 
 struct PyProvenPiece {
@@ -61,7 +62,7 @@ PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs
         if (!proof) {
             throw Raised(app::refusalOfProof(proof.error(), held.results));
         }
-        return PyProof{flat.held, *std::move(proof)};
+        return PyProof{flat.held, *std::move(proof), app::notesOf(order)};
     });
 }
 
@@ -172,6 +173,9 @@ void bindProof(py::module_& module, py::class_<PyFlat>& flat) {
         .def_property_readonly("faults", &faultsOf,
                                "List of dictionaries: what is wrong with the pattern before "
                                "anything is sewn, by kind, subject, pieces, seam, amount, told.")
+        .def_property_readonly(
+            "notes", [](const PyProof& self) { return self.notes; },
+            "List of sentences: what reading the pattern's file left out or put right.")
         .def_property_readonly(
             "has_settled", [](const PyProof& self) { return self.proof->hasSettled; },
             "Whether the cloth came to rest.")

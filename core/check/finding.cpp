@@ -82,6 +82,7 @@ constexpr FindingWords kWords[] = {
     doubtRow(DoubtKind::UpAxisInDoubt),
     {"grain-missing", TR("Grain not set"), TR("no grain is set: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
+    {"reference-note", TR("Notes on the reference pattern"), "%0", ""},
     {"message", TR("Messages"), "", ""},
 };
 

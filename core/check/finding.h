@@ -45,6 +45,7 @@ enum class FindingKind {
     UnitInDoubt,        ///< the file's unit was guessed, and another is as likely
     UpAxisInDoubt,      ///< likewise the axis that points up
     GrainMissing,       ///< the grain is unset
+    ReferenceNote,      ///< what reading the reference pattern left out or put right
     Message,            ///< what reading, cutting or flattening had to say: `Finding::error`
 };
 

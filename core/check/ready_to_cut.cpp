@@ -101,6 +101,11 @@ private:
         for (const Error& problem : garment_.problems) {
             found_.add(problem, piecesOf(problem.subject));
         }
+        for (const Wording& note : plan_.referenceNotes) {
+            found_.add(Finding{.kind = FindingKind::ReferenceNote,
+                               .subject = Subject::file(plan_.referenceName),
+                               .reason = note});
+        }
     }
 
     /// The piece itself, or what became of it when it was joined or cut.

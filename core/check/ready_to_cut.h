@@ -33,6 +33,8 @@ struct CutPlan {
     ClothRules rules{};                        ///< how they may lie on their cloth
     /// The pattern sewn back together: of this garment and these results, as they are; or null.
     std::shared_ptr<const Proof> proof{};
+    std::string referenceName{};            ///< of the file that the pieces are compared with
+    std::vector<Wording> referenceNotes{};  ///< what reading it left out or put right
     bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
 
     bool operator==(const CutPlan&) const = default;

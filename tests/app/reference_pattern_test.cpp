@@ -11,6 +11,7 @@
 
 #include "app/document/reference.h"
 #include "app/panels/pieces_model.h"
+#include "app/panels/problems_model.h"
 #include "app/views/reference_gaps.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
@@ -212,6 +213,30 @@ private slots:
             QVERIFY(test::momentOf(document()) == before);
             QVERIFY(!document().view().referencePanels && !document().history().canUndo());
         }
+    }
+
+    void whatItsReaderLeavesOutIsListedAmongTheProblems() {
+        exportAs("dress.dxf");
+        auto dxf = *readFile(file("dress.dxf"));
+        const std::size_t end = dxf.rfind("ENDSEC");
+        dxf.insert(dxf.rfind('0', end), "0\nIMAGE\n340\n1A\n");
+        QVERIFY(writeFile(file("dress.dxf"), dxf));
+        const auto listed = [this] {
+            const auto* model = fixture_->find<QTreeView>("problemTable").model();
+            for (int row = 0; row < model->rowCount(); ++row) {
+                if (model->index(row, ProblemsModel::Problem).data().toString().contains("IMAGE")) {
+                    return model->index(row, ProblemsModel::Where).data().toString();
+                }
+            }
+            return QString();
+        };
+        QVERIFY(waitUntilFlat());
+        QVERIFY(listed().isEmpty());
+        openByMenu("dress.dxf");
+        QVERIFY(waitForReference());
+        QTRY_COMPARE_WITH_TIMEOUT(listed(), QString("dress.dxf"), test::kPatience);
+        fixture_->action(ActionId::CloseReference).trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(listed().isEmpty(), test::kPatience);
     }
 
     void isOpenedByDroppingItOnAnOpenGarment() {

@@ -195,6 +195,22 @@ TEST(ServeRequests, ProveTellsTheReportOfAProof) {
     EXPECT_EQ(farBody["subject"], body);
 }
 
+TEST(ServeRequests, ProveTellsWhatThePatternsReaderLeftOut) {
+    Served served;
+    const test::TemporaryFolder folder;
+    served.done(loadOf({folder.write("flap.obj", test::kPanel).string(), "--unit", "mm"}));
+    const std::string path = (folder / "flap.dxf").string();
+    served.done({{"do", "export"}, {"args", {"-o", path}}});
+    const ServedJson prove = {{"do", "prove"}, {"args", {"--pattern", path}}};
+    EXPECT_EQ(served.done(prove)["notes"], ServedJson::array());
+    std::string dxf = folder.read("flap.dxf");
+    dxf.insert(dxf.rfind('0', dxf.rfind("ENDSEC")), "0\nIMAGE\n340\n1A\n");
+    folder.write("flap.dxf", dxf);
+    const auto notes = served.done(prove)["notes"];
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].get<std::string>().find("1 IMAGE"), std::string::npos) << notes;
+}
+
 TEST(ServeRequests, ProveGoesByWhatAProjectSays) {
     Served served;
     const test::TemporaryFolder folder;

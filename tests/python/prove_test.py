@@ -36,6 +36,13 @@ class Proofs(unittest.TestCase):
             self.flat.write(path)
             proof = self.flat.prove(pattern=path, edge=10)
             self.assertEqual(proof.faults, [])
+            self.assertEqual(proof.notes, [])
+            dxf = path.read_text()
+            at = dxf.rindex("0", 0, dxf.rindex("ENDSEC"))
+            path.write_text(dxf[:at] + "0\nIMAGE\n340\n1A\n" + dxf[at:])
+            notes = self.flat.prove(pattern=path, edge=10).notes
+            self.assertEqual(len(notes), 1)
+            self.assertIn("1 IMAGE", notes[0])
             with self.assertRaises(toile.FileError):
                 self.flat.prove(pattern=Path(folder) / "none.dxf")
 

@@ -378,6 +378,16 @@ std::shared_ptr<Pattern> patternOf(const CutPlan& plan) {
     return std::make_shared<Pattern>(makePattern(*plan.garment, plan.results));
 }
 
+TEST(ReadyToCut, NotesOnTheReferencePatternAreNotes) {
+    CutPlan plan = readyPlan();
+    plan.referenceName = "theirs.dxf";
+    plan.referenceNotes = {"left out: 1 IMAGE", "left out: 2 HATCH"};
+    const Readiness readiness = readyToCut(plan);
+    EXPECT_EQ(readiness.verdict(), Verdict::Ready);
+    ASSERT_EQ(readiness.count(Severity::Note), 2);
+    EXPECT_EQ(sentence(readiness.findings[1]), "theirs.dxf: left out: 2 HATCH.");
+}
+
 TEST(ReadyToCut, AllowancesOnEachOtherAreADoubt) {
     CutPlan plan = readyPlan();
     EXPECT_EQ(readyToCut(plan).verdict(), Verdict::Ready);
