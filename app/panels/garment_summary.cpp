@@ -312,7 +312,9 @@ QString garmentSummary(const Document& document) {
     QStringList units, divisions;
     for (const auto& file : document.garment()->files) {
         const QString unit = symbolOf(file->unit);
-        units << (file->unitReason.empty() ? unit : tr("%1 (guessed)").arg(unit));
+        units << (file->unitReason.empty() ? unit
+                  : file->soup->statedUnit ? tr("%1 (from the file)").arg(unit)
+                                           : tr("%1 (guessed)").arg(unit));
         divisions << divisionWord(file->split.mode);
     }
     units.removeDuplicates();
@@ -381,7 +383,10 @@ CardQuestion askSymmetry(Workspace& workspace) {
                   .arg(pieceName(document, worst.piece), pieceName(document, worst.counterpart));
     QStringList sentences{pieces, seams};
     if (others > 0) {
-        sentences << GarmentCard::tr("Others that differ less: %1.").arg(others);
+        sentences
+            << (others == 1
+                    ? GarmentCard::tr("One more piece or pair differs, but by less.")
+                    : GarmentCard::tr("%1 more pieces or pairs differ, but by less.").arg(others));
     }
     const auto makeEqual = [&document] {
         LineSettings lines = document.state().lines;

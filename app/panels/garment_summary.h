@@ -13,7 +13,8 @@ class Workspace;
 
 /// What was assumed about the garment's files, in a person's words.
 
-/// "height 1.23 m · cm (guessed) · 13 pieces by UV islands". Empty where nothing is open.
+/// "height 1.23 m · cm (guessed) · 13 pieces by UV islands"; "(from the file)" if the file states
+/// its unit, nothing if a person does. Empty if nothing is open.
 QString garmentSummary(const Document& document);
 /// Why: unit, up axis and division of every file, a line each.
 QString garmentReasons(const Document& document);

@@ -3483,6 +3483,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>its code page %1 is unknown, so its names are read as Western European and may be wrong; save it as UTF-8</source>
         <translation>ihre Codepage %1 ist unbekannt, daher sind Namen als westeuropäisch gelesen und vielleicht falsch; speichern Sie sie als UTF-8</translation>
     </message>
+    <message>
+        <source>Notes on the reference pattern</source>
+        <translation>Hinweise zum Referenzschnitt</translation>
+    </message>
+    <message>
+        <source>divided by %1 it falls into %2 pieces, and at most %3 are read; divide it otherwise, or join its parts in the modelling program</source>
+        <translation>sie zerfällt bei der Teilung nach „%1“ in %2 Schnittteile, und höchstens %3 werden gelesen; teilen Sie sie anders, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -4928,6 +4936,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>z up</source>
         <translation>z oben</translation>
+    </message>
+    <message>
+        <source>%1 (from the file)</source>
+        <translation>%1 (aus der Datei)</translation>
     </message>
     <message>
         <source>%1 (guessed)</source>
@@ -7174,8 +7186,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wie in der Datei lassen</translation>
     </message>
     <message>
-        <source>Others that differ less: %1.</source>
-        <translation>Weitere, die sich weniger unterscheiden: %1.</translation>
+        <source>One more piece or pair differs, but by less.</source>
+        <translation>Ein weiteres Teil oder Paar unterscheidet sich, aber weniger.</translation>
+    </message>
+    <message>
+        <source>%1 more pieces or pairs differ, but by less.</source>
+        <translation>%1 weitere Teile oder Paare unterscheiden sich, aber weniger.</translation>
     </message>
 </context>
 <context>

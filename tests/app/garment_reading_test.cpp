@@ -140,6 +140,16 @@ private slots:
         QCOMPARE(reasons.section("\n\n", 0, 0).count('\n'), 2);
     }
 
+    void aUnitThatTheFileStatesIsNoGuess() {
+        std::ofstream(fixture_.path("stated.usda").toStdString())
+            << "#usda 1.0\n( metersPerUnit = 0.01 upAxis = \"Y\" )\ndef Mesh \"panel\" {\n"
+               " int[] faceVertexCounts = [3]\n int[] faceVertexIndices = [0, 1, 2]\n"
+               " point3f[] points = [(0, 0, 0), (50, 0, 0), (0, 60, 0)]\n}\n";
+        QVERIFY(fixture_.openAndWait(fixture_.path("stated.usda")));
+        QVERIFY2(summary().startsWith("height 60.0 cm · cm (from the file) · 1 piece"),
+                 qPrintable(summary()));
+    }
+
     void aDoubtfulUnitIsAskedForAndTheAnswerReadsAgain() {
         QVERIFY(fixture_.openAndWait(fixture_.path("small.obj")));
         QVERIFY(card().isVisible());

@@ -87,18 +87,26 @@ private:
     }
 
     /// Another window, with a pattern of the shirt whose left sleeve's hem is moved outwards.
-    void openWithLongerSleeve(double outwards) {
+    /// @param lower  how much longer the left side seam is than the right one
+    void openWithLongerSleeve(double outwards, double lower = 0) {
         QFile sample(fixture_.path("tshirt.obj")), shirt(fixture_.path("longer.obj"));
         QVERIFY(sample.open(QFile::ReadOnly) && shirt.open(QFile::WriteOnly));
-        bool isSleeve = false;
+        bool isSleeve = false, isTrunk = false;
         for (const QString& line : QString::fromUtf8(sample.readAll()).split('\n')) {
             isSleeve = line.startsWith("o ") ? line == "o sleeve_left" : isSleeve;
+            isTrunk = line.startsWith("o ") ? line == "o front" || line == "o back" : isTrunk;
             QStringList words = line.split(' ');
             constexpr double kArmhole = 206, kStretched = 60;  // of the sample, mm
             if (isSleeve && words[0] == "v" && words[1].toDouble() > kArmhole) {
                 const double x = words[1].toDouble();
                 words[1] =
                     QString::number(x + outwards * std::min((x - kArmhole) / kStretched, 1.0));
+            }
+            constexpr double kUpTo = 1150, kHigh = 350;  // below the armholes, mm
+            const double height = words[0] == "v" ? words[2].toDouble() : kUpTo;
+            if (isTrunk && lower > 0 && height < kUpTo && words[1].toDouble() > 0) {
+                const double share = words[1].toDouble() / kArmhole * (kUpTo - height) / kHigh;
+                words[2] = QString::number(height - lower * share, 'f', 4);
             }
             shirt.write((words.join(' ') + '\n').toUtf8());
         }
@@ -225,6 +233,7 @@ private slots:
         auto& card = fixture_.window().card();
         QVERIFY(card.isVisible());
         QVERIFY2(card.sentence().contains("differ by"), qPrintable(card.sentence()));
+        QVERIFY2(!card.sentence().contains("but by less"), qPrintable(card.sentence()));
         QVERIFY(!mirrorsEdits(document()) && !editsBox().isChecked());
         QCOMPARE(list().topLevelItem(rowOf(sleeve))->text(Column::Drawn), "as in the file");
         const int seam = document().derived().symmetry->unequal.front().seam;
@@ -250,6 +259,14 @@ private slots:
         press("Keep as in the file");
         QVERIFY(card.isHidden());
         QCOMPARE(document().state().lines.mirror, Mirror::Close);
+    }
+
+    void theCardCountsWhatDiffersLess() {
+        openWithLongerSleeve(14, 7);
+        const auto others = document().derived().symmetry->unequal.size() - 1;
+        const QString sentence = fixture_.window().card().sentence();
+        QVERIFY2(others == 2 && sentence.endsWith("2 more pieces or pairs differ, but by less."),
+                 qPrintable(QString::number(others) + sentence));
     }
 
     void theMirroredCutIsShownWhileItIsDrawn() {
