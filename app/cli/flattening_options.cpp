@@ -158,7 +158,8 @@ void addFlattening(CLI::App& command, TypedOptions& typed, Arguments& arguments)
     addLabelOptions(command, arguments.stated);
     command.add_flag("--half", arguments.stated.byHalf,
                      "Draw only half of what is symmetric, to be cut on the fold, and one of two "
-                     "that mirror each other, to be cut as a pair; asks for --mirror auto");
+                     "that mirror each other, to be cut as a pair; asks for --mirror "
+                     "auto, which leaves pairs that differ by more whole: see --mirror equal");
     areAbout(kFlattening, command, typed.groups);
     addReading(command, arguments);
     areAbout(kReading, command, typed.groups);
