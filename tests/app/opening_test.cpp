@@ -156,6 +156,55 @@ private:
         QCOMPARE(document().scene()->box.sizes().y(), height);
     }
 
+    /// What the window makes of a file.
+    struct Seen {
+        LoadOptions loading;
+        FlattenOptions options;
+        ViewState view;
+        double yaw, pitch;
+        std::vector<Points2> flat;
+    };
+
+    Seen seen() {
+        const Camera3D& camera = fixture_.garmentView().camera();
+        Seen now{test::typed(document().loading()),
+                 document().options(),
+                 document().view(),
+                 camera.yaw(),
+                 camera.pitch(),
+                 {}};
+        for (const auto& result : document().results()) {
+            now.flat.push_back(result->flat ? result->flat->Q : Points2());
+        }
+        return now;
+    }
+
+    /// Opens the file alone, and after another one of which everything was set otherwise.
+    void expectOpenedAsTheFirst(const QString& file, const QString& before) {
+        QVERIFY(fixture_.openAndWait(file));
+        const Seen alone = seen();
+        fixture_.close();
+        fixture_.open();
+        QVERIFY(fixture_.openAndWait(before));
+        for (const ActionId id : {ActionId::SplitUv, ActionId::CloseSlits, ActionId::OverlayStrain,
+                                  ActionId::LookBack, ActionId::Wireframe}) {
+            fixture_.action(id).trigger();
+            QVERIFY(fixture_.waitForResults());
+        }
+        fixture_.workspace().setMethod(Method::Curvature);
+        QVERIFY(fixture_.waitForResults());
+        QVERIFY(document().loading() != alone.loading && document().view() != alone.view);
+        QVERIFY(fixture_.garmentView().camera().yaw() != alone.yaw);
+        QVERIFY(fixture_.openAndWait(file));
+        const Seen second = seen();
+        QVERIFY(second.loading == alone.loading);
+        QVERIFY(second.options == alone.options);
+        QVERIFY(second.view == alone.view);
+        QCOMPARE(second.yaw, alone.yaw);
+        QCOMPARE(second.pitch, alone.pitch);
+        QVERIFY(second.flat == alone.flat);
+    }
+
 private slots:
     void initTestCase() {
         SKIP_WITHOUT_GL();
@@ -181,51 +230,16 @@ private slots:
     }
 
     void aSecondFileIsOpenedAsIfItWereTheFirst() {
-        struct Seen {
-            LoadOptions loading;
-            FlattenOptions options;
-            ViewState view;
-            double yaw, pitch;
-            std::vector<Points2> flat;
-        };
-        const auto open = [this](const char* file) -> bool {
-            return fixture_.openAndWait(fixture_.path(file));
-        };
-        const auto seen = [this] {
-            const Camera3D& camera = fixture_.garmentView().camera();
-            Seen now{test::typed(document().loading()),
-                     document().options(),
-                     document().view(),
-                     camera.yaw(),
-                     camera.pitch(),
-                     {}};
-            for (const auto& result : document().results()) {
-                now.flat.push_back(result->flat ? result->flat->Q : Points2());
-            }
-            return now;
-        };
-        QVERIFY(open("shirt.obj"));
-        const Seen alone = seen();
-        fixture_.close();
-        fixture_.open();
-        QVERIFY(open("tube.obj"));
-        for (const ActionId id : {ActionId::SplitUv, ActionId::CloseSlits, ActionId::OverlayStrain,
-                                  ActionId::LookBack, ActionId::Wireframe}) {
-            fixture_.action(id).trigger();
-            QVERIFY(fixture_.waitForResults());
+        expectOpenedAsTheFirst(fixture_.path("shirt.obj"), fixture_.path("tube.obj"));
+    }
+
+    void leggingsAfterASuitAreOpenedAsIfTheyWereTheFirst() {
+        const QString garments = TOILE_SOURCE_DIR "/../shared/data/garments/";
+        const QString suit = garments + "suit_mh.obj", leggings = garments + "leggings.ply";
+        if (!QFile::exists(suit) || !QFile::exists(leggings)) {
+            QSKIP("needs the shared suit_mh.obj and leggings.ply");
         }
-        fixture_.workspace().setMethod(Method::Curvature);
-        QVERIFY(fixture_.waitForResults());
-        QVERIFY(document().loading() != alone.loading && document().view() != alone.view);
-        QVERIFY(fixture_.garmentView().camera().yaw() != alone.yaw);
-        QVERIFY(open("shirt.obj"));
-        const Seen second = seen();
-        QVERIFY(second.loading == alone.loading);
-        QVERIFY(second.options == alone.options);
-        QVERIFY(second.view == alone.view);
-        QCOMPARE(second.yaw, alone.yaw);
-        QCOMPARE(second.pitch, alone.pitch);
-        QVERIFY(second.flat == alone.flat);
+        expectOpenedAsTheFirst(leggings, suit);
     }
 
     void cancellingTheReadingLeadsBackToTheWelcome() {
