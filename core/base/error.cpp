@@ -182,6 +182,9 @@ constexpr Words kWords[] = {
     {SeamsByNearness, "seams-by-nearness",
      TR("seams are guessed: their edges lie near each other, but have no points in common"),
      TR("Check them in the list of seams"), true},
+    {LineStrays, "line-strays",
+     TR("the garment is wrinkled, and the fair line strays further than usual"),
+     TR("Set another tolerance for fair lines to keep it nearer, with more waves"), true},
 };
 
 static_assert(std::size(kWords) == kErrorCodeCount &&

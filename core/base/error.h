@@ -89,10 +89,12 @@ enum class ErrorCode {
     Cancelled,
     // Seams: they are sewn, with a note
     SeamsByNearness,
+    // Lines: they are drawn, with a note
+    LineStrays,
 };
 
 /// One past the last code; codes are contiguous from 0.
-inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::SeamsByNearness) + 1;
+inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::LineStrays) + 1;
 
 /// The one thing that something is said of: found again by its kind and id, shown by its name.
 struct Subject {

@@ -131,6 +131,43 @@ double strayOf(const FlatLine& line, const OutlineReference& outline) {
 
 }  // namespace
 
+double roughness(const PieceResults& results, const std::vector<OutlineSegments>& segments) {
+    constexpr double kApart = 20;  // mm: shorter than wrinkles, longer than noise
+    constexpr std::size_t kFewest = 40;
+    std::vector<double> changes;
+    for (std::size_t p = 0; p < segments.size(); ++p) {
+        if (segments[p].segments.empty()) {
+            continue;  // not flat
+        }
+        const Piece& piece = *results[p]->piece;
+        const ClosedLine line(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+        for (const Segment& segment : segments[p].segments) {
+            std::vector<double> at{segment.at.start};
+            for (int k = 1; k < segment.at.count; ++k) {
+                const int n = line.count(), v = segment.at.first + k;
+                if (const double place = line.arc()[v % n] + v / n * line.length();
+                    place > at.back() + kApart) {
+                    at.push_back(place);
+                }
+            }
+            double last = 0;
+            for (std::size_t k = 1; k + 1 < at.size(); ++k) {
+                const double before = at[k] - at[k - 1], after = at[k + 1] - at[k];
+                const double bend = chordTurn(line, at[k], before, after) / (before + after);
+                if (const double change = bend - std::exchange(last, bend); k > 1) {
+                    changes.push_back(2 * kApart * std::abs(change));
+                }
+            }
+        }
+    }
+    if (changes.size() < kFewest) {
+        return 0;
+    }
+    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
+    std::ranges::nth_element(changes, middle);
+    return *middle;
+}
+
 std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garment,
                                                              const PieceResults& exact,
                                                              const LineSettings& settings,
@@ -142,8 +179,11 @@ std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garm
     }
     std::vector<OutlineSegments> segments;
     std::vector<std::vector<double>> changes;
+    bool isWrinkled = false;
     if (settings.fairing) {
-        segments = findSegments(garment, withMirroredOutlines(exact, mirrors), settings);
+        const PieceResults mirrored = withMirroredOutlines(exact, mirrors);
+        segments = findSegments(garment, mirrored, settings);
+        isWrinkled = roughness(mirrored, segments) > kWrinkledRoughness;
         const std::vector<MirroredPoint> points = mirroredPoints(mirrors, segments);
         makeTurnsEqual(points, segments);
         changes = truedTurns(segments, findSeamEnds(garment, segments, settings));
@@ -158,8 +198,9 @@ std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garm
             !(settings.fairing || isMirrored || !darts[from].empty())) {
             continue;
         }
-        OutlinePlan plan =
-            settings.fairing ? planOutline(segments[from], settings, changes[from]) : OutlinePlan{};
+        OutlinePlan plan = settings.fairing
+                               ? planOutline(segments[from], settings, changes[from], isWrinkled)
+                               : OutlinePlan{};
         plan.darts = darts[from];
         if (isMirrored) {
             plan.mirrored = std::move(mirrors[p].outline);

@@ -22,7 +22,8 @@ struct FairProblem {
     /// The line turns by `turn` = phi_node - phi_(node - 1), whatever the reference does.
     struct Corner {
         int node = 0;
-        double turn = 0;  ///< radians
+        double turn = 0;      ///< radians
+        bool isFree = false;  ///< the line may turn there by as much as it likes
     };
     /// No curvature at the nodes strictly between; `last` counts on past the last node.
     struct Run {

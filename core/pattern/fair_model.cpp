@@ -45,7 +45,7 @@ FairModel::FairModel(const FairProblem& problem)
         }
     }
     for (const FairProblem::Corner& corner : problem.corners) {
-        held_[corner.node] = 1;
+        held_[corner.node] = corner.isFree ? 0 : 1;
         wanted_[corner.node] = corner.turn;
         bends_[corner.node] = bends_[(corner.node + n - 1) % n] = 0;
     }

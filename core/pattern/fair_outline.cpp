@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -132,12 +133,17 @@ private:
 std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactOutline& shaped,
                                            const Steps& steps) {
     std::map<int, double> turns;
+    std::set<int> free;
     for (const OutlinePlan::Corner& corner : plan.corners) {
         const bool isOnDart = std::ranges::any_of(plan.darts, [&](const OutlinePlan::Dart& dart) {
             return isWithin(dart, shaped.byArc().length(), corner.at);
         });
         if (!isOnDart) {
-            turns[steps.nodeAt(corner.at, shaped.byArc())] = corner.turn;
+            const int node = steps.nodeAt(corner.at, shaped.byArc());
+            turns[node] = corner.turn;
+            if (corner.isFree && plan.darts.empty()) {
+                free.insert(node);
+            }
         }
     }
     const geometry::Line& flat = shaped.flat();
@@ -159,7 +165,7 @@ std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactO
     std::vector<FairProblem::Corner> corners;
     corners.reserve(turns.size());
     for (const auto& [node, turn] : turns) {
-        corners.push_back({node, turn});
+        corners.push_back({node, turn, free.contains(node)});
     }
     return corners;
 }
@@ -215,19 +221,23 @@ void boundByWidth(const Points2& line, const std::vector<double>& steps,
 }  // namespace
 
 OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& settings,
-                        const std::vector<double>& turnChanges) {
+                        const std::vector<double>& turnChanges, bool isWrinkled) {
     const Fairing fairing = settings.fairing.value_or(Fairing{});
+    const bool isLoose = isWrinkled && fairing.tolerance == Fairing{}.tolerance;
+    const double tolerance = isLoose ? kWrinkledTolerance : fairing.tolerance;
     OutlinePlan plan;
-    plan.smoothing = fairing.smoothing;
+    plan.smoothing = (isLoose ? kWrinkledSmoothing : 1) * fairing.smoothing;
+    plan.stated = isLoose ? fairing.tolerance : 0;
     for (const Segment& segment : segments.segments) {
         plan.stretches.push_back({segment.at.start, segment.at.end,
-                                  segment.settings.tolerance.value_or(fairing.tolerance),
+                                  segment.settings.tolerance.value_or(tolerance),
                                   segment.settings.straight});
     }
     for (std::size_t k = 0; k < segments.turnPoints.size(); ++k) {
         const TurnPoint& point = segments.turnPoints[k];
         if (keepsTurn(point)) {
-            plan.corners.push_back({point.at, point.turn + turnChanges[k]});
+            const bool isFree = isLoose && !point.byHand && turnChanges[k] == 0;
+            plan.corners.push_back({point.at, point.turn + turnChanges[k], isFree});
         }
     }
     return plan;

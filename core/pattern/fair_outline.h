@@ -27,7 +27,8 @@ struct OutlinePlan {
     };
     struct Corner {
         double at = 0;
-        double turn = 0;  ///< that the line is to have there, radians
+        double turn = 0;      ///< that the line is to have there, radians
+        bool isFree = false;  ///< the line may turn otherwise: wrinkles have changed the turn
 
         bool operator==(const Corner&) const = default;
     };
@@ -39,7 +40,9 @@ struct OutlinePlan {
     std::vector<Stretch> stretches;
     std::vector<Corner> corners;  ///< ascending
     double smoothing = 0;         ///< mm
-    std::vector<Dart> darts{};    ///< by `from`; those that a person has typed
+    double stated =
+        0;  ///< of a wrinkled garment the usual tolerance, mm: to stray further is noted
+    std::vector<Dart> darts{};  ///< by `from`; those that a person has typed
     /// Of a piece that is to be a mirror image: then stretches, corners and darts are the leading
     /// one's.
     std::optional<MirroredOutline> mirrored{};
@@ -47,9 +50,15 @@ struct OutlinePlan {
     bool operator==(const OutlinePlan&) const = default;
 };
 
+/// Where wrinkles make the outlines rough: instead of the usual tolerance, mm, about the height of
+/// a wrinkle; and what the smoothing length is multiplied by. Any other tolerance is kept.
+inline constexpr double kWrinkledTolerance = 8, kWrinkledSmoothing = 1.2;
+
 /// @param turnChanges  per turn point (`truedTurns`)
+/// @param isWrinkled   the garment (`roughness`): then also corners that are neither trued nor set
+///                     by hand may turn by another angle
 OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& settings,
-                        const std::vector<double>& turnChanges);
+                        const std::vector<double>& turnChanges, bool isWrinkled = false);
 
 /// The fair line of an outline: near the exact one, of the same length between any two vertices,
 /// curved as evenly as that allows (fair_line.h). What is to be straight is made straight before,

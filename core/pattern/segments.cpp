@@ -100,11 +100,29 @@ private:
         }
     }
 
+    /// Whether a wrinkle has moved the end of a seam to another vertex: a corner of less than 60
+    /// degrees, and the end itself turns too little for one.
+    bool isMovedEnd(double at) const {
+        constexpr double kBlunt = 1.0471975511965976;
+        const auto turn = [&](double place, double chord) {
+            chord = std::min(chord, perimeter() / 4);
+            return std::abs(chordTurn(line_, place, chord, chord));
+        };
+        return turn(at, kPlainCorner.chord) < kBlunt &&
+               std::ranges::any_of(points_, [&](const TurnPoint& end) {
+                   return end.isSeamEnd && apart(end.at, at) < kSeamChangeCorner.chord &&
+                          turn(end.at, kSeamChangeCorner.chord) < kSeamChangeCorner.turn;
+               });
+    }
+
     /// A corner beside the end of a seam is that end, unless the line turns by a corner's angle at
     /// the vertex itself.
     void addCorners() {
         for (const int corner : corners_) {
             const double at = outline_.arcOf(corner);
+            if (isMovedEnd(at)) {
+                continue;
+            }
             const auto beside = near(at, kPlainCorner.chord);
             if (beside == points_.end() || (std::abs(line_.turnAt(corner)) > kPlainCorner.turn &&
                                             apart(beside->at, at) > kOneCorner)) {

@@ -92,6 +92,11 @@ Result<FlatPiece> drawn(const Piece& piece, const PieceResult& exact, const Outl
         if (line->hasYielded) {
             flat->notes.push_back({ErrorCode::LineYields, subjectOf(piece)});
         }
+        if (plan.stated > 0 && line->farthest > plan.stated) {
+            flat->notes.push_back({ErrorCode::LineStrays, subjectOf(piece),
+                                   worded("up to %1 mm from the exact outline, not %2 mm",
+                                          {figure(line->farthest, 1), figure(plan.stated, 1)})});
+        }
         flat->line = std::make_shared<const FlatLine>(std::move(*line));
     }
     return flat;

@@ -2208,6 +2208,18 @@ veraltet</translation>
         <translation>Dort bleibt sie näher am genauen Umriss und ist weniger glatt; das Teil schneiden oder seinen Kanten mehr Platz geben</translation>
     </message>
     <message>
+        <source>the garment is wrinkled, and the fair line strays further than usual</source>
+        <translation>das Kleidungsstück hat Falten, und die ausgeglichene Linie weicht weiter ab als sonst</translation>
+    </message>
+    <message>
+        <source>Set another tolerance for fair lines to keep it nearer, with more waves</source>
+        <translation>Eine andere Toleranz für ausgeglichene Linien setzen, damit sie näher bleibt, mit mehr Wellen</translation>
+    </message>
+    <message>
+        <source>up to %1 mm from the exact outline, not %2 mm</source>
+        <translation>bis zu %1 mm vom genauen Umriss statt %2 mm</translation>
+    </message>
+    <message>
         <source>it would cross itself</source>
         <translation>er würde sich selbst kreuzen</translation>
     </message>

@@ -15,7 +15,9 @@ namespace toile::test {
 namespace {
 
 constexpr double kSpacing = 60, kLowest = 5, kHighest = 7.5;  // mm
-constexpr double kNarrowest = 12, kWidest = 20;               // mm, of the Gaussian
+/// Standard deviation of a bump's Gaussian, mm, from the narrowest one to the widest. At half its
+/// height a bump is 2.35 times as wide.
+constexpr double kNarrowest = 12, kWidest = 20;
 
 /// In [0, 1), the same for the same number everywhere.
 double share(unsigned number) {
@@ -35,7 +37,7 @@ struct Bump {
 }  // namespace
 
 std::filesystem::path writeWrinkled(const std::filesystem::path& obj, double millimetres,
-                                    const std::filesystem::path& folder) {
+                                    const std::filesystem::path& folder, double widening) {
     std::vector<std::string> lines;
     std::vector<Eigen::Vector3d> points;
     std::ifstream in(obj);
@@ -75,8 +77,9 @@ std::filesystem::path writeWrinkled(const std::filesystem::path& obj, double mil
         if (isFree) {
             const auto number = static_cast<unsigned>(bumps.size());
             const double height = kLowest + (kHighest - kLowest) * share(2 * number);
-            bumps.push_back({point, number % 2 == 0 ? height : -height,
-                             kNarrowest + (kWidest - kNarrowest) * share(2 * number + 1)});
+            bumps.push_back(
+                {point, number % 2 == 0 ? height : -height,
+                 widening * (kNarrowest + (kWidest - kNarrowest) * share(2 * number + 1))});
         }
     }
     const std::filesystem::path made = folder / obj.filename();
