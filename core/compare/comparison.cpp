@@ -45,8 +45,7 @@ void takeLargest(std::optional<double>& largest, double value) {
     largest = std::max(largest.value_or(value), value);
 }
 
-/// How far the two flat sides of a seam are from fitting, the ease taken out; nothing where there
-/// are not two.
+/// Mismatch of the two flat sides of a seam, without the ease; nothing unless both sides are flat.
 std::optional<double> mismatchOf(const Garment& garment, const PieceResults& results,
                                  std::size_t seam) {
     const auto measure = measured(garment, results, static_cast<int>(seam));
@@ -54,7 +53,7 @@ std::optional<double> mismatchOf(const Garment& garment, const PieceResults& res
     return measure && isSewn ? std::optional(std::abs(measure->errorMm)) : std::nullopt;
 }
 
-/// Notes the mismatch of every seam at the pieces that it joins.
+/// Stores the mismatch of every seam with the pieces that it joins.
 void measureSeams(const Garment& garment, ComparedMethod& method) {
     for (std::size_t k = 0; k < garment.seams.seams.size(); ++k) {
         const Seam& seam = garment.seams.seams[k];
@@ -65,14 +64,14 @@ void measureSeams(const Garment& garment, ComparedMethod& method) {
     }
 }
 
-/// One figure of the whole garment, of the pieces that are flat.
+/// One figure of the whole garment, aggregated over its flat pieces.
 std::optional<double> aggregated(const CriterionTraits& criterion, const ComparedMethod& method) {
     if (criterion.aggregate == Aggregate::PieceOnly) {
         return std::nullopt;
     }
     const bool isByArea = criterion.aggregate == Aggregate::MeanByArea ||
                           criterion.aggregate == Aggregate::KnownByArea;
-    const bool isSpoiled =  // by a piece that has none
+    const bool isSpoiled =  // by a piece without the figure
         criterion.aggregate == Aggregate::Mean || criterion.aggregate == Aggregate::MeanByArea;
     double sum = 0, weights = 0;
     std::optional<double> largest;
@@ -99,12 +98,12 @@ std::optional<double> aggregated(const CriterionTraits& criterion, const Compare
     return criterion.aggregate == Aggregate::Sum ? sum : sum / weights;
 }
 
-/// Whether the method made the piece flat and the piece carries its reference panel.
+/// Whether the method flattened the piece and the piece has a reference panel.
 bool hasPanel(const ComparedMethod& method, std::size_t piece) {
     return piece < method.pieceFigures.size() && method.pieceFigures[piece].referencedPieces > 0;
 }
 
-/// Whether the method has every panel that any method has: a mean over others is no match.
+/// Whether the method has every panel that any method has: means over other panels do not compare.
 bool hasAllPanels(const ComparedMethod& method, const std::vector<ComparedMethod>& methods) {
     return std::ranges::all_of(methods, [&method](const ComparedMethod& other) {
         for (std::size_t piece = 0; piece < other.pieceFigures.size(); ++piece) {
@@ -231,7 +230,7 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable("The edge of the mesh that must gather most to take its worn shape")},
 }};
 
-/// Stretch does not make up for surplus elsewhere: each counts on its own side of 0 alone.
+/// Stretch does not compensate for surplus elsewhere: each counts only on its own side of 0.
 double badness(Criterion criterion, double value) {
     return criterion == Criterion::StrainMax   ? std::max(0.0, value)
            : criterion == Criterion::StrainMin ? std::max(0.0, -value)

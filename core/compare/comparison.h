@@ -13,24 +13,24 @@
 
 namespace toile {
 
-/// What methods are compared by: the columns of [Wang05] Table 1 and what a pattern maker asks
-/// besides. In the order of the reports.
+/// Criteria for comparing methods: the columns of [Wang05] Table 1 and further ones for pattern
+/// makers. In the order of the reports.
 enum class Criterion {
-    Seconds,  ///< of the solves alone, reading and measuring aside
+    Seconds,  ///< of the solves alone, without reading and measuring
     PiTheta,  ///< radians
     PiE,
     PiA,
-    SymmetricDirichlet,  ///< nothing where one triangle is flipped or collapsed
-    LengthError,         ///< largest of an edge of the outline, a fraction
+    SymmetricDirichlet,  ///< nothing if any triangle is flipped or collapsed
+    LengthError,         ///< largest of an outline edge, a fraction
     FlippedTriangles,
     OutlineCrossings,
-    /// Largest |error| of a seam whose two sides are flat, its ease taken out (SeamMeasure), mm.
+    /// Largest |error| of a seam whose two sides are flat, without ease (SeamMeasure), mm.
     SeamMismatch,
     ReferenceRms,  ///< distance to the reference panel (ReferenceFit), mm
-    /// Mean distance of the pattern, sewn back together, from the design, mm; who has it proved
-    /// fills it in.
+    /// Mean distance between the design and the pattern sewn back together, mm; filled in by the
+    /// caller that runs the proof.
     SewnGap,
-    StrainMean,  ///< size of the edges' strain, a fraction
+    StrainMean,  ///< mean size of the edges' strain, a fraction
     StrainMax,   ///< of one edge, a fraction, as the next; above 0 is stretch
     StrainMin,
 };
@@ -39,25 +39,25 @@ inline constexpr std::size_t kCriterionCount = 14;
 /// How a figure is written.
 enum class FigureFormat { Seconds, Ratio, SignedRatio, LengthError, Count, Millimetres };
 
-/// How the figure of a garment follows from those of its flat pieces.
+/// How the figure of a garment is computed from those of its flat pieces.
 enum class Aggregate {
-    PieceOnly,    ///< it has none
-    Sum,          ///< pieces are solved side by side: of seconds the clock may show less
+    PieceOnly,    ///< not defined for a garment
+    Sum,          ///< pieces are solved in parallel: wall time may be less
     Largest,      ///< of the pieces that have one
-    Mean,         ///< over pieces; nothing where one has none, as the next
+    Mean,         ///< over pieces; nothing if any piece lacks it, as the next
     MeanByArea,   ///< weighted by 3D area
     KnownByArea,  ///< the same over the pieces that have one
 };
 
-/// What the reports, the command line and the window need to know of a criterion.
+/// Properties of a criterion for the reports, the command line and the window.
 struct CriterionTraits {
     Criterion criterion;
     FigureFormat format;
     Aggregate aggregate;
-    bool isOptional;        ///< text tables leave it out where no method has a figure
-    std::string_view key;   ///< in JSON (docs/report.md); empty where it is not there
-    std::string_view head;  ///< of its column in a text table; empty where it is not there
-    /// For the window, to be translated, "%1" the unit of lengths; null where it is not shown.
+    bool isOptional;        ///< text tables omit it if no method has a figure
+    std::string_view key;   ///< in JSON (docs/report.md); empty if it is not listed
+    std::string_view head;  ///< of its column in a text table; empty if it has none
+    /// For the window, to be translated; "%1" is the unit of lengths; null if it is not shown.
     const char* title;
     const char* tip;
 };
@@ -66,17 +66,17 @@ struct CriterionTraits {
 std::span<const CriterionTraits> allCriteria();
 const CriterionTraits& traits(Criterion criterion);
 
-/// The best of several figures, the first of equals; nothing where there is none. Less is better;
-/// of the largest stretch and surplus only what lies on its own side of 0 counts. Pure.
+/// Index of the best figure, the first of equals; nothing without figures. Lower is better; for the
+/// largest stretch and surplus only values on their own side of 0 count. Pure.
 std::optional<std::size_t> bestOf(Criterion criterion,
                                   std::span<const std::optional<double>> values);
 
-/// What one method makes of one piece, or of all pieces of a garment. A value is empty where there
-/// is nothing to measure, or where it is infinite.
+/// Figures of one method for one piece, or for all pieces of a garment. A value is empty if it
+/// cannot be measured or is infinite.
 struct ComparedFigures {
-    int pieces = 0;            ///< that were tried: left out are not
-    int failed = 0;            ///< that did not become flat; the figures are of those that did
-    int referencedPieces = 0;  ///< flat pieces that carry their reference panel
+    int pieces = 0;            ///< attempted pieces, without pieces that are left out
+    int failed = 0;            ///< pieces that did not become flat; the figures cover the others
+    int referencedPieces = 0;  ///< flat pieces that have a reference panel
     std::array<std::optional<double>, kCriterionCount> values{};
 
     std::optional<double>& operator[](Criterion criterion) {
@@ -92,10 +92,10 @@ struct ComparedMethod {
     Method method;
     PieceResults results;  ///< one per piece of the garment, in its order
     ComparedFigures figures;
-    std::vector<ComparedFigures> pieceFigures;  ///< per piece; seams: those that the piece has
+    std::vector<ComparedFigures> pieceFigures;  ///< per piece, with all seams of the piece
 };
 
-/// One garment under several methods, in the order in which they were asked for.
+/// One garment under several methods, in the requested order.
 struct Comparison {
     std::vector<ComparedMethod> methods;
 };
@@ -104,25 +104,25 @@ struct Comparison {
 /// Cost: that of measuring every seam once. Pure.
 ComparedMethod compared(Method method, const Garment& garment, PieceResults results);
 
-/// One of `ComparedMethod::pieceFigures`, for whom the rest of the garment is of no interest.
-/// @param results  one per piece of the garment, null where it was not flattened; that of `piece`
-///                 is there. Seams to a piece that is not flat are left out
+/// One of `ComparedMethod::pieceFigures`, without computing the rest of the garment.
+/// @param results  one per piece of the garment, null if it was not flattened; that of `piece` must
+///                 exist. Seams to a piece that is not flat are left out
 /// Cost: that of measuring the piece's seams once. Pure.
 ComparedFigures comparedPiece(const Garment& garment, const PieceResults& results, int piece);
 
-/// The other pieces that share a seam with this one, ascending: what it takes, besides the piece
-/// itself, to know its seams. Cost: negligible. Pure.
+/// The other pieces that share a seam with this one, ascending: the pieces needed to measure its
+/// seams. Cost: negligible. Pure.
 std::vector<int> sewnTo(const Garment& garment, int piece);
 
-/// Methods with a free outline that come nearer to the reference panels than every method that
-/// keeps seam lengths, and the nearest of those. Only methods that made every panel flat which any
-/// method did are looked at. Indices into `methods`.
+/// Methods with a free outline that are closer to the reference panels than every method that keeps
+/// seam lengths, and the closest of the latter. Considers only methods that flattened every panel
+/// that any method did. Indices into `methods`.
 struct NearerMethods {
     std::vector<std::size_t> freeOutline;  ///< nearest first; never empty
     std::size_t lengthKeeping = 0;
 };
 
-/// Nothing where no free outline is nearer, or there is nothing to compare with. Pure.
+/// Nothing if no free outline is closer, or there is nothing to compare with. Pure.
 std::optional<NearerMethods> nearerThanLengthKeeping(const Comparison& comparison);
 
 }  // namespace toile

@@ -17,18 +17,18 @@
 namespace toile {
 namespace {
 
-constexpr double kLargestSquare = 16;  // of a stretch: beyond, a triangle is as good as torn
-constexpr double kTieWeight = 1e-3;    // of squared strain next to squared excess
-constexpr double kStiffest = 0.001;    // strain: no cloth gives way less
+constexpr double kLargestSquare = 16;  // squared stretch beyond which a triangle counts as torn
+constexpr double kTieWeight = 1e-3;    // weight of squared strain relative to squared excess
+constexpr double kStiffest = 0.001;    // smallest strain limit in weights: no cloth is stiffer
 
 /// How the cloth of one triangle is stretched along each direction of the flat piece: the squared
 /// stretch along angle t is mean + cosine cos 2t + sine sin 2t.
 struct Stretch {
-    double area = 0;  ///< worn
+    double area = 0;  ///< worn area
     double mean = 0, cosine = 0, sine = 0;
 };
 
-/// Of a triangle; no area where it cannot be measured.
+/// Stretch of a triangle; zero area if it cannot be measured.
 Stretch stretchOf(const MeshArrays& mesh, const Points2& Q, Eigen::Index face) {
     const MetricTensor metric = unboundedMetric(mesh, Q, face);
     Stretch stretch{0.5 * doubleAreaNormal(mesh, face).norm(), 0.5 * (metric.E + metric.G),
@@ -46,11 +46,11 @@ Stretch stretchOf(const MeshArrays& mesh, const Points2& Q, Eigen::Index face) {
     return stretch;
 }
 
-/// What one direction of the cloth allows.
+/// Limits of the cloth along one direction.
 struct Along {
     double cosine, sine;  ///< of twice its angle
     StrainLimits limits;
-    double weight;  ///< of squared strain, where nothing goes beyond the limits
+    double weight;  ///< of squared strain within the limits
 };
 
 class Cost {

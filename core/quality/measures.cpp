@@ -216,7 +216,7 @@ Eigen::Index worstFlipped(const Eigen::VectorXd& areas2d, const Eigen::VectorXd&
 
 namespace {
 
-/// Below this a product is scaled up, by its inverse: a power of two, so that nothing is rounded.
+/// Smaller products are scaled up by its inverse: a power of two, so that nothing is rounded.
 constexpr double kTinyVector = 0x1p-300;
 
 /// A sum of angles between 0 and pi, as a product of complex numbers that point in their
@@ -228,7 +228,7 @@ public:
         const double before = y_;
         y_ = x_ * y + y_ * x;
         x_ = x_ * x - before * y;
-        turns_ += before < 0 && y_ >= 0 ? 1 : 0;  // no angle is large enough to pass by below
+        turns_ += before < 0 && y_ >= 0 ? 1 : 0;  // no angle is large enough to skip this
         if (std::abs(x_) + std::abs(y_) < kTinyVector) {
             x_ /= kTinyVector;
             y_ /= kTinyVector;

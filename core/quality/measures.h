@@ -12,12 +12,12 @@ namespace toile {
 
 /// Measures of a flattening: pure functions of the 3D mesh and its planar points Q (#V x 2), the
 /// same unit on both sides. [Wang05] eq. (1), (2), (24), (25). Angles in radians. All are linear in
-/// the mesh but for the outline crossings (about n log n).
+/// the mesh, except the outline crossings (about n log n).
 
 /// Inner angle of each boundary vertex in 3D: the sum of its triangle angles ("alpha").
 Eigen::VectorXd boundaryAngles3d(const MeshArrays& mesh, const std::vector<int>& boundary);
-/// Sum of the triangle angles at each vertex in 3D; 0 where there is no triangle. Without an arc
-/// tangent for each corner, a fifth of the time of `cornerAngles3d`.
+/// Sum of the triangle angles at each vertex in 3D; 0 without triangles. Avoids an arc tangent per
+/// corner: a fifth of the time of `cornerAngles3d`.
 Eigen::VectorXd vertexAngles3d(const MeshArrays& mesh);
 /// Inner angle of each vertex of a planar loop, in [0, 2 pi) ("theta").
 Eigen::VectorXd boundaryAngles2d(const Points2& Q, const std::vector<int>& boundary);
@@ -40,7 +40,7 @@ Eigen::MatrixX2d singularValues(const MeshArrays& mesh, const Points2& Q);
 /// Mean |l0 - l| over matching edges, in their unit. Eq. (1).
 double piL(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 /// Mean |theta - alpha| over boundary vertices, differences taken modulo 2 pi: at the tip of a slit
-/// the planar angle is 0 or 2 pi as rounding has it. Eq. (2).
+/// the planar angle is 0 or 2 pi, depending on rounding. Eq. (2).
 double piTheta(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
 /// 1/2 sum (theta - alpha)^2, differences likewise. The objective of eq. (9).
 double angleEnergy(const Eigen::VectorXd& alpha, const Eigen::VectorXd& theta);
@@ -51,33 +51,33 @@ double piA(const Eigen::VectorXd& areas3d, const Eigen::VectorXd& areas2d);
 /// Largest |l/l0 - 1|.
 double maxRelativeLengthError(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 
-/// Mean of (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 weighted by 3D area: 1 where isometric. Nothing where
-/// a triangle is flipped or collapsed: the energy is infinite there.
+/// Mean of (s1^2 + s2^2 + s1^-2 + s2^-2) / 4 weighted by 3D area: 1 if isometric. Nothing if a
+/// triangle is flipped or collapsed: the energy is infinite there.
 std::optional<double> symmetricDirichlet(const Eigen::MatrixX2d& singular,
                                          const Eigen::VectorXd& areas3d,
                                          const Eigen::VectorXd& areas2d);
 
-/// s1/s2 over the triangles: mean weighted by 3D area, and largest; nothing where s2 = 0 somewhere.
+/// s1/s2 over the triangles: mean weighted by 3D area, and largest; nothing if any s2 = 0.
 struct QuasiConformal {
     std::optional<double> mean, max;
 };
 
 QuasiConformal quasiConformal(const Eigen::MatrixX2d& singular, const Eigen::VectorXd& areas3d);
 
-/// Fabric strain of each edge: L3D/L2D - 1, what the cloth must do to take the 3D shape
-/// (0.02 = must stretch by 2 %). Infinite where the flat edge has no length.
+/// Fabric strain of each edge: L3D/L2D - 1, how much the cloth must stretch to take the 3D shape
+/// (0.02 = must stretch by 2 %). Infinite if the flat edge has no length.
 Eigen::VectorXd edgeStrain(const Eigen::VectorXd& lengths3d, const Eigen::VectorXd& lengths2d);
 
-/// What no cloth does, though it may be positive by rounding: a triangle that keeps no more of its
-/// area than this has collapsed.
+/// A triangle that keeps at most this share of its area has collapsed, even if the area is positive
+/// by rounding.
 inline constexpr double kCollapsedShare = 1e-6;
-/// Triangles that are flipped or have collapsed: whoever judges a pattern counts these.
+/// Number of triangles that are flipped or have collapsed: the measure of a failed pattern.
 int flippedTriangles(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d);
-/// The one of them that is turned over furthest; any other where there is none.
+/// The triangle with the most negative area; any triangle without flipped ones.
 Eigen::Index worstFlipped(const Eigen::VectorXd& areas2d, const Eigen::VectorXd& areas3d);
 /// Pairs of non-adjacent outline edges that cross each other, up to a limit of a million. Edges
 /// that touch or coincide within rounding (1e-12 of the outline's extent), as the two sides of a
-/// slit do, do not cross. Where they do: outline_crossings.h.
+/// slit do, do not cross. For the places of crossings see outline_crossings.h.
 int outlineCrossings(const Points2& Q, const std::vector<int>& boundary);
 
 }  // namespace toile

@@ -10,43 +10,42 @@
 namespace toile {
 
 /// The first fundamental form of the map from the flat piece to the garment, in the flat piece's
-/// coordinates: a short step d on the flat cloth is sqrt(d^T M d) long where the cloth is worn.
-/// (1, 0, 1) where nothing is stretched. Whether a triangle is flipped does not show in it.
+/// coordinates: a short step d on the flat cloth has the length sqrt(d^T M d) on the garment. (1,
+/// 0, 1) without stretch. It does not show whether a triangle is flipped.
 struct MetricTensor {
     double E = 1;  ///< squared stretch along x
-    double F = 0;  ///< product of the images of x and y: 0 where they stay at right angles
+    double F = 0;  ///< product of the images of x and y: 0 if they stay at right angles
     double G = 1;  ///< squared stretch along y
 };
 
-/// Where the flat cloth has no extent no stretch is large enough. What is computed stays finite:
-/// stretch is cut off here.
+/// Upper limit of stretch, so that values stay finite where the flat cloth has no extent.
 inline constexpr double kLargestStretch = 1e4;
 
-/// The tensor of a triangle as it comes, without a bound: not finite where it has no area in the
-/// plane, or a coordinate that is no number. @param Q #V x 2
+/// The tensor of a triangle without a limit: not finite if the triangle has no area in the plane or
+/// a coordinate is not finite. @param Q #V x 2
 MetricTensor unboundedMetric(const MeshArrays& mesh, const Points2& Q, Eigen::Index face);
 
-/// The tensor of each triangle; of one without an area in the plane, or with a coordinate that is
-/// no number, the largest stretch in all directions.
+/// The tensor of each triangle. Triangles without area in the plane, or with a coordinate that is
+/// not finite, get the largest stretch in all directions.
 /// @param Q #V x 2, the unit of the mesh. Cost: linear. Thread-safe.
 std::vector<MetricTensor> faceMetrics(const MeshArrays& mesh, const Points2& Q);
 
-/// The same, but with the largest stretch in all directions also for a triangle that is turned
-/// over: such cloth cannot be worn, however it keeps its lengths.
+/// The same, but flipped triangles also get the largest stretch in all directions: such cloth
+/// cannot be worn, even if its lengths are right.
 std::vector<MetricTensor> wornFaceMetrics(const MeshArrays& mesh, const Points2& Q);
 
-/// At each vertex the mean of the tensors around it, weighted by 3D area: symmetric and positive as
-/// they are. (1, 0, 1) where there is no area around the vertex.
+/// Mean of the tensors around each vertex, weighted by 3D area: symmetric and positive as they are.
+/// (1, 0, 1) if there is no area around the vertex.
 /// @param faces one per triangle
 std::vector<MetricTensor> vertexMetrics(const MeshArrays& mesh,
                                         const std::vector<MetricTensor>& faces);
 
-/// What the cloth must do along a direction: 0.02 = stretch by 2 %.
+/// Required strain of the cloth along a direction: 0.02 = stretch by 2 %.
 /// @param direction unit vector in the flat piece's coordinates
 double strainAlong(const MetricTensor& metric, const Eigen::Vector2d& direction);
 
-/// The largest and the least stretch, at right angles to each other on the flat cloth and on the
-/// worn.
+/// The largest and the smallest stretch; their directions are at right angles both on the flat and
+/// on the worn cloth.
 struct PrincipalStretch {
     double largest = 1, least = 1;                         ///< ratios of lengths, worn to flat
     Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< of the largest, on the flat piece
@@ -54,8 +53,8 @@ struct PrincipalStretch {
 
 PrincipalStretch principalStretch(const MetricTensor& metric);
 
-/// (s1^2 + s2^2 + s1^-2 + s2^-2) / 4, the density of the energy by that name in measures.h: 1 where
-/// isometric, alike for stretching and for shrinking. Cut off at kLargestStretch squared.
+/// (s1^2 + s2^2 + s1^-2 + s2^-2) / 4, the density of `symmetricDirichlet` in measures.h: 1 if
+/// isometric, equal for stretching and shrinking. Limited to kLargestStretch squared.
 double symmetricDirichlet(const MetricTensor& metric);
 
 }  // namespace toile

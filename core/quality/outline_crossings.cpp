@@ -15,7 +15,7 @@ namespace {
 
 /// Distance from a line, relative to the outline's extent, below which a point lies on it.
 constexpr double kTouching = 1e-12;
-/// Up to so many edges are quicker held against all others than searched for who is near.
+/// Up to this many edges, testing all other edges is faster than a search for near ones.
 constexpr int kFewEdges = 100;
 
 using Point = Eigen::RowVector2d;
@@ -34,7 +34,7 @@ public:
         touching_ = kTouching * (high - low).norm();
     }
 
-    /// Those that one of the edges from `from` on takes part in.
+    /// Crossings that involve an edge numbered `from` or above.
     std::vector<OutlineCrossing> crossings(int from, int limit) const {
         std::vector<OutlineCrossing> found;
         const auto look = [&](int i, int j, const geometry::PlaneCell& cell) {
@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /// Where edges i and j cross; the same place whichever cell asks.
+    /// The crossing point of edges i and j; independent of the cell that asks.
     std::optional<Point> crossing(int i, int j) const {
         const geometry::Segment2& s = segments_[i];
         const geometry::Segment2& t = segments_[j];
@@ -112,7 +112,7 @@ private:
 
     int side(const geometry::Segment2& s, const Point& r) const { return side(s.a, s.b, r); }
 
-    /// For a point on the segment's line: between its ends, not at one.
+    /// For a point on the segment's line: true if it is between the ends, not at one.
     bool isInside(const geometry::Segment2& s, const Point& p) const {
         const Point along = s.b - s.a;
         return (p - s.a).dot(along) > touching_ * along.norm() &&
@@ -126,12 +126,12 @@ private:
         };
         const double share = height(s.a) / (height(s.a) - height(s.b));
         const Point onS = s.a + share * (s.b - s.a);
-        // Of almost parallel edges this may lie beyond an end of t, by rounding.
+        // For nearly parallel edges rounding may put this beyond an end of t.
         const double onT = (onS - t.a).dot(along) / along.squaredNorm();
         return onT < 0 ? t.a : (onT > 1 ? t.b : onS);
     }
 
-    /// For edges on one line in the same direction: the middle of what they share.
+    /// For edges on one line in the same direction: the middle of their overlap.
     std::optional<Point> middleOfOverlap(const geometry::Segment2& s,
                                          const geometry::Segment2& t) const {
         const Point along = (s.b - s.a).normalized();
@@ -145,8 +145,8 @@ private:
         return (u - from).dot(v - from) > 0 && (side(from, u, v) == 0 || side(from, v, u) == 0);
     }
 
-    /// For corners i and j at one place: whether the outline at j comes from one side of the
-    /// outline at i and goes to the other, or both leave along each other.
+    /// For corners i and j at one place: whether the outline at j passes from one side of the
+    /// outline at i to the other, or both leave along each other.
     bool passesCorner(int i, int j) const {
         const Point& corner = segments_[i].a;
         const Point& in = before(i);

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// How the reference comes to lie on the flat piece, mirrored if that is nearer.
+/// The placement of the reference on the flat piece, mirrored if that fits better.
 std::pair<Placement, ReferenceFit> bestFit(const Points2& flat, const Points2& reference) {
     std::pair<Placement, ReferenceFit> best;
     for (const bool mirrored : {false, true}) {

@@ -9,8 +9,8 @@ namespace toile {
 
 struct Piece;
 
-/// How far a flat piece lies from a given flat panel after the best rigid motion, or the best
-/// motion with a reflection where that fits better. Over all vertices, millimetres.
+/// Distance between a flat piece and a given flat panel after the best rigid motion, or the best
+/// motion with a reflection if that fits better. Over all vertices, millimetres.
 struct ReferenceFit {
     double rms = 0;
     double max = 0;
@@ -20,27 +20,27 @@ struct ReferenceFit {
 /// @param flat, reference  #V x 2 each, vertex by vertex, at least one vertex. Pure; linear.
 ReferenceFit fitToReference(const Points2& flat, const Points2& reference);
 
-/// The given panel laid on the flat piece by that motion: #V x 2, mm, in the flat piece's
-/// coordinates. `fitToReference` tells how far the points then lie from the piece's. Pure; linear.
+/// The given panel moved onto the flat piece by that motion: #V x 2, mm, in the flat piece's
+/// coordinates. `fitToReference` gives the remaining distance. Pure; linear.
 Points2 placedReference(const Points2& flat, const Points2& reference);
 
-/// All figures of one flattened piece; the fields of the JSON report (docs/report.md) by the same
-/// names. Millimetres, square millimetres, radians. Empty where a figure would be infinite.
+/// All figures of one flattened piece, named like the fields of the JSON report (docs/report.md).
+/// Millimetres, square millimetres, radians. Empty if a figure would be infinite.
 struct PieceQuality {
     double area3d = 0, area2d = 0;
     double perimeter3d = 0, perimeter2d = 0;
     double piTheta = 0, piL = 0, piE = 0, piA = 0;
-    double maxBoundaryLengthError = 0;  ///< against 3D, also where other lengths are wanted
-    double maxTargetLengthError = 0;    ///< against the lengths that are wanted
+    double maxBoundaryLengthError = 0;  ///< against 3D, even if other lengths are targeted
+    double maxTargetLengthError = 0;    ///< against the target lengths
     std::optional<double> symmetricDirichlet;
     std::optional<double> quasiConformalMean, quasiConformalMax;
     std::optional<double> strainMin, strainMax, strainMeanAbs;
-    std::optional<ReferenceFit> reference;  ///< there where the piece carries one
+    std::optional<ReferenceFit> reference;  ///< set if the piece has a reference
     int flippedTriangles = 0;
     int outlineCrossings = 0;
 };
 
-/// Measures a flat piece. @param piece a disk  @param Q #V x 2, mm. Cost: linear but for crossings.
+/// Measures a flat piece. @param piece a disk  @param Q #V x 2, mm. Linear except for crossings.
 PieceQuality measure(const Piece& piece, const Points2& Q);
 
 /// Distortion per element, for overlays. Values are fractions (0.02 = 2 %) or radians.

@@ -7,20 +7,20 @@
 
 namespace toile {
 
-/// The limits of a fabric along one direction, as cloth is held against them: a limit of 0 would
-/// make rounding a strain beyond it.
+/// Limits of a fabric along one direction, for comparison with cloth. Limits are kept above 0,
+/// because rounding would exceed a limit of 0.
 class StrainBounds {
 public:
-    /// Nor does rounding put cloth that is just at its limit beyond it: so many times the limit; as
-    /// in surface.glsl.
+    /// Factor on the limit that keeps cloth exactly at its limit from exceeding it by rounding; the
+    /// same as in surface.glsl.
     static constexpr double kSlack = 1.0005;
 
     explicit StrainBounds(const StrainLimits& stated)
         : least_(std::min(stated.least, -kLeastLimit)), most_(std::max(stated.most, kLeastLimit)) {}
 
-    /// Of cloth that is strained like this.
+    /// The limit on the side of this strain's sign.
     double limitFor(double strain) const { return strain < 0 ? least_ : most_; }
-    /// As a part of its limit.
+    /// Strain as a fraction of its limit.
     double severity(double strain) const { return strain / limitFor(strain); }
     bool isBeyond(double strain) const { return severity(strain) > kSlack; }
 

@@ -8,24 +8,24 @@
 namespace toile::seam {
 namespace {
 
-// Cuts nearer to each other than this fraction of the local edge length are one cut, and parts that
+// Cuts closer to each other than this fraction of the local edge length are merged. Parts that
 // overlap by less do not compete.
 constexpr double kMargin = 0.25;
-// Below this fraction of the edge length two sides coincide: a smaller gap is no better.
+// Below this fraction of the edge length two sides coincide: smaller gaps count as equal.
 constexpr double kNoGap = 1e-3;
-// A pleat's fold is believed only where no other seam wants the place, unless that lies this much
-// farther off: in a stack of layers everything is near.
+// A fold of a pleat is accepted only if no other seam competes for the place, or if that seam is
+// this many times farther away: in a stack of layers everything is near.
 constexpr double kFoldFactor = 10;
 
 /// A part of a candidate: the unit of choice.
 struct Part {
     int parent = 0;  ///< the candidate
     MatchedInterval interval;
-    double cost = 0;         ///< gap relative to the local edge length, 0 where it coincides
-    bool contested = false;  ///< another part lies on the same place
+    double cost = 0;         ///< gap relative to the local edge length; 0 if the sides coincide
+    bool contested = false;  ///< another part overlaps this one
 };
 
-/// Places inside `arc` of the sorted places (in [0, length)), counted on like the arc.
+/// Those of the sorted places (in [0, length)) that lie inside `arc`, counted on like the arc.
 std::vector<double> inside(const std::vector<double>& places, double length, Arc arc) {
     std::vector<double> found;
     double turn = std::floor(arc.from / length) * length;
@@ -65,7 +65,7 @@ struct Claim {
     int part;
 };
 
-/// Marks the parts that lie on a place of another, on one outline.
+/// Marks the parts that overlap another part on one outline.
 void markContested(std::vector<Claim>& claims, double margin, std::vector<Part>& parts) {
     std::ranges::sort(claims, {}, [](const Claim& c) { return std::pair(c.from, c.part); });
     std::vector<Claim> open;
@@ -102,8 +102,8 @@ void findContests(const Outlines& outlines, std::vector<Part>& parts) {
     }
 }
 
-/// Cuts every interval at the places where others begin or end on either of its outlines, and finds
-/// out which parts compete.
+/// Splits every interval where others begin or end on either of its outlines, and finds the parts
+/// that compete.
 std::vector<Part> cutIntoParts(const Outlines& outlines,
                                const std::vector<MatchedInterval>& intervals) {
     const auto ends = intervalEnds(outlines, intervals);
@@ -137,15 +137,15 @@ std::vector<Part> cutIntoParts(const Outlines& outlines,
     return parts;
 }
 
-// Rests shorter than this many local edges, left over beside chosen intervals, are end effects.
+// Remainders beside chosen intervals that are shorter than this many local edges are end effects.
 constexpr double kMinRest = 0.25;
-// The same for edges that are certainly one: only rounding is less.
+// The same for edges that certainly match: only rounding is shorter.
 constexpr double kMinCertain = 1e-9;
-// Where the seams of a garment are closed more tightly than the tolerance, an interval is believed
-// if its gap is below this many times the garment's own, or below this fraction of the edge length.
+// If a garment's seams are closed more tightly than the tolerance, an interval is accepted only if
+// its gap is below this many times the median, or below this fraction of the edge length.
 constexpr double kGapTimesMedian = 10;
 constexpr double kGapAlways = 0.05;
-// An interval found by nearness that is shorter than this many local edges is not accepted.
+// Intervals found by proximity that are shorter than this many local edges are rejected.
 constexpr double kShortest = 0.9;
 // Sides closer than this many local edges coincide.
 constexpr double kCoincident = 1e-4;
@@ -198,7 +198,7 @@ private:
         taken_[interval.outlineB].add(interval.arcB());
     }
 
-    /// Takes what of the part is free on both sides.
+    /// Chooses the stretches of the part that are free on both sides.
     void takeFree(const Part& part, std::vector<MatchedInterval>& chosen) {
         const double least =
             (part.interval.certain ? kMinCertain : kMinRest) * part.interval.spacing(outlines_);
@@ -217,7 +217,7 @@ private:
         }
     }
 
-    /// Takes what of the part is free on one side only.
+    /// Chooses the stretches of the part that are free on one side only.
     void takeStacked(const Part& part, std::vector<MatchedInterval>& chosen) {
         if (part.cost > kStackedGap || part.interval.folded) {
             return;
@@ -240,7 +240,7 @@ private:
         }
     }
 
-    /// Takes out intervals that are too short, or gape more than this garment's seams do.
+    /// Removes intervals that are too short, or gape far more than this garment's seams.
     void accept(std::vector<MatchedInterval>& intervals) {
         const auto gapOf = [&](const MatchedInterval& interval) {
             return interval.meanGap() / interval.spacing(outlines_);
@@ -261,7 +261,7 @@ private:
             widest_ = std::max(kGapAlways, kGapTimesMedian * median);
         }
         std::erase_if(intervals, [&](const MatchedInterval& interval) {
-            // One whole edge that coincides with another is no accident; nearness needs more.
+            // A whole edge that coincides with another is no accident; proximity needs more length.
             const double gap = gapOf(interval);
             const double least = gap < kCoincident ? kMinRest : kShortest;
             const double length = std::min(interval.length(), interval.lengthB());
@@ -284,7 +284,7 @@ private:
     const std::vector<MatchedInterval>& candidates_;
     std::vector<Part> parts_;
     std::vector<ArcSet> taken_;
-    double widest_ = -1;  ///< largest believable gap in local edge lengths; negative: not yet known
+    double widest_ = -1;  ///< largest accepted gap in local edge lengths; negative: not yet known
 };
 
 }  // namespace

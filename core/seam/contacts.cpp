@@ -16,10 +16,10 @@
 namespace toile::seam {
 namespace {
 
-// Layers on one line that are paired with each other; more are no garment.
+// Layers on one line that are paired with each other; no garment has more.
 constexpr std::size_t kMaxLayers = 8;
 
-/// A boundary edge by what it is in its file.
+/// A boundary edge, identified by its positions in the source file.
 struct FileEdge {
     std::array<int, 3> key;  ///< file, smaller and larger source position
     int edge;
@@ -80,15 +80,15 @@ std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piec
 
 namespace {
 
-// A seam is never wider than this part of the garment's diagonal, however coarse the mesh.
+// A seam's gap never exceeds this fraction of the garment's diagonal, however coarse the mesh.
 constexpr double kGapOfGarment = 0.004;
-// Cosine between two edges that still count as one line: the turn of one edge on a tight curve.
+// Cosine of the largest angle between edges that count as parallel: the turn at a tight curve.
 constexpr double kSameLine = 0.5;
-// Facing stretches below this part of the shorter edge are end effects of a polyline's corners.
+// Facing stretches shorter than this fraction of the shorter edge are end effects at corners.
 constexpr double kMinOverlap = 0.01;
-// Ends of a facing stretch this near to a vertex, relative to the edge, are the vertex.
+// Ends of a facing stretch this close to a vertex, relative to the edge, are snapped to it.
 constexpr double kAtEnd = 1e-7;
-// Below this fraction of the edge length two sides coincide, and which side is which says nothing.
+// Below this fraction of the edge length two sides coincide, and their order is meaningless.
 constexpr double kTouching = 1e-3;
 
 struct Segment {
@@ -114,7 +114,7 @@ double snapped(double s, double length) {
     return s < kAtEnd * length ? 0 : s > (1 - kAtEnd) * length ? length : s;
 }
 
-/// True where the cloth itself lies between the two edges: the two sides of a strip or a tip.
+/// True if the cloth itself lies between the two edges, as between two sides of a strip or a tip.
 bool acrossTheCloth(const Segment& a, const Segment& b, const Eigen::Vector3d& gap) {
     const double width = gap.norm();
     return width > kTouching * a.spacing && gap.dot(a.inward) > 0.5 * width &&
@@ -163,7 +163,7 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
                                   const std::vector<char>& settled,
                                   std::vector<CrowdedPlace>& crowded) {
     const double most = kGapOfGarment * outlines.size;
-    std::vector<double> radius;  // so that two edges together reach as far as their tolerance
+    std::vector<double> radius;  // of each edge; two radii add up to at most the tolerance
     for (const Outline& outline : outlines.list) {
         for (const double spacing : outline.spacing) {
             radius.push_back(std::min(0.5 * gap * spacing, most));
@@ -182,26 +182,26 @@ std::vector<Contact> nearContacts(const Outlines& outlines, double gap,
 
 namespace {
 
-// A contact that gapes by a local edge length weighs this many times less, roughly.
+// A contact whose gap is a local edge length weighs about this many times less.
 constexpr double kGapePenalty = 100;
 
-/// Two pieces and how much outline length says that they are wound alike (negative: against).
+/// Two pieces, and the outline length that indicates equal winding (negative: opposite winding).
 struct Balance {
     int left, right;
     double alike;
 };
 
-/// 1 where the cloth of both edges lies on the same side of them, as in layers, -1 where it goes on
-/// beyond.
+/// 1 if the cloth of both edges lies on the same side of them, as in layers; -1 if it lies on
+/// opposite sides.
 double sidesAgree(const Outlines& outlines, const Contact& c) {
     return outlines.of(c.a)
         .inward.row(outlines.local(c.a))
         .dot(outlines.of(c.b).inward.row(outlines.local(c.b)));
 }
 
-/// How much a contact says about the winding of its pieces, in mm. Near contacts speak more softly
-/// the wider they gape. Parallel edges whose cloth lies on the same side are layers on top of each
-/// other and say nothing; of a piece that is wound against its neighbour the cloth goes on beyond.
+/// How strongly a contact indicates the winding of its pieces, in mm. Wider gaps weigh less.
+/// Parallel edges with the cloth on the same side are stacked layers and weigh nothing; the cloth
+/// of a piece wound against its neighbour lies on the opposite side.
 double weightOf(const Outlines& outlines, const Contact& c) {
     const double gape = 0.5 * (c.gap0 + c.gap1) / outlines.of(c.a).spacing[outlines.local(c.a)];
     const double weight = (c.a1 - c.a0) / (1 + kGapePenalty * gape);
@@ -228,7 +228,7 @@ std::vector<Balance> balances(const Outlines& outlines, const std::vector<Contac
 }  // namespace
 
 void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& contacts) {
-    // Pieces as they are wound, and flipped: what is joined is wound alike.
+    // Each piece as wound (2p) and flipped (2p + 1): nodes in one set have consistent winding.
     geometry::DisjointSets sets(2 * static_cast<int>(outlines.list.size()));
     const auto areAlike = [&sets](int p, int q) { return sets.root(2 * p) == sets.root(2 * q); };
     const auto areAgainst = [&sets](int p, int q) {
@@ -249,7 +249,7 @@ void keepConsistentWinding(const Outlines& outlines, std::vector<Contact>& conta
 
 namespace {
 
-/// What the vertices say of the pieces, so that nearness need not guess.
+/// Seams that are known from shared or coincident vertices, so that proximity need not guess.
 class KnownSeams {
 public:
     KnownSeams(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines)
@@ -258,8 +258,8 @@ public:
           groups_(static_cast<int>(pieces.size())),
           isWelded_(pieces.size(), 0) {}
 
-    /// @param shared      of edges that are one in their file
-    /// @param coincident  of edges whose ends coincide
+    /// @param shared      contacts of edges that are identical in their file
+    /// @param coincident  contacts of edges whose ends coincide
     void learn(const std::vector<Contact>& shared, const std::vector<Contact>& coincident) {
         for (const auto* contacts : {&shared, &coincident}) {
             for (const Contact& c : *contacts) {
@@ -308,7 +308,7 @@ private:
     const std::vector<std::shared_ptr<const Piece>>& pieces_;
     const Outlines& outlines_;
     geometry::DisjointSets groups_;  ///< pieces that were one before they were cut
-    std::vector<char> isWelded_;     ///< by group: to another one
+    std::vector<char> isWelded_;     ///< per group: welded to another group
     std::set<std::pair<int, int>> welded_, touching_;  ///< groups that have edges in common
 };
 

@@ -11,12 +11,12 @@
 namespace toile {
 namespace {
 
-// A rest of outline between two seams, shorter than this many local edges, is no free edge.
+// Outline between two seams that is shorter than this many local edges is not a free edge.
 constexpr double kShortestFree = 0.5;
 
 void addFreeEdges(const seam::Outlines& outlines, std::vector<Seam>& seams) {
     std::vector<seam::ArcSet> sewn;
-    std::vector<double> begin(outlines.list.size(), 0);  // a place where no free edge is cut in two
+    std::vector<double> begin(outlines.list.size(), 0);  // a start that does not split a free edge
     std::vector<char> isSewn(outlines.list.size(), 0);
     for (const seam::Outline& outline : outlines.list) {
         sewn.emplace_back(outline.length());
@@ -32,7 +32,7 @@ void addFreeEdges(const seam::Outlines& outlines, std::vector<Seam>& seams) {
     }
     for (std::size_t p = 0; p < outlines.list.size(); ++p) {
         const seam::Outline& outline = outlines.list[p];
-        // A buttonhole is no edge that somebody might have forgotten to sew.
+        // A buttonhole is not an edge that somebody might have forgotten to sew.
         if (outline.size() == 0 || (outline.loop > 0 && !isSewn[p])) {
             continue;
         }
@@ -70,7 +70,7 @@ void indexEdges(const seam::Outlines& outlines, SeamGraph& graph) {
     }
 }
 
-/// What was sewn because its edges lie near each other, and do not coincide.
+/// Seams found by proximity: their edges are near each other but do not coincide.
 struct GuessedSeams {
     long long count = 0;
     double widest = 0;  ///< gap, mm
@@ -91,7 +91,7 @@ struct GuessedSeams {
     }
 };
 
-/// One note about all crowded places, which are many where there is one.
+/// One note for all crowded places, because they usually occur in numbers.
 Problems notesOf(const std::vector<seam::CrowdedPlace>& crowded) {
     const auto worst = std::ranges::max_element(crowded, {}, &seam::CrowdedPlace::edges);
     if (worst == crowded.end()) {

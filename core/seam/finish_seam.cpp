@@ -10,13 +10,13 @@
 namespace toile::seam {
 namespace {
 
-// An end this near to a vertex, in local edge lengths, is meant to be the vertex.
+// An end this close to a vertex, in local edge lengths, is snapped to the vertex.
 constexpr double kEndAtVertex = 0.2;
-// Vertices of the two sides that face each other to within this fraction of the edge length are
-// matched exactly, so that sides sampled alike have no rounding slivers between them.
+// Vertices of the two sides that face each other within this fraction of the edge length are
+// matched exactly, so that equally sampled sides have no rounding slivers between them.
 constexpr double kSameVertex = 1e-6;
 
-/// The same interval seen from the other side, running along that side's outline.
+/// The same interval with its sides swapped, running along the other side's outline.
 MatchedInterval turned(const MatchedInterval& interval) {
     MatchedInterval other = interval;
     std::swap(other.outlineA, other.outlineB);
@@ -29,10 +29,10 @@ MatchedInterval turned(const MatchedInterval& interval) {
     return other;
 }
 
-/// Decides the kind, and turns an interval of a piece with itself so that a dart ends at its point.
+/// Decides the kind, and turns an interval of a piece with itself so that a dart ends at its tip.
 SeamKind settleKind(const Outlines& outlines, MatchedInterval& interval) {
     if (interval.outlineA != interval.outlineB) {
-        // The rims of holes come after all outlines; the pieces tell which side is the left one.
+        // Rims of holes follow all outlines; the piece indices decide which side is the left one.
         if (outlines.list[interval.outlineB].piece < outlines.list[interval.outlineA].piece) {
             interval = turned(interval);
         }
@@ -68,7 +68,7 @@ std::vector<double> verticesBetween(const Outline& outline, double from, double 
     }
 }
 
-/// A match that may be a vertex of either side.
+/// A match that may be at a vertex of either side.
 struct Mark {
     SeamMatch at;
     bool vertexA, vertexB;
@@ -113,7 +113,7 @@ std::vector<SeamMatch> matchesOf(const Outlines& outlines, const MatchedInterval
     return matches;
 }
 
-/// The side from one place to another, counted so that its smaller place lies in the first turn.
+/// The side from one place to another, counted so that its smaller place is in the first turn.
 SeamSide sideOf(const Outline& outline, double start, double end) {
     SeamSide side{.piece = outline.piece, .reversed = end < start, .loop = outline.loop};
     const double low = std::min(start, end);
@@ -144,7 +144,7 @@ Seam finishSeam(const Outlines& outlines, MatchedInterval interval) {
     }
     const double sign = interval.parallel ? 1 : -1;
     const Correspondence first = interval.line.front(), last = interval.line.back();
-    // An end that moved inwards takes its neighbours with it.
+    // If an end moved inwards, its neighbours move with it.
     for (Correspondence& f : interval.line) {
         f.a = std::clamp(f.a, first.a, last.a);
         f.b = sign * std::clamp(sign * f.b, sign * first.b, sign * last.b);
@@ -180,7 +180,7 @@ Seam freeEdge(const Outlines& outlines, int index, Arc arc) {
 
 namespace {
 
-// Places are compared in steps of this part of the garment, so that rounding does not decide.
+// Step for comparing places, as a fraction of the garment's size, so that rounding is harmless.
 constexpr double kSameCentre = 1e-6;
 
 using Key = std::tuple<bool, int, int, SeamKind, std::array<double, 3>, double>;
@@ -200,7 +200,7 @@ Key keyOf(const Outlines& outlines, const Seam& seam) {
             seam.left.start};
 }
 
-/// The name without its number, and the noun that a number needs before it.
+/// The name without its number, and the noun to put before a number.
 std::pair<std::string, std::string> baseName(
     const std::vector<std::shared_ptr<const Piece>>& pieces, const Seam& seam) {
     const std::string& left = pieces[seam.left.piece]->name;

@@ -7,13 +7,13 @@
 namespace toile::seam {
 namespace {
 
-// Intervals with fewer local edges than this between them are one seam: one that gapes a little, or
-// whose sides turn too far apart at a corner.
+// Intervals separated by fewer local edges than this are one seam, with a small gap or with sides
+// that diverge at a corner.
 constexpr double kBridge = 2.5;
-// Intervals whose sides are closer than this many local edges coincide: between two such, an edge
-// that does not coincide is not sewn, and there is nothing to bridge.
+// Intervals whose sides are closer than this many local edges coincide. An edge between two such
+// intervals that does not coincide is not sewn, and is not bridged.
 constexpr double kJoined = 1e-4;
-// Ends that differ by less than this fraction of the perimeter are one place.
+// Ends that differ by less than this fraction of the perimeter are equal.
 constexpr double kNoLength = 1e-9;
 
 class Joiner {
@@ -29,7 +29,7 @@ public:
         });
         findFollowers();
         std::vector<MatchedInterval> whole;
-        // First from the intervals that follow no other; what is left then are closed lines.
+        // First intervals without a predecessor; the remaining ones form closed lines.
         for (const bool closedLines : {false, true}) {
             for (std::size_t k = 0; k < intervals_.size(); ++k) {
                 if (!used_[k] && (closedLines || !follows_[k])) {
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    /// What two intervals that follow each other have in common.
+    /// Properties that two consecutive intervals must share.
     static std::tuple<int, int, bool, bool> groupOf(const MatchedInterval& interval) {
         return {interval.outlineA, interval.outlineB, interval.parallel, interval.stacked};
     }

@@ -8,14 +8,14 @@
 namespace toile::seam {
 namespace {
 
-// An end is a fold end where its two sides are at most this many local edges apart on the outline.
+// An end is a fold end if its two sides are at most this many local edges apart on the outline.
 constexpr double kMaxFoldEndGap = 1.05;
 
 Correspondence between(const Correspondence& p, const Correspondence& q, double t) {
     return {p.a + t * (q.a - p.a), p.b + t * (q.b - p.b), p.gap + t * (q.gap - p.gap)};
 }
 
-/// The facing places at a place on one side; that side runs upwards times `sign`.
+/// The facing places at a place on one side. That side's places increase times `sign`.
 Correspondence correspondenceAt(const std::vector<Correspondence>& line,
                                 double Correspondence::*side, double sign, double s) {
     const auto next = std::ranges::lower_bound(
@@ -119,7 +119,7 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
     }
     const Outline& outline = outlines.list[interval.outlineA];
     const auto meet = [&](const Correspondence& f, double step) {
-        // From the end of one side on to that of the other, away from the interval.
+        // From the end of one side to that of the other, away from the interval.
         const double apart = outline.wrap(step * (f.b - f.a));
         const double most = kMaxFoldEndGap * outline.spacingAt(f.a);
         return apart < most || outline.length() - apart < 0.01 * most;
@@ -143,11 +143,11 @@ FoldEnds foldEndsOf(const MatchedInterval& interval, const Outlines& outlines) {
 
 namespace {
 
-// One with a larger inner angle lies inside the cloth: the point of a dart. A pleat's fold lies
-// on a plain edge, with an angle near pi.
+// A larger inner angle is the tip of a dart, inside the cloth. A pleat folds on a plain edge, with
+// an angle near pi.
 constexpr double kDartAngle = 1.5 * std::numbers::pi;
 
-/// Walks from contact to contact along both outlines.
+/// Follows contacts along both outlines.
 class Chainer {
 public:
     Chainer(const Outlines& outlines, const std::vector<Contact>& contacts)
@@ -167,7 +167,7 @@ public:
     }
 
 private:
-    /// A contact on the walk: seen from side a, or `swapped`; edges counted on past either end.
+    /// A contact on the walk, seen from side a or `swapped`; edge numbers continue past either end.
     struct Step {
         int contact;
         int i, j;
@@ -233,8 +233,8 @@ private:
         return hit ? static_cast<int>(at - contacts_.begin()) : -1;
     }
 
-    /// Puts the facing places in order along the seam and takes out what runs back: at corners of
-    /// differently sampled outlines neighbouring contacts overlap a little.
+    /// Sorts the facing places along the seam and removes those that run backwards: contacts
+    /// overlap a little at corners of differently sampled outlines.
     void straighten(MatchedInterval& interval) const {
         const double sign = interval.parallel ? 1 : -1;
         std::vector<Correspondence>& line = interval.line;
@@ -251,7 +251,7 @@ private:
                                           std::abs(q.b - p.b) <= tiny;
                                }),
                    line.end());
-        // A seam that closes may overlap itself by a rounding error or a corner: once round is all.
+        // A closed seam may overlap itself by rounding or at a corner: limit it to one turn.
         const bool self = interval.outlineA == interval.outlineB;
         const double used = interval.length() + (self ? interval.lengthB() : 0.0);
         const double there = outlines_.list[interval.outlineA].length();

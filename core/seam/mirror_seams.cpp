@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 constexpr const char* kMirrorSeam = "mirror seam";
-/// How far its points may lie off the plane, mm: rounding.
+/// Largest distance of its points from the plane, mm: rounding.
 constexpr double kOffPlane = 1e-3;
 
 bool liesInMirror(const SeamSide& side, const Garment& garment) {

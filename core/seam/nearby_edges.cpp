@@ -10,16 +10,16 @@
 namespace toile::seam {
 namespace {
 
-// So few edges of a cell are paired without dividing it further.
+// Cells with no more edges than this are paired without further splitting.
 constexpr std::size_t kFewEdges = 16;
-// Cells that an edge may be entered in on the way down, on average: dividing a cell parts no edges
-// that lie along each other, or meet in one point.
+// Largest mean number of cells per edge: splitting a cell does not separate edges that lie along
+// each other, or meet in one point.
 constexpr double kMaxCopiesPerEdge = 16;
-// More edges than these, and not parted, are a crowd: 64 corners in one point, or 128 layers.
+// More edges than this, inseparable, are a crowd: 64 corners in one point, or 128 layers.
 constexpr std::size_t kCrowd = 128;
-// Halvings of the garment's size: one part in 1e7.
+// Largest number of halvings of the garment's size: one part in 1e7.
 constexpr int kMaxDepth = 24;
-// Of the garment's size: what rounding may take from an edge's radius.
+// Fraction of the garment's size that rounding may take from an edge's radius.
 constexpr double kRounding = 1e-9;
 
 struct Stretch {
@@ -31,7 +31,7 @@ struct Cell {
     Eigen::Vector3d low;
     double side;
     int depth = 0;
-    double copies = 1;  ///< entries so far of an edge, on average
+    double copies = 1;  ///< mean number of entries per edge so far
 
     Cell child(int octant, double copiesThere) const {
         const double half = 0.5 * side;
@@ -58,7 +58,7 @@ public:
             pairAll(edges);
             return;
         }
-        std::vector<unsigned char> octants(edges.size(), 0);  // a bit for each that is reached
+        std::vector<unsigned char> octants(edges.size(), 0);  // bits of reached octants
         double entries = 0;
         for (std::size_t i = 0; i < edges.size(); ++i) {
             for (int octant = 0; octant < 8; ++octant) {
@@ -111,7 +111,7 @@ private:
         }
     }
 
-    /// Edges that lie along each other have many cells in common.
+    /// Removes duplicates: edges that lie along each other have many cells in common.
     void sortOut() {
         std::sort(found_.pairs.begin(), found_.pairs.end());
         found_.pairs.erase(std::unique(found_.pairs.begin(), found_.pairs.end()),
@@ -121,7 +121,7 @@ private:
 
     std::vector<Stretch> stretches_;
     NearbyEdges found_;
-    std::size_t different_ = 0;  ///< pairs when they were sorted out last
+    std::size_t different_ = 0;  ///< number of pairs after the last removal of duplicates
 };
 
 }  // namespace
@@ -144,7 +144,7 @@ NearbyEdges nearbyEdges(const Outlines& outlines, const std::vector<char>& skip,
     if (edges.empty()) {
         return {};
     }
-    // The place where two edges come nearest lies between them, so within their box.
+    // The nearest points of two edges lie between them, so within their box.
     PairSearch pairs(std::move(stretches));
     pairs.search(edges, {box.min(), box.sizes().maxCoeff()});
     return pairs.take();

@@ -13,10 +13,10 @@
 namespace toile::seam {
 namespace {
 
-// Edges on either side that the local edge length is averaged over.
+// Number of edges on either side over which the local edge length is averaged.
 constexpr int kSpacingRadius = 2;
 
-/// The corner opposite to edge (u, v) in its one triangle.
+/// The corner opposite to edge (u, v) in its only triangle.
 int oppositeVertex(const Piece& piece, int u, int v) {
     return apexOf(piece.mesh.F, piece.table.usesOf(findEdge(piece.table.edges, u, v))[0]);
 }

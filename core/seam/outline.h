@@ -15,7 +15,7 @@ namespace toile::seam {
 /// The boundary of a piece, or the rim of a hole in it, as a closed polyline, ready for measuring.
 /// Arc lengths in mm.
 struct Outline {
-    int piece = -1;             ///< whose
+    int piece = -1;             ///< index of the piece
     int loop = 0;               ///< as in SeamSide
     std::vector<int> vertices;  ///< #n, of the piece, in loop order
     geometry::SpaceLine line = geometry::SpaceLine::closed({});  ///< #n points, in loop order
@@ -33,14 +33,14 @@ struct Outline {
     int edgeAt(double s) const { return line.edgeAt(s); }
     double spacingAt(double s) const { return spacing[edgeAt(s)]; }
     Eigen::Vector3d pointAt(double s) const { return line.pointAt(s).transpose(); }
-    /// Arc length of vertex k counted on over any number of turns: k may be negative or large.
+    /// Arc length of vertex k over any number of turns: k may be negative or large.
     double arcOf(int k) const { return line.placeOf(k); }
     /// The arc length of the vertex nearest to `s`, counted on like `s`.
     double nearestVertex(double s) const;
 };
 
-/// The outlines of all pieces, one each (empty where the piece is no disk), then the rims of all
-/// holes; and their edges numbered in one go.
+/// The outlines of all pieces, one each (empty if the piece is no disk), then the rims of all
+/// holes; edges are numbered across all of them.
 struct Outlines {
     std::vector<Outline> list;
     std::vector<int> firstEdge;  ///< per outline, one more at the end
@@ -54,9 +54,9 @@ struct Outlines {
     double lengthOf(int edge) const {
         return of(edge).arcOf(local(edge) + 1) - of(edge).arcOf(local(edge));
     }
-    /// The piece that an edge is of.
+    /// The piece of an edge.
     int pieceOf(int edge) const { return of(edge).piece; }
-    /// The outline that a side runs along.
+    /// The index of the outline that a side runs along.
     int indexOf(const SeamSide& side) const {
         return side.loop == 0 ? side.piece : firstHole[side.piece] + side.loop - 1;
     }

@@ -12,9 +12,9 @@
 namespace toile {
 namespace {
 
-/// A place nearer to a vertex than this fraction of the edge is the vertex.
+/// A place closer to a vertex than this fraction of the edge is the vertex.
 constexpr double kAtVertex = 1e-9;
-/// Points of a stretch nearer to each other are one, mm.
+/// Points of a stretch closer than this are merged, mm.
 constexpr double kSamePlace = 1e-6;
 constexpr Word<SeamKind> kKinds[] = {{SeamKind::Seam, "seam"},
                                      {SeamKind::Dart, "dart"},
@@ -26,7 +26,7 @@ constexpr Word<LengthCause> kCauses[] = {{LengthCause::Mirroring, "mirroring"},
                                          {LengthCause::Ease, "ease"},
                                          {LengthCause::Improving, "improving"}};
 
-/// Methods with a free outline pass targets over.
+/// Methods with a free outline ignore target lengths.
 std::vector<ChangedPart> changedParts(const PieceResult& result) {
     return traits(result.options.method).keepsLengths ? result.targets.changed
                                                       : std::vector<ChangedPart>();
@@ -47,10 +47,10 @@ void keepLargest(std::vector<LengthChange>& changes, const LengthChange& change)
 /// One edge of a stretch of outline and the part of it that belongs to the stretch.
 struct PartOfEdge {
     int tail, head;   ///< vertices
-    double from, to;  ///< fractions of the edge; exactly 0 and 1 where the whole edge is in
+    double from, to;  ///< fractions of the edge; exactly 0 and 1 if the whole edge is included
 };
 
-/// The parts of a stretch, along the outline whatever the side's direction.
+/// The parts of a stretch in outline order, whatever the side's direction.
 std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
     const std::vector<int>& loop = loopOf(side, piece);
     const int n = static_cast<int>(loop.size());
@@ -66,7 +66,7 @@ std::vector<PartOfEdge> partsOf(const SeamSide& side, const Piece& piece) {
     std::vector<PartOfEdge> parts;
     for (int k = side.first; k < side.first + side.count; ++k) {
         const double length = lengthOf(k);
-        // An end at a vertex is put there exactly, free of the rounding in the sums.
+        // An end at a vertex is set to it exactly, free of rounding in the sums.
         const auto fraction = [&](double place) {
             const double t = std::clamp((place - arc) / length, 0.0, 1.0);
             return t < kAtVertex ? 0 : t > 1 - kAtVertex ? 1 : t;
@@ -96,7 +96,7 @@ Points lineThrough(const SeamSide& side, const Piece& piece, const Points& at) {
     return side.reversed ? Points(line.colwise().reverse()) : line;
 }
 
-/// True where the stretch lies on an outline that is not the polygon of its vertices.
+/// True if the stretch lies on an outline that is not the polygon of its vertices.
 bool isDrawn(const SeamSide& side, const FlatPiece& flat) {
     return flat.line && side.loop == 0;
 }
@@ -193,7 +193,7 @@ StretchLines stretchLines(const SeamSide& side, const Piece& piece, const FlatPi
     if (!isDrawn(side, flat)) {
         return {spaceLine(side, piece), flatLine(side, piece, flat)};
     }
-    // Arc lengths of what is on the stretch: its ends, vertices, and the points of the drawn line.
+    // Arc lengths of all points of the stretch: ends, vertices and points of the drawn line.
     const auto [low, high] = std::minmax(side.start, side.end);
     const auto space = geometry::SpaceLine::closed(piece.mesh.V(piece.boundary, Eigen::all));
     const auto line = geometry::Line::closed(flat.line->points, flat.line->arc);

@@ -13,20 +13,20 @@
 namespace toile {
 namespace {
 
-/// Points that tell one seam from every other, and which way round a closed one goes.
+/// Number of points that identify a seam, and the direction of a closed one.
 constexpr int kJoinPoints = 9;
-/// A cut that has less of an edge than this part of it only touches it.
+/// A cut that covers less than this fraction of an edge only touches it.
 constexpr double kOnLine = 1e-6;
-/// Parts of an outline that are no further apart go on in each other, mm.
+/// Parts of an outline that are closer than this are joined, mm.
 constexpr double kTouching = 1e-6;
 
-/// How much of a side comes of one line.
+/// The length of a side that comes from one line.
 struct Share {
     LineStretch stretch;
     double length = 0;  ///< mm
 };
 
-/// The line that most of a side comes of; the cuts are added to those that it comes of.
+/// The line that most of a side comes from; adds all cuts that it comes from to `cuts`.
 LineStretch tracedStretch(const SeamSide& side, const seam::Outline& outline,
                           const std::vector<EdgeOrigin>& origins, std::vector<CutId>* cuts) {
     std::vector<Share> shares;
@@ -124,7 +124,7 @@ void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts) {
         }
     }
     std::set<std::string> taken;
-    std::map<CutId, std::vector<Seam*>> seamsOf;  // where two cuts run on, the first names it
+    std::map<CutId, std::vector<Seam*>> seamsOf;  // if two cuts make one seam, the first names it
     for (Seam& seam : graph.seams) {
         taken.insert(seam.name);
         std::size_t first = cuts.size();
@@ -159,7 +159,7 @@ UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Pie
     UserJoin join{seam.name, {}};
     Eigen::Index last = -1;
     for (int k = 0; k < kJoinPoints; ++k) {
-        // The ends exactly, between them the vertices next to even places.
+        // The exact ends, and between them the vertices next to evenly spaced places.
         const auto at = std::ranges::lower_bound(arc, arc.back() * k / (kJoinPoints - 1.0));
         Eigen::Index i = std::min<Eigen::Index>(at - arc.begin(), line.rows() - 1);
         i = k == kJoinPoints - 1 ? line.rows() - 1 : i;

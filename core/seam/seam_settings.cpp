@@ -10,10 +10,10 @@ namespace toile {
 namespace {
 
 constexpr double kHalf = 0.5;
-constexpr double kMaxSeenEase = 10;  ///< what a file may state
-constexpr double kSame = 1e-9;       ///< shares of a line
+constexpr double kMaxSeenEase = 10;  ///< largest ease in a file
+constexpr double kSame = 1e-9;       ///< tolerance of shares of a line
 
-/// The same of both sides; one that neither knows, as of a free edge, says nothing.
+/// The smaller coverage of both sides; a side without a known line, as of a free edge, is ignored.
 double covered(const SeamPlace& a, const SeamPlace& b) {
     if (!a.left.line && !b.left.line) {
         return covered(a.right, b.right);
@@ -40,13 +40,13 @@ SeamSettings turned(SeamSettings said) {
     return said;
 }
 
-/// How well a place fits a seam; 0 where it says nothing of it.
+/// How well a place fits a seam; 0 if it covers at most half of the seam.
 double fit(const SeamPlace& seam, const SeamPlace& place) {
     const double has = covered(seam, place);
     return has > kHalf ? has * covered(place, seam) : 0;
 }
 
-/// Settings by the lines that they are about: a garment may have thousands.
+/// Settings indexed by their lines: a garment may have thousands.
 class SettingsByLine {
 public:
     explicit SettingsByLine(const std::vector<SeamSettings>& settings) {
@@ -58,7 +58,7 @@ public:
         }
     }
 
-    /// What fits a seam best, as seen from its left side.
+    /// The settings that fit a seam best, as seen from its left side.
     std::optional<SeamSettings> of(const Seam& seam) const {
         const LineId line = seam.place.left.line ? seam.place.left.line : seam.place.right.line;
         const auto known = byLine_.find(line);
