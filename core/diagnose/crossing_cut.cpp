@@ -18,31 +18,31 @@
 namespace toile {
 namespace {
 
-/// Crossings looked at: where there are more, evenly chosen ones stand for the others.
+/// Largest number of crossings examined; of more, evenly chosen ones represent the others.
 constexpr std::size_t kMaxCrossings = 256;
-/// Pairs of opposite places to search between.
+/// Number of pairs of opposite places between which paths are searched.
 constexpr int kMaxOpposite = 16;
-/// Sharpest corners taken as ends: the tip of a slit above all.
+/// Number of sharpest corners used as ends, mainly for the tips of slits.
 constexpr std::size_t kSharpest = 8;
 constexpr std::size_t kCrossingEnds = 8;
-/// A test of a cut passes over the outline for each edge of the cut. Those that ask whether a cut
-/// resolves everything may pass this many outline edges together.
+/// Testing a cut passes over the outline for each edge of the cut. Tests whether a cut resolves
+/// everything may pass this many outline edges in total.
 constexpr std::size_t kTestedEdges = 1000000;
 constexpr std::size_t kMinTests = 8;
 constexpr std::size_t kMaxTests = 200;
-/// Cuts compared where none resolves everything.
+/// Limits on the number of cuts compared if none resolves everything.
 constexpr std::size_t kMinLeastBadTests = 4;
 constexpr std::size_t kMaxLeastBadTests = 40;
-/// The first paths looked at are as long as this part of the outline at most, the next so many
-/// times as long.
+/// Longest paths in the first round, as a share of the outline, and the factor for each further
+/// round.
 constexpr double kFirstReach = 0.01;
 constexpr double kReachGrowth = 2;
-/// And from here on they cross the whole piece anyway: all are looked at.
+/// From this share on, paths cross the whole piece anyway: search without a limit.
 constexpr double kWholeReach = 0.125;
-/// A cut up to this much longer than the shortest is taken where it divides more evenly.
+/// A cut up to this much longer than the shortest is preferred if it divides more evenly.
 constexpr double kHardlyLonger = 1.2;
 
-/// Every k-th of a list, so that at most `most` are left.
+/// Every k-th element of a list, so that at most `most` are left.
 template <class T>
 std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     std::vector<T> kept;
@@ -53,7 +53,7 @@ std::vector<T> thinned(const std::vector<T>& all, std::size_t most) {
     return kept;
 }
 
-/// 64 bits that look random, the same for the same index everywhere (SplitMix64).
+/// 64 pseudo-random bits; the same for the same index on every platform (SplitMix64).
 std::uint64_t scrambled(std::uint64_t index) {
     std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15U;
     z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
@@ -78,8 +78,8 @@ public:
         std::partial_sum(lengths.begin(), lengths.end(), along_.begin() + 1);
     }
 
-    /// Short paths are looked at first, and mostly suffice: what is found among the paths up to a
-    /// length is the same as among all, if nothing longer could be preferred.
+    /// Short paths are examined first, and usually suffice: the result for paths up to a length is
+    /// that for all paths, if no longer one could be preferred.
     std::optional<CrossingCut> best() {
         fromOppositePlaces();
         fromSpreadPlaces();
@@ -109,16 +109,16 @@ public:
 private:
     struct Candidate {
         InteriorPath path;
-        int together;  ///< crossings that it does not part
+        int together;  ///< crossings that the path does not separate
     };
 
-    /// Places of the outline, to be joined.
+    /// Outline places to connect.
     struct Search {
         std::vector<int> from, to;
     };
 
-    /// Sorted: paths that part more of the crossings first, then short ones. True where none is
-    /// longer.
+    /// Finds paths up to `longest`. Sorts them by the number of crossings that they separate, then
+    /// by length. True if no longer path was left out.
     bool findWays(double longest) {
         candidates_.clear();
         bool isAll = true;
@@ -155,9 +155,9 @@ private:
         }
     }
 
-    /// A path parts all crossings where its ends lie on different sides of each of them. With a
-    /// random word per crossing, joined by exclusive or on passing its edges, the ends' words
-    /// differ by the join of all.
+    /// A path separates all crossings if its ends are on different sides of each. Each crossing
+    /// gets a random word; words are combined by exclusive or on passing the crossing's edges. The
+    /// words of the two ends then differ by the combination of all words.
     void fromOppositePlaces() {
         std::vector<std::uint64_t> passed(static_cast<std::size_t>(n_) + 1, 0);
         std::uint64_t all = 0;
@@ -186,7 +186,7 @@ private:
         }
     }
 
-    /// Places where a cut may well end: the sharpest corners, next to crossings, evenly spread.
+    /// Likely ends of a cut: the sharpest corners, places next to crossings, evenly spread places.
     std::vector<int> spreadPlaces(std::size_t count) const {
         const Eigen::VectorXd angles = boundaryAngles3d(piece_.mesh, piece_.boundary);
         std::vector<int> sharpest(piece_.boundary.size());
@@ -220,9 +220,9 @@ private:
         }
     }
 
-    /// Crossings in the outlines of the two parts, counted to `most`: those there are between edges
-    /// of one part, and those of its new edges. The edge after the path counts as one: what touches
-    /// where an edge starts is judged by the edge before.
+    /// Number of crossings, at most `most`, in the outlines of the two parts: those between edges
+    /// of one part, and those of its new edges. The edge after the path counts as new, because
+    /// contact at the start of an edge is judged by the edge before.
     int left(const InteriorPath& path, int most) const {
         int count = 0;
         for (const bool second : {false, true}) {
@@ -246,7 +246,7 @@ private:
         return count;
     }
 
-    /// Not to be asked once there are no tests left.
+    /// Precondition: tests are left.
     bool resolves(const InteriorPath& path) {
         --testsLeft_;
         return all_.size() < kMaxOutlineCrossings && left(path, 1) == 0;
@@ -254,11 +254,11 @@ private:
 
     bool mayTest() const { return testsLeft_ > 0 && !progress_.isCancelled(); }
 
-    /// Passes over those that were tested among shorter paths: they come first again.
+    /// Skips paths already tested in shorter rounds: they come first in the new list too.
     const Candidate* firstThatResolves() {
         for (; tested_ < candidates_.size(); ++tested_) {
             const Candidate& c = candidates_[tested_];
-            if (c.together > 0 || !mayTest()) {  // those that part all crossings come first
+            if (c.together > 0 || !mayTest()) {  // paths that separate all crossings come first
                 break;
             }
             if (resolves(c.path)) {
@@ -268,13 +268,13 @@ private:
         return nullptr;
     }
 
-    /// How much longer one part's share of the outline is than the other's.
+    /// Difference between the two parts' shares of the outline, mm.
     double unevenness(const InteriorPath& path) const {
         const double between = std::abs(along_[path.to] - along_[path.from]);
         return std::abs(along_.back() - 2 * between);
     }
 
-    /// With the tests that are left.
+    /// Uses the remaining tests.
     CrossingCut mostEven(const Candidate& shortest) {
         std::vector<const Candidate*> close;
         for (const Candidate& c : candidates_) {
@@ -293,7 +293,7 @@ private:
         return {shortest.path.vertices, shortest.path.length, true};
     }
 
-    /// Of the paths that part the most crossings: the one that leaves the fewest.
+    /// Of the paths that separate the most crossings, the one that leaves the fewest.
     CrossingCut leastBad() const {
         const Candidate* best = &candidates_.front();
         int fewest = std::numeric_limits<int>::max();
@@ -316,7 +316,7 @@ private:
     const Progress& progress_;
     int n_;
     const std::vector<OutlineCrossing>& all_;
-    std::vector<OutlineCrossing> crossings_;  ///< some of all
+    std::vector<OutlineCrossing> crossings_;  ///< a selection of all
     InteriorPaths paths_;
     std::vector<double> along_;  ///< length of the outline up to each loop vertex
     std::size_t testsLeft_;
@@ -355,7 +355,7 @@ void nameCrossingCut(const Piece& piece, const Points2& Q,
         return;
     }
     const auto cut = cutForCrossings(piece, Q, crossings, progress);
-    if (!progress.isCancelled()) {  // else what was found may not be what there is
+    if (!progress.isCancelled()) {  // after a cancel the cut may not be the best
         note->detail += cutWords(piece, cut);
     }
 }

@@ -23,20 +23,20 @@ namespace {
 constexpr double kPercent = 100;
 constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 
-/// The size of the strain over a piece, weighted by area. Without a sign: 0.3 is 30 %.
+/// Absolute strain over a piece, weighted by area; 0.3 is 30 %.
 struct StrainSizes {
-    double mean = 0;    ///< of both principal directions; a triangle counts kMaxCounted at most
+    double mean = 0;    ///< of both principal directions; a triangle counts at most kMaxCounted
     double beyond = 0;  ///< share of the area beyond kStrainBeyondCloth in its worst direction
-    double high = 0;    ///< exceeded on kStrainFaultArea of the area only
+    double high = 0;    ///< exceeded on only kStrainFaultArea of the area
     int worst = -1;     ///< triangle
 };
 
-/// Single triangles, however far they are stretched, do not decide the mean.
+/// Limit per triangle, so that single stretched triangles do not decide the mean.
 constexpr double kMaxCounted = 1;
 
 StrainSizes strainSizes(const PieceResult& result) {
     const auto metrics = wornFaceMetrics(result.piece->mesh, result.flat->Q);
-    // Flat cloth may have no area left.
+    // Flat cloth may have zero area.
     const Eigen::VectorXd areas = triangleAreas3d(result.piece->mesh);
     StrainSizes sizes;
     std::vector<std::pair<double, double>> sizeAndArea;
@@ -71,8 +71,8 @@ StrainSizes strainSizes(const PieceResult& result) {
     return sizes;
 }
 
-/// No flat outline of a length encloses more than a circle does. A piece with more area is nearly
-/// closed, as a hat or a sock; this share of its area tells.
+/// No flat outline encloses more area than a circle of equal length. If that circle has less than
+/// this share of a piece's area, the piece is nearly closed, like a hat or a sock.
 constexpr double kNearlyClosed = 0.8;
 
 Wording closedWords(const Piece& piece, const PieceQuality* quality) {
@@ -88,7 +88,7 @@ Wording closedWords(const Piece& piece, const PieceQuality* quality) {
                : Wording();
 }
 
-/// The most that a fabric stretches or shrinks in any direction.
+/// The largest limit of a fabric in any direction.
 double largestLimit(const Fabric& fabric) {
     double largest = 0;
     for (const StrainLimits& limits : {fabric.warp, fabric.weft, fabric.bias}) {
@@ -161,7 +161,7 @@ std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>&
     }
     double cuts = 0;
     for (const AppliedCut& cut : record.cuts) {
-        // A tailor's have a reason.
+        // Cuts of the tailor have a reason.
         cuts += cut.author == CutAuthor::Automatic && cut.evidence.empty() ? cut.length : 0;
     }
     const std::vector<double> loops = loopLengths(*record.whole);

@@ -12,36 +12,36 @@
 
 namespace toile {
 
-/// What makes a pattern doubtful although all of it came out flat.
+/// Reasons to doubt a pattern although all pieces became flat.
 enum class DoubtKind {
-    UpAxisInDoubt,      ///< of a file: the axis was guessed, and another is as likely
-    InsideOut,          ///< of a file: its faces look inwards, so pieces come out mirrored
+    UpAxisInDoubt,      ///< of a file: the axis was guessed, and another one is equally likely
+    InsideOut,          ///< of a file: its faces point inwards, so pieces are mirrored
     StrainBeyondCloth,  ///< of one piece
-    ManyScraps,         ///< of the garment: debris, not pieces
-    LongCuts,           ///< of a piece as divided: cut to ribbons
+    ManyScraps,         ///< of the garment: debris instead of pieces
+    LongCuts,           ///< of a whole piece: it is cut to ribbons
 };
 
-/// No cloth takes this strain, and fewer than so much of a piece's area are single triangles.
+/// No cloth takes this strain. A smaller share of a piece's area than this is single triangles.
 inline constexpr double kStrainBeyondCloth = 0.25, kStrainBeyondClothShare = 0.02;
-/// The pattern is useless, unless the chosen fabric stretches more, where the mean strain is more
-/// than this, or kStrainBeyondCloth is exceeded on so much of the area. Both weighted by area.
+/// The pattern is useless if the mean strain is above this, or if kStrainBeyondCloth is exceeded on
+/// this share of the area, unless the chosen fabric stretches more. Both weighted by area.
 inline constexpr double kMeanStrainFault = 0.06, kStrainFaultArea = 0.05;
-/// A crossing outline that was moved apart may raise the largest edge strain by so much: more is
-/// compression where a cut is called for.
+/// Moving a crossing outline apart may raise the largest edge strain by this much; more is
+/// compression, which needs a cut.
 inline constexpr double kApartStrain = 0.1;
-/// More scraps than this, each smaller than so much worn cloth, mm2, are debris.
+/// More scraps than this, each smaller than this area of worn cloth in mm2, are debris.
 inline constexpr int kManyScraps = 20;
 inline constexpr double kScrapArea = 100;
-/// Cuts that Toile found itself and that are longer than all rims of a piece together.
+/// Longest cuts found by Toile itself, relative to all rims of a piece together.
 inline constexpr double kLongCuts = 1;
 
-/// How a kind of doubt is told.
+/// Texts for a kind of doubt.
 struct DoubtWords {
     const char* name;  ///< kebab-case, as in files
     const char* title;
     const char* describe;  ///< %0: `Doubt::what`
     const char* advice;    ///< a sentence without a full stop
-    const char* option;    ///< what to type on the command line, or empty
+    const char* option;    ///< command line option to use, or empty
 };
 
 inline constexpr DoubtWords kDoubtWords[] = {
@@ -69,32 +69,32 @@ inline constexpr DoubtWords kDoubtWords[] = {
      ""},
 };
 
-/// Something to look at before anybody trusts the pattern.
+/// Something to check before you trust the pattern.
 struct Doubt {
     DoubtKind kind;
-    Subject subject{};  ///< the piece or the file by its name; None of the whole garment
+    Subject subject{};  ///< the piece or the file by its name; None for the whole garment
     int piece = -1;     ///< index into the garment's pieces, or -1
     int face = -1;      ///< of the piece: the worst strained triangle, or -1
     double badness = 0;
-    Wording what{};        ///< the particulars, in millimetres
-    bool isFault = false;  ///< cloth cut by the pattern would be wasted
+    Wording what{};        ///< details, in millimetres
+    bool isFault = false;  ///< cutting cloth by this pattern would waste it
 };
 
 const DoubtWords& doubtWords(DoubtKind kind);
 /// "front: strain is beyond 25 % on 40.0 % of the area ...; cut the piece ... (--auto-cut)."
 std::string sentence(const Doubt& doubt);
 
-/// Looks at the files and at what came out. Pieces that are left out do not count, nor does what a
-/// person has cut; a closed piece has no rim that a cut could be compared with.
-/// @param results  one per piece of the garment; null or of another shape: not looked at for strain
-/// @param fabrics  one per piece, as chosen; left out: none is chosen
+/// Checks the files and the results. Ignores pieces that are left out, and cuts by the user. A
+/// closed piece has no rim to compare cuts with.
+/// @param results  one per piece of the garment; null or of another shape: strain is not checked
+/// @param fabrics  one per piece, as chosen; empty if no fabric is chosen
 /// Cost: n log n in the triangles. Pure, thread-safe.
 std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results,
                               const std::vector<Fabric>& fabrics = {});
 
 /// Whether cloth would be wasted: a piece that is not flat, crosses itself or has flipped
-/// triangles, a cut or a join that could not be made, or a doubt that is a fault. The rule behind
-/// exit status 1 (docs/report.md). @param doubts  of the same garment and results
+/// triangles, a cut or a join that could not be made, or a doubt that is a fault. The rule for exit
+/// status 1 (docs/report.md). @param doubts  of the same garment and results
 bool hasFaults(const Garment& garment, const PieceResults& results,
                const std::vector<Doubt>& doubts);
 

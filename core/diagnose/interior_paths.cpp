@@ -80,7 +80,7 @@ std::vector<InteriorPath> InteriorPaths::find(const std::vector<int>& sources,
     for (const int i : targets) {
         const int end = piece_.boundary[i];
         if (parent_[end] < 0) {
-            continue;  // a source, or out of reach
+            continue;  // a source, or unreachable
         }
         InteriorPath path{-1, i, {}, distance_[end]};
         for (int v = end; v >= 0; v = parent_[v]) {

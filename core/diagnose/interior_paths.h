@@ -17,17 +17,17 @@ struct InteriorPath {
 };
 
 /// Shortest paths along edges through the inside of a piece: they touch the outline only at their
-/// ends, and no hole's rim. Keeps a reference to the piece. One thread at a time: searches share
-/// their workspace.
+/// ends, and never a hole's rim. Keeps a reference to the piece. Use from one thread at a time:
+/// searches share their workspace.
 class InteriorPaths {
 public:
     /// Cost: linear.
     explicit InteriorPaths(const Piece& piece);
 
-    /// For each target that can be reached, in order: the path from the nearest source. Equal paths
+    /// For each reachable target, in order: the path from the nearest source. Ties between paths
     /// are decided by index.
     /// @param sources, targets  indices into Piece::boundary
-    /// @param longest           mm: longer paths are left out, the others are the same as without
+    /// @param longest           mm: longer paths are left out; the others do not depend on it
     /// Cost: O(m log m) for the m edges within `longest` of the sources, and the targets.
     std::vector<InteriorPath> find(const std::vector<int>& sources, const std::vector<int>& targets,
                                    double longest = std::numeric_limits<double>::infinity());
@@ -39,9 +39,9 @@ private:
     void search(const std::vector<int>& sources, double longest);
 
     const Piece& piece_;
-    std::vector<int> loopIndex_;      ///< of each vertex; -1 inside
-    std::vector<bool> isHoleRim_;     ///< of each vertex
-    geometry::Buckets<> neighbours_;  ///< of each vertex: along the edges inside
+    std::vector<int> loopIndex_;      ///< per vertex; -1 inside
+    std::vector<bool> isHoleRim_;     ///< per vertex
+    geometry::Buckets<> neighbours_;  ///< per vertex: along interior edges
     // Between two searches: infinite, -1, empty.
     std::vector<double> distance_;
     std::vector<int> parent_;

@@ -68,7 +68,7 @@ std::vector<Eigen::Vector2d> distributionMoves(std::span<const Eigen::AlignedBox
         place += boxes[i].sizes()[axis] + gap;
     }
     moves[order.front()].setZero();
-    moves[order.back()].setZero();  // but for rounding they are that already
+    moves[order.back()].setZero();  // already zero, except for rounding
     return moves;
 }
 

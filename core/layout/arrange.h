@@ -9,21 +9,21 @@
 
 namespace toile {
 
-/// Lining up what lies on the sheet. Pure functions; mm, y up.
+/// Aligns pieces on the sheet. Pure functions; mm, y up.
 
 enum class Alignment { Left, Right, Top, Bottom, Centre, Middle };
 
-/// What moves each box so that all have the named edge, or their middle across (Centre) or upwards
-/// (Middle), where the box around all has it.
-/// @param boxes  none empty
+/// The move of each box that aligns the named edge of all, or their horizontal (Centre) or vertical
+/// (Middle) middle, with that of their common bounding box.
+/// @param boxes  not empty
 std::vector<Eigen::Vector2d> alignmentMoves(std::span<const Eigen::AlignedBox2d> boxes,
                                             Alignment alignment);
 
 enum class Direction { Across, Upwards };
 
-/// What moves each box so that the gaps between neighbours along the direction are the same; the
-/// first and the last stay. Boxes that are longer than the room together overlap alike. Nothing
-/// moves where there are fewer than three.
+/// The move of each box that makes the gaps between neighbours along the direction equal; the first
+/// and the last stay. If the boxes do not fit, they overlap by equal amounts. Fewer than three
+/// boxes do not move.
 std::vector<Eigen::Vector2d> distributionMoves(std::span<const Eigen::AlignedBox2d> boxes,
                                                Direction direction);
 

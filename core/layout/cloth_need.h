@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// How much of a cloth one of each piece takes as the pieces lie, the warp upwards.
+/// Amount of one cloth needed for one of each piece in their current layout, warp upwards.
 struct ClothNeed {
     std::string material;  ///< what these pieces are cut from; empty: the garment's own fabric
     double length = 0;     ///< along the warp, mm
@@ -19,8 +19,8 @@ struct ClothNeed {
     bool operator==(const ClothNeed&) const = default;
 };
 
-/// One for each cloth that drawn pieces are cut from, the garment's own first, then by name; with
-/// allowances where there are some. Cost: linear. Pure.
+/// One for each cloth that drawn pieces are cut from, the garment's own first, then by name;
+/// includes allowances, if any. Cost: linear. Pure.
 /// @param laid  with the `Cutting` of each piece and the materials
 std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own);
 

@@ -19,12 +19,12 @@ using Vector2 = Eigen::Vector2d;
 
 constexpr int kDirections = 32;
 constexpr int kBisections = 8;
-/// Outlines are thinned so that they stay this near to what they were, as a part of the gap.
+/// Largest change of an outline by thinning, as a fraction of the gap.
 constexpr double kThinning = 0.1;
-/// Bends that survive the thinning at most: a frayed edge must not cost more than a smooth one.
+/// Largest number of points after thinning: a frayed edge must not cost more than a smooth one.
 constexpr std::size_t kMaxPoints = 400;
 
-/// Keeps the points between `from` and `to` that lie far from the line through what is kept
+/// Keeps the points between `from` and `to` that are far from the line through the kept points
 /// (Douglas and Peucker).
 void thin(const std::vector<Vector2>& points, std::size_t from, std::size_t to, double most,
           std::vector<char>& kept) {
@@ -108,7 +108,7 @@ Box grown(Box box, double by) {
     return box;
 }
 
-/// True where the shape, moved, lies on the other or comes nearer to it than `gap`.
+/// True if the shape, moved, overlaps the other or comes closer to it than `gap`.
 bool inTheWay(const Shape& moving, const Vector2& move, const Shape& other, double gap) {
     Box box = moving.box;
     box.translate(move);
@@ -119,7 +119,7 @@ bool inTheWay(const Shape& moving, const Vector2& move, const Shape& other, doub
         contains(moving, other.points.front() - move)) {
         return true;
     }
-    // Only edges near to both boxes can be near to each other.
+    // Only edges near both boxes can be near each other.
     const Box near = grown(box.intersection(grown(other.box, gap)), gap);
     std::vector<std::pair<Vector2, Vector2>> edges;
     for (std::size_t i = 0, k = other.points.size() - 1; i < other.points.size(); k = i++) {
@@ -152,7 +152,7 @@ bool inTheWay(const Shape& moving, const Vector2& move, const Shape& other, doub
     return false;
 }
 
-/// How far the shape must go along a direction to be past the other for good.
+/// How far the shape must move along a direction to pass the other completely.
 double wayPast(const Shape& moving, const Shape& other, const Vector2& along, double gap) {
     double first = std::numeric_limits<double>::infinity(), last = -first;
     for (const Vector2& p : moving.points) {
@@ -185,7 +185,7 @@ public:
             const double angle = 2 * std::numbers::pi * k / kDirections;
             const Vector2 along(std::cos(angle), std::sin(angle));
             const double way = wayAlong(along, least);
-            // Ways alike but for rounding: the first of them, whatever the machine.
+            // Of moves equal up to rounding take the first, so that all machines agree.
             if (way < (1 - 1e-6) * least) {
                 least = way;
                 best = way * along;
@@ -201,10 +201,10 @@ private:
         return found == others_.end() ? nullptr : &*found;
     }
 
-    /// A way that is free; any at all where it is not shorter than `least`.
+    /// The length of a free move; any value of at least `least` if it is not shorter than that.
     double wayAlong(const Vector2& along, double least) const {
         double blocked = 0, free = 0;
-        // Past one after the other: past none twice.
+        // Passes one shape after the other, and none of them twice.
         const Shape* other = firstInTheWay(Vector2::Zero());
         for (std::size_t round = 0; other && round < others_.size(); ++round) {
             free = std::max(free, wayPast(moving_, *other, along, gap_));

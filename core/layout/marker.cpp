@@ -18,25 +18,25 @@ constexpr double kLargestGap = 20;    // mm
 constexpr double kRelativeGap = 0.1;  // of the largest side of a piece
 constexpr double kBestAspect = 1.25;  // width over height: between a square and 3 to 2
 constexpr int kWidthTrials = 32;
-constexpr double kNarrowestTrial = 0.75;  // of the width a packing without waste would have
+constexpr double kNarrowestTrial = 0.75;  // of the width of a packing without waste
 constexpr double kTrialStep = 1.0 / 16;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// What fills a box, and how wide its cloth is.
+/// A box to place, and the width of its cloth.
 struct BoxOnCloth {
     Box box;
     double clothWidth;
 };
 
-/// A row takes pieces first .. last-1 and is as high as the highest of them.
+/// A row has pieces first .. last-1 and is as high as the highest of them.
 struct Row {
     std::size_t first = 0, last = 0;
     double width = 0, height = 0;
-    double clothWidth = 0;  ///< of the narrowest cloth in it
+    double clothWidth = 0;  ///< of the narrowest cloth in the row
 };
 
-/// Fills rows from left to right; a row ends where the next piece would pass `limit` or a cloth of
-/// those in the row.
+/// Fills rows from left to right; a row ends if the next piece would exceed `limit` or the width of
+/// a cloth in the row.
 std::vector<Row> fillRows(const std::vector<BoxOnCloth>& boxes, double gap, double limit) {
     std::vector<Row> rows;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -66,9 +66,9 @@ Eigen::Vector2d extent(const std::vector<Row>& rows, double gap) {
     return size;
 }
 
-/// What a person sees of a sheet: how far its aspect is from the best, alike for too wide and too
-/// high, times the square of the area it takes up. A row with one lost piece costs area; the square
-/// keeps a sheet from growing wider at the same height only to look better proportioned.
+/// Cost of a sheet: distance of its aspect ratio from the best, equal for too wide and too high,
+/// times the square of its area. A row with a single leftover piece costs area; the square keeps a
+/// sheet from growing wider at the same height only for its proportions.
 double awkwardness(const Eigen::Vector2d& size) {
     if (!(size.x() > 0) || !(size.y() > 0)) {
         return HUGE_VAL;
@@ -112,7 +112,7 @@ double largestSide(std::span<const Box> boxes) {
     return largest;
 }
 
-/// Those without a place go in rows beside the others.
+/// Puts pieces without a placement in rows beside the others.
 void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, const Box& placed,
                   const Fabric& own, Marker& marker) {
     std::vector<Box> boxes;
@@ -167,7 +167,7 @@ Marker layOutOn(const Pattern& pattern, const std::vector<std::optional<Placemen
     }
     marker.width = all.sizes().x();
     marker.height = all.sizes().y();
-    // Where it begins at the corner already, rounding aside, every digit stays.
+    // If the corner is already at the origin, except for rounding, keep every digit.
     if (all.min().cwiseAbs().maxCoeff() > kRounding * all.sizes().maxCoeff()) {
         for (PlacedCopy& lies : marker.copies) {
             lies.placement.offset -= all.min();
@@ -193,7 +193,7 @@ Rows layOutInRows(std::span<const Box> boxes, std::span<const double> clothWidth
     const std::vector<Row> chosen = chooseRows(filled, gap);
     const Eigen::Vector2d size = extent(chosen, gap);
     std::vector<Eigen::Vector2d> offset;
-    double top = size.y();  // the first row is the upper one, as in writing
+    double top = size.y();  // the first row is at the top, as in writing
     for (const Row& row : chosen) {
         Eigen::Vector2d place(0, std::max(0.0, top - row.height));
         for (std::size_t i = row.first; i < row.last; ++i) {

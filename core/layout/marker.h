@@ -11,7 +11,7 @@
 
 namespace toile {
 
-/// A copy of a pattern piece, as it lies.
+/// A placed copy of a pattern piece.
 struct PlacedCopy {
     int piece = 0;  ///< index into Pattern::pieces
     Placement placement{};
@@ -19,47 +19,47 @@ struct PlacedCopy {
 
 /// A pattern laid out: in [0, width] x [0, height], mm, y up.
 struct Marker {
-    std::vector<PlacedCopy> copies;  ///< one of each piece that is flat, in the pattern's order
+    std::vector<PlacedCopy> copies;  ///< one of each flat piece, in the pattern's order
     double width = 0, height = 0;
 };
 
-/// A pattern as it is cut (`asCut`), laid out: there is room for nothing but what is drawn.
+/// A pattern as it is cut (`asCut`), laid out: only drawn pieces take room.
 struct LaidOutPattern {
     Pattern pattern;
     Marker marker;
-    Pattern wholePattern;  ///< before that: none of the pieces as a half, without facings
-    Marker whole;          ///< of these: of a UV map
+    Pattern wholePattern;  ///< before `asCut`: all pieces whole, without facings
+    Marker whole;          ///< layout of `wholePattern`, for UV maps
 };
 
-/// The pieces where they are to lie, the lower left corner of all at (0, 0); those without a place
-/// in rows to the right of the others, or alone (`layOutInRows`), on cloth of the usual width.
-/// @param placements  one per piece of the pattern, or none  Cost: linear. Pure.
+/// Places pieces as given, the lower left corner of all at (0, 0); those without a placement in
+/// rows to the right of the others, or alone (`layOutInRows`), on cloth of the usual width.
+/// @param placements  one per piece of the pattern, or empty  Cost: linear. Pure.
 Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements = {});
 
 /// @param whole  with the `Cutting` of each piece and the materials
-/// @param own    the garment's fabric: of pieces without a material
+/// @param own    the garment's fabric, for pieces without a material
 LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements = {},
                        const Fabric& own = fabricPresets().front());
 
-/// 20 mm, or a tenth of the largest side of any piece where that is smaller, so that garments of
-/// any scale keep their digits.
+/// 20 mm, or a tenth of the largest side of any piece if that is smaller, so that garments of any
+/// scale keep their digits.
 double gapBetweenPieces(double largestSide);
 
-/// What moves boxes to their places in rows, which fill [0, width] x [0, height].
+/// Moves of boxes to their places in rows, which fill [0, width] x [0, height].
 struct Rows {
-    std::vector<Eigen::Vector2d> offset;  ///< one per box; zero of one that is empty
+    std::vector<Eigen::Vector2d> offset;  ///< one per box; zero if the box is empty
     double width = 0, height = 0;
 };
 
-/// Lays what fills these boxes in rows, in their order, with a gap between them
-/// (`gapBetweenPieces`); no two boxes overlap, and empty ones take no room.
-/// @param clothWidths  one per box, above 0, mm: no row is wider than the narrowest cloth of those
-///                     in it, but that of a box which is wider itself; those of empty boxes are no
-///                     limit. None: nothing is a limit.
+/// Lays boxes in rows, in their order, with a gap between them (`gapBetweenPieces`); boxes do not
+/// overlap, and empty ones take no room.
+/// @param clothWidths  one per box, above 0, mm: no row is wider than the narrowest cloth in it,
+///                     except the row of a single box that is wider itself; empty boxes set no
+///                     limit. Without widths there is no limit.
 Rows layOutInRows(std::span<const Eigen::AlignedBox2d> boxes,
                   std::span<const double> clothWidths = {});
 
-/// The same of the pieces of a pattern.
+/// The same for the pieces of a pattern.
 Rows layOutInRows(const Pattern& pattern);
 
 }  // namespace toile

@@ -16,7 +16,7 @@ namespace {
 using Box = Eigen::AlignedBox2d;
 using PointRow = Eigen::RowVector2d;
 
-/// Overlaps below this are edges laid on each other, mm.
+/// Smaller overlaps are edges that touch, mm.
 constexpr double kOverlapTolerance = 1e-3;
 
 Box boxOf(const Points2& outline) {
@@ -52,7 +52,7 @@ double distanceToLine(const PointRow& p, const geometry::Segment2& line) {
     return length > 0 ? std::abs(along.x() * off.y() - along.y() * off.x()) / length : 0;
 }
 
-/// True where the segments cross, and one of them by more than a touch.
+/// True if the segments cross and no end is within tolerance of the other's line.
 bool crossWell(const geometry::Segment2& s, const geometry::Segment2& t) {
     const bool crosses =
         geometry::exactOrientation(s.a, s.b, t.a) * geometry::exactOrientation(s.a, s.b, t.b) < 0 &&
@@ -62,7 +62,7 @@ bool crossWell(const geometry::Segment2& s, const geometry::Segment2& t) {
            std::min(distanceToLine(s.a, t), distanceToLine(s.b, t)) > kOverlapTolerance;
 }
 
-/// By the winding number, whichever way the outline runs.
+/// By the winding number, for either direction of the outline.
 bool contains(const Points2& outline, const PointRow& p) {
     int winding = 0;
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
@@ -85,10 +85,10 @@ double distanceTo(const Points2& outline, const PointRow& p) {
     return least;
 }
 
-/// Some place just inside the edges of `inner` that is well inside `outer` too: that is so where
-/// one contains the other, and where one lies exactly on the other.
+/// Whether some place just inside the edges of `inner` is well inside `outer` too: true if an
+/// outline contains the other or they coincide.
 bool hasPlaceIn(const Points2& outer, const Points2& inner, const Box& both) {
-    // A few, spread over the outline, tell: where edges cross has been looked for already.
+    // A few probes suffice: crossing edges were found before.
     constexpr Eigen::Index kProbes = 16;
     constexpr double kInside = 10 * kOverlapTolerance;
     const Eigen::Index step = std::max<Eigen::Index>(1, inner.rows() / kProbes);

@@ -9,11 +9,11 @@
 namespace toile {
 
 /// Pairs of outlines that share area, by (first, second). Outlines that touch, or overlap by less
-/// than a thousandth of a millimetre, do not: pieces are laid edge to edge on purpose.
-/// @param outlines  closed, first point not repeated, mm; those of fewer than three points, or with
-///                  coordinates that are no numbers, lie on nothing
-/// Cost: n log n in the outlines whose boxes overlap, and in those edges of theirs that lie in both
-/// boxes. Pure.
+/// than a thousandth of a millimetre, are left out: pieces are laid edge to edge on purpose.
+/// @param outlines  closed, first point not repeated, mm; those with fewer than three points or
+///                  coordinates that are not finite are ignored
+/// Cost: n log n in the outlines whose boxes overlap, and in their edges that lie in both boxes.
+/// Pure.
 std::vector<std::pair<int, int>> overlappingOutlines(const std::vector<Points2>& outlines);
 
 }  // namespace toile

@@ -12,11 +12,11 @@
 namespace toile {
 namespace {
 
-constexpr double kStraight = kDegree;         // that a straight stretch may turn
-constexpr double kCorner = 15 * kDegree;      // that a corner turns at least
-constexpr double kShareOfOutline = 1 / 20.0;  // that it has to be long
+constexpr double kStraight = kDegree;         // largest turn of a straight stretch
+constexpr double kCorner = 15 * kDegree;      // smallest turn of a corner
+constexpr double kShareOfOutline = 1 / 20.0;  // smallest length of a straight stretch
 
-/// The nearest found so far along one direction.
+/// The nearest target so far along one direction.
 struct Nearest {
     double shift = 0;
     double distance;
@@ -66,7 +66,7 @@ Nearest snapAxis(const Eigen::AlignedBox2d& box, int axis, const SnapTargets& ta
     return nearest;
 }
 
-/// The shortest path from a moved vertex to one that stays.
+/// The shortest path from a moved vertex to a fixed one.
 std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> nearestVertex(const Points2& moved,
                                                                          const Points2& staying,
                                                                          double radius) {
@@ -110,7 +110,7 @@ SnappedMove snappedMove(const Eigen::AlignedBox2d& box, const Points2& vertices,
         const double shift = snapAxis(place, axis, targets, radius, snapped.lines).shift;
         snapped.way[axis] += shift;
     }
-    // A line reaches from one box to the other where both directions have snapped.
+    // Extend a line from one box to the other after both directions have snapped.
     for (SnapLine& line : snapped.lines) {
         const int along = line.from.x() == line.to.x() ? 1 : 0;
         const Eigen::Vector2d low = box.min() + snapped.way, high = box.max() + snapped.way;

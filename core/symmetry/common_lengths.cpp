@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kNoSeam = -1, kSeveralSeams = -2;
 
-/// Per seam: the one that its sides are paired with, or kNoSeam, or kSeveralSeams.
+/// Per seam: the seam that its sides are paired with, kNoSeam, or kSeveralSeams.
 std::vector<int> pairedSeams(std::size_t seamCount, const MirrorSegments& segments,
                              const std::vector<int>& counterpart, const SegmentPairs& pairs) {
     std::vector<int> paired(seamCount, kNoSeam);

@@ -8,25 +8,24 @@
 
 namespace toile {
 
-/// Lengths that mirrored seams have in common.
+/// Common lengths of mirrored seams.
 struct CommonLengths {
-    /// Per seam of the graph: by what the edges of both its sides are to be scaled; 1 where it has
-    /// no counterpart, or mirrors itself.
+    /// Per seam of the graph: scale factor for the edges of both its sides; 1 if it has no
+    /// counterpart, or mirrors itself.
     std::vector<double> factor;
-    /// Per seam: the one that is its mirror image, itself if it lies across the plane; -1 where
-    /// there is none. Mutual.
+    /// Per seam: its mirror image, itself if it lies across the plane; -1 if it has none. Mutual.
     std::vector<int> mirrored;
 
-    /// Seams and free edges that have no mirror image, ascending.  Cost: linear.
+    /// Seams and free edges without a mirror image, ascending.  Cost: linear.
     std::vector<int> withoutCounterpart() const;
 };
 
-/// Two seams mirror each other where a side of one is paired with a side of the other, and no side
-/// of either with a third seam. Their common length is the mean of theirs, and the length of a seam
-/// the mean of its two sides'. Both sides of a seam are scaled alike: what is equal stays equal,
-/// and what is to be eased in keeps its ratio. Where each of the two has equal sides all four are
-/// equal afterwards, to rounding. A stacked seam's factor does not hold on its right side, which is
-/// another seam's place.
+/// Two seams mirror each other if a side of one is paired with a side of the other, and no side of
+/// either with a third seam. Their common length is the mean of their lengths; the length of a seam
+/// is the mean of its two sides. Both sides of a seam are scaled by the same factor, so that equal
+/// sides stay equal and eased sides keep their ratio. If each seam has equal sides, all four are
+/// equal afterwards, up to rounding. A stacked seam's factor does not apply to its right side,
+/// which belongs to another seam.
 /// @param segments     `seamSegments` of the garment
 /// @param counterpart  per piece (`MirrorPieces`)
 /// @param pairs        how the segments are paired (`pairSegments`)
@@ -34,12 +33,12 @@ struct CommonLengths {
 CommonLengths commonLengths(const Garment& garment, const MirrorSegments& segments,
                             const std::vector<int>& counterpart, const SegmentPairs& pairs);
 
-/// By how much the lengths of two mirrored seams may differ for their pieces to be mirrored
-/// unasked, mm: 2 mm, or 1 % of the longer one.
+/// Largest difference between the lengths of two mirrored seams, mm, for their pieces to be
+/// mirrored automatically: 2 mm, or 1 % of the longer one.
 double mirrorTolerance(double length, double mirroredLength);
 
-/// Two mirrored pieces, or one that is symmetric in itself, and the seam that differs most from its
-/// mirror image, measured in tolerances.
+/// Two mirrored pieces, or one that is symmetric, and the seam that differs most from its mirror
+/// image, relative to the tolerance.
 struct UnequalPieces {
     int piece = -1, counterpart = -1;  ///< the longer seam is of `piece`
     int seam = -1, mirrored = -1;
@@ -53,7 +52,7 @@ std::vector<UnequalPieces> unequalPieces(const Garment& garment, const MirrorSeg
                                          const std::vector<int>& counterpart,
                                          const CommonLengths& lengths);
 
-/// By how much a seam's common length differs from its own, at most, over both sides of all, mm.
+/// Largest difference between a seam's common length and its own, over both sides of all seams, mm.
 /// @param lengths  of these seams  Cost: linear. Pure.
 double largestChange(const SeamGraph& seams, const CommonLengths& lengths);
 

@@ -9,7 +9,7 @@
 namespace toile::symmetry {
 namespace {
 
-/// The pieces' arrays one after the other.
+/// Appends the arrays of all pieces.
 void appendPieces(const std::vector<std::shared_ptr<const Piece>>& pieces,
                   GarmentSurface& surface) {
     Eigen::Index vertices = 0, faces = 0;

@@ -11,7 +11,7 @@
 
 namespace toile::symmetry {
 
-/// Pieces of a garment as one set of triangles, mm; along seams nothing is joined.
+/// Pieces of a garment as a single triangle mesh, mm; seams are not joined.
 struct GarmentSurface {
     MeshArrays mesh;
     std::vector<int> pieceOfVertex;   ///< #V
@@ -20,9 +20,9 @@ struct GarmentSurface {
     Eigen::Vector3d centre{0, 0, 0};  ///< of the area
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< mean of the centred x x^T, mm^2
 
-    /// Root mean square distance from the centre, mm: the garment's size, however it is turned.
+    /// Root mean square distance from the centre, mm: the garment's size, in any orientation.
     double radius() const;
-    /// Every so many of the vertices, at most `most` or all. Deterministic.
+    /// Evenly chosen vertices, at most `most`. Deterministic.
     std::vector<int> sampled(int most) const;
 };
 

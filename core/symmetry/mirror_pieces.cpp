@@ -26,7 +26,7 @@ geometry::Buckets<> samplesByPiece(const GarmentSurface& surface, int pieceCount
             }};
 }
 
-/// Per piece: where most of its area comes to lie, the least index of several; -1 without area.
+/// Per piece: where most of its area lies once reflected, the least index of ties; -1 without area.
 std::vector<int> majorities(const GarmentSurface& surface, const geometry::Buckets<>& samples,
                             const MirrorPlane& plane, const Progress& progress) {
     const NearestSurface nearest(surface.mesh);
@@ -51,7 +51,7 @@ std::vector<int> majorities(const GarmentSurface& surface, const geometry::Bucke
     return most;
 }
 
-/// Sums over the reflected samples of a piece: distance squared to another one, and weight.
+/// Sums over the reflected samples of a piece: squared distance to another piece, and weight.
 Eigen::Vector2d distancesTo(const NearestSurface& nearest, const MeshArrays& there,
                             std::span<const int> samples, const GarmentSurface& surface,
                             const MirrorPlane& plane) {

@@ -9,19 +9,19 @@
 
 namespace toile {
 
-/// Which piece is the mirror image of which.
+/// Pairs of pieces that are mirror images.
 struct MirrorPieces {
-    /// Per piece: the one that mirrors it, itself where it is symmetric in itself, or -1.
+    /// Per piece: its mirror image, itself if it is symmetric, or -1.
     std::vector<int> counterpart;
-    /// Per piece: root mean square distance, over the area, between the piece reflected and its
-    /// counterpart, and the other way round, mm; the same for both. 0 where there is none.
+    /// Per piece: root mean square distance, over the area, between the reflected piece and its
+    /// counterpart, in both directions, mm; the same for both. 0 without a counterpart.
     std::vector<double> deviation;
 };
 
-/// A piece's counterpart is the one that most of its area is nearest to once it is reflected, if
-/// that holds the other way round too.
+/// A piece's counterpart is the piece that most of its area is nearest to after reflection, if the
+/// reverse holds too.
 /// Precondition: finite positions. Deterministic.
-/// @param progress  polled from vertex to vertex; cancelled, there are none
+/// @param progress  polled for each vertex; after a cancel the result is empty
 /// Cost: O(log #F) for each of at most 20 000 vertices, twice.  Pure.
 MirrorPieces pairPieces(const Garment& garment, const MirrorPlane& plane,
                         const Progress& progress = {});

@@ -16,15 +16,15 @@ namespace {
 using symmetry::GarmentSurface;
 
 constexpr int kRounds = 40;
-/// Vertices: to choose among the axes, to find the plane, and to measure it.
+/// Numbers of vertices to choose among the axes, to find the plane, and to measure it.
 constexpr int kFew = 500, kMany = 1500, kMost = 20000;
 constexpr double kMediansKept = 3;
-/// A plane that moves by less than this part of the garment's size has come to rest.
+/// A plane that moves by less than this fraction of the garment's size has converged.
 constexpr double kAtRest = 1e-8;
-/// Axes nearer to each other than this (cosine) lead to the same plane.
+/// Axes with a larger cosine between them lead to the same plane.
 constexpr double kSameAxis = 0.97;
 
-/// The planes with a normal, through a point.
+/// The plane with a given normal through a point.
 MirrorPlane planeThrough(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
     Eigen::Index largest = 0;
     direction.cwiseAbs().maxCoeff(&largest);
@@ -34,7 +34,7 @@ MirrorPlane planeThrough(const Eigen::Vector3d& point, const Eigen::Vector3d& di
     return plane;
 }
 
-/// Vertices, and where the surface is nearest to their reflections.
+/// Vertices, and the nearest surface points to their reflections.
 struct ReflectedPairs {
     Points3 from, to;
     Eigen::VectorXd distance, weight;
@@ -46,7 +46,7 @@ void leaveOutFarPairs(ReflectedPairs& pairs) {
     pairs.weight = (pairs.distance.array() <= most).select(pairs.weight, 0.0);
 }
 
-/// The plane whose reflection brings the pairs together best.
+/// The plane whose reflection fits the pairs best.
 MirrorPlane bestPlane(const ReflectedPairs& pairs) {
     const double sum = pairs.weight.sum();
     const Eigen::RowVector3d meanFrom = pairs.weight.transpose() * pairs.from / sum;
@@ -65,7 +65,7 @@ public:
           radius_(surface.radius()),
           progress_(progress) {}
 
-    /// The plane where the rounds come to rest, or the last.
+    /// The converged plane, or that of the last round.
     MirrorPlane improved(MirrorPlane plane, int most) const {
         const std::vector<int> vertices = surface_.sampled(most);
         std::vector<int> faces(vertices.size(), -1);
@@ -97,7 +97,7 @@ public:
     }
 
 private:
-    /// @param faces  that images lay on in the round before, or -1; those of this round come out
+    /// @param faces  faces of the nearest points in the round before, or -1; updated by this round
     ReflectedPairs pairsOf(const std::vector<int>& vertices, const MirrorPlane& plane,
                            std::vector<int>& faces) const {
         const auto count = static_cast<Eigen::Index>(vertices.size());
@@ -118,7 +118,7 @@ private:
         return pairs;
     }
 
-    /// By how much two planes differ at the garment, as a part of its size.
+    /// Distance between two planes at the garment, as a fraction of its size.
     double movement(const MirrorPlane& a, const MirrorPlane& b) const {
         const double turn = std::min((a.normal - b.normal).norm(), (a.normal + b.normal).norm());
         const double atCentre = std::abs(a.normal.dot(surface_.centre) - a.offset) -
@@ -139,7 +139,7 @@ double widthAcross(const MirrorPlane& plane, const GarmentSurface& surface) {
     return std::sqrt(std::max(0.0, square));
 }
 
-/// Principal axes of the area, and the coordinate axes that are other directions.
+/// Principal axes of the area, and the coordinate axes that differ from them.
 std::vector<Eigen::Vector3d> axesOf(const GarmentSurface& surface) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(surface.spread);
     std::vector<Eigen::Vector3d> axes;

@@ -10,20 +10,20 @@ namespace {
 
 using SegmentLoop = std::vector<MirrorSegment>;
 
-/// Of two lengths, as a part of the longer.
+/// Difference of two lengths, as a fraction of the longer.
 double difference(double a, double b) {
     const double longer = std::max(a, b);
     return longer > 0 ? std::abs(a - b) / longer : 0;
 }
 
-/// Two outlines whose segments may mirror each other; one and the same where a piece is symmetric.
+/// Two outlines whose segments may mirror each other; the same one if a piece is symmetric.
 class OutlinePair {
 public:
     OutlinePair(const SegmentLoop& from, const SegmentLoop& to, const std::vector<int>& counterpart,
                 const MirrorPlane& plane)
         : from_(from), to_(to), counterpart_(counterpart), plane_(plane) {}
 
-    /// Per segment of the first outline, the one of the second, or -1.
+    /// Per segment of the first outline, its partner on the second, or -1.
     std::vector<int> paired() const {
         const int rotation = bestRotation();
         const double most = rotation >= 0 ? kMaxDifferenceInOrder : kMaxDifferenceAlone;
@@ -40,7 +40,7 @@ public:
 private:
     int size() const { return static_cast<int>(from_.size()); }
 
-    /// In opposite senses: what one index gains the other loses.
+    /// The outlines run in opposite directions: the sum of two partners' indices is constant.
     int partnerOf(int i, int rotation) const { return (rotation - i + size()) % size(); }
 
     bool neighboursAgree(const MirrorSegment& a, const MirrorSegment& b) const {
@@ -53,7 +53,7 @@ private:
         return piece < 0 ? -1 : counterpart_[piece] < 0 ? kNoPiece : counterpart_[piece];
     }
 
-    /// -1 where the neighbours come in another order, whatever the rotation.
+    /// -1 if no rotation gives matching neighbours.
     int bestRotation() const {
         int best = -1;
         double least = std::numeric_limits<double>::infinity();
@@ -73,7 +73,7 @@ private:
         return best;
     }
 
-    /// The one segment of the second outline that can be meant, whatever the order.
+    /// The only segment of the second outline with the same neighbour, whatever the order.
     int onlyPartner(const MirrorSegment& segment) const {
         const auto isLikeIt = [&](const MirrorSegment& a) {
             return a.neighbour == segment.neighbour;

@@ -12,10 +12,10 @@
 namespace toile {
 namespace {
 
-/// Corners nearer than this share of a segment are one.
+/// Corners closer than this share of a segment are merged.
 constexpr double kSameCorner = 1e-9;
 
-/// The segments of a line, in the sense in which they are walked.
+/// The segments of a line, in the direction of the walk.
 class Segments {
 public:
     /// @param ends  in the order of the walk  @param sense  1 along the line, -1 backwards
@@ -29,7 +29,7 @@ public:
 
     double length(std::size_t segment) const { return begins_[segment + 1] - begins_[segment]; }
 
-    /// The place of a corner: the number of its segment and the share of it that lies before.
+    /// The place of a corner: the number of its segment plus the share of it before the corner.
     double placeOf(Eigen::Index corner) const {
         const double way = walked(line_.arc()[static_cast<int>(corner)]);
         const auto next = std::upper_bound(begins_.begin() + 1, begins_.end() - 1, way);
@@ -75,7 +75,7 @@ std::vector<Mark> sortedMarks(const Segments& a, const Segments& b, Eigen::Index
 /// Both lines with the corners of both.
 struct CommonCorners {
     std::vector<double> place;
-    std::vector<double> turn;  ///< mean of both lines', radians
+    std::vector<double> turn;  ///< mean of both lines, radians
     std::vector<int> rowOf[2];
 };
 
@@ -126,7 +126,7 @@ Points2 reflectedRows(const Points2& line) {
     return image;
 }
 
-/// With row 0 at the origin and another row above it.
+/// Moves row 0 to the origin and turns the line until row `above` is above it.
 Points2 upright(const Points2& line, int above) {
     const Eigen::RowVector2d up = (line.row(above) - line.row(0)).normalized();
     const Eigen::RowVector2d across(up.y(), -up.x());
@@ -187,7 +187,7 @@ Result<SymmetricLine> symmetricLine(const Points2& line, double from, double to)
     }
     const auto half = static_cast<int>(mean->a.rows() / 2);
     const Points2 found = upright(mean->a, half);
-    // The minimum is symmetric; what is left is the solver's rounding.
+    // The minimum is symmetric; the rest is the solver's rounding.
     return SymmetricLine{0.5 * (found + reflectedRows(found)), mean->rowOfA};
 }
 

@@ -23,7 +23,7 @@ Eigen::Vector3d middleOf(const Points3& line) {
     return line.rows() > 0 ? Eigen::Vector3d(line.row(line.rows() - 1)) : Eigen::Vector3d::Zero();
 }
 
-/// A segment and where it begins on its outline.
+/// A segment and its start on the outline.
 struct PlacedSegment {
     double at;
     MirrorSegment segment;
