@@ -19,16 +19,16 @@ WidePiece wideOne(const Pattern& pattern, int piece) {
     if (piece < pieces) {
         return {piece};
     }
-    // Facings come after the garment's pieces in a pattern as it lies.
+    // In a pattern, facings follow the garment's pieces.
     const FacingPiece& facing = pattern.facings[static_cast<std::size_t>(piece - pieces)];
     return {facing.piece, pattern.pieces[static_cast<std::size_t>(piece)].name};
 }
 
-/// Says of what is too large by how much.
+/// Tests whether an item is too large, and if so writes its extent and the room to `wide`.
 bool isTooLarge(const NestItem& item, double roomAcross, double roomAlong, WidePiece& wide) {
     NestItem asItIs = item;
     asItIs.tolerance = 0;
-    for (const NestItem* const turns : {&std::as_const(asItIs), &item}) {  // mostly the first does
+    for (const NestItem* const turns : {&std::as_const(asItIs), &item}) {  // mostly the first fits
         const Eigen::Vector2d sides = cloth::leastSides(*turns);
         if (sides.x() <= roomAlong && sides.y() <= roomAcross) {
             return false;

@@ -19,8 +19,8 @@ constexpr const char* kOwnFabric = translatable("Own fabric");
 constexpr const char* kClothUsed = translatable("%1: %2 mm wide, %3 mm long, %4 % used");
 constexpr const char* kSheetsUsed = translatable("%1: %2, %3 % used");
 
-/// Whether a line lies in a sheet or hide, and in none of its holes or of zones worse than that.
-/// @param grade  0: any
+/// Whether an outline is inside a sheet or hide, outside its holes and outside zones worse than
+/// `grade`.
 bool isInPart(const ClothPart& part, const geometry::Polygon& line, int grade) {
     const Eigen::RowVector2d low =
         part.outline.colwise().minCoeff().cwiseMin(line.colwise().minCoeff()) -
@@ -134,7 +134,7 @@ MarkerFigures markerFigures(const Pattern& pattern, const ClothMarker& marker) {
     MarkerFigures figures;
     for (const LaidCopy& copy : marker.copies) {
         const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(copy.piece)];
-        // A half has its other half too, and of each seam two sides are sewn to each other.
+        // A half includes its mirrored half, and each seam joins two sides.
         const int halves = piece.cutAs == CutAs::OnFold ? 2 : copy.yield;
         for (const SeamLine& seam : piece.seams) {
             if (seam.kind == SeamKind::Seam || seam.kind == SeamKind::Dart) {

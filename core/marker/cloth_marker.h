@@ -20,60 +20,60 @@ struct LaidCopy {
     CopyKey key{};
     int piece = 0;         ///< index into Pattern::pieces
     bool isImage = false;  ///< the mirrored one of a pair
-    bool isKept = false;   ///< by a person
-    int sheet = 0;         ///< or hide: index into ClothMarker::parts
+    bool isKept = false;   ///< placed by the user
+    int sheet = 0;         ///< sheet or hide: index into ClothMarker::parts
     Placement placement{};
-    int yield = 1;  ///< pieces of the garment that come of it: of folded cloth two as a rule
+    int yield = 1;  ///< pieces of the garment cut from it: usually two on folded cloth
 };
 
-/// A stretch of roll, a sheet or a hide, as it lies: those of a marker one after the other along x.
+/// A stretch of roll, a sheet or a hide in cloth coordinates; parts follow each other along x.
 struct ClothPart {
     geometry::Polygon outline;
     std::vector<HideZone> zones{};
 };
 
-/// The pieces of one material laid on their cloth: none overlaps another or the cloth's edge.
+/// The pieces of one material laid on their cloth, without overlaps and within the cloth's edges.
 struct ClothMarker {
     std::string material;  ///< empty: the garment's own fabric
-    double width = 0;      ///< mm, as it lies: folded cloth is half as wide
-    double length = 0;     ///< mm, along the warp; of sheets and hides up to the last copy
-    bool isRoll = true;    ///< else sheets or hides
+    double width = 0;      ///< mm, on the table: folded cloth is half as wide
+    double length = 0;     ///< mm, along the warp; for sheets and hides up to the last copy
+    bool isRoll = true;    ///< false: sheets or hides
     bool areHides = false;
-    int sheets = 1;        ///< how many of them are used
-    double clothArea = 0;  ///< mm2, of a roll up to `length`, of sheets and hides all that are used
-    double use = 0;        ///< area of the pieces / area of that cloth
-    int rounds = 0;        ///< of search
-    bool isOptimal = false;  ///< no shorter one can be: no use to go on
+    int sheets = 1;          ///< number of sheets or hides used
+    double clothArea = 0;    ///< mm2, of a roll up to `length`, of sheets and hides all those used
+    double use = 0;          ///< area of the pieces / clothArea
+    int rounds = 0;          ///< search rounds so far
+    bool isOptimal = false;  ///< no shorter marker exists: stop searching
     bool isWhole = true;     ///< nothing was left out
     std::vector<LaidCopy> copies;
-    std::vector<ClothPart> parts{};  ///< of the cloth that are used, up to `length`
-    std::vector<Wording> notes{};    ///< what is not as it was asked for: pieces too large, seams
-                                     ///< whose stripes do not meet
+    std::vector<ClothPart> parts{};  ///< cloth used, up to `length`
+    std::vector<Wording> notes{};    ///< pieces too large, seams with unmatched
+                                     ///< stripes
 };
 
-/// The pattern as it lies on cloth: on flat cloth all is laid whole, on folded cloth what is its
-/// own image lies with its middle on the fold, and of two that mirror each other one is laid.
+/// The pattern as laid on cloth. On flat cloth all pieces are whole. On folded cloth symmetric
+/// pieces are placed with their middle on the fold, and only one of a mirrored pair is laid.
 /// @param whole  `LaidOutPattern::wholePattern`, with its materials  Cost: that of `asCut`. Pure.
 Pattern patternOnCloth(Pattern whole, const MarkerSettings& settings);
 
-/// Materials of which something is cut, the garment's own first, then by name.
+/// Materials that pieces are cut from, the garment's own first, then by name.
 std::vector<std::string> markerMaterials(const Pattern& pattern);
 
-/// The line that a copy takes up on the cloth, as it lies: its cutting line, closed, in the piece's
-/// winding or, where it is mirrored, the other.
+/// The cutting line of a copy on the cloth: closed, with the piece's winding, or the opposite
+/// winding if the copy is mirrored.
 Points2 laidOutline(const Pattern& pattern, const LaidCopy& copy);
 
-/// Lays what of a pattern is cut from one material, better round by round (`Nester`). After round k
-/// the marker depends on pattern, settings and kept copies alone.
+/// Lays the pieces of one material, with an improvement in each round (`Nester`). After round k the
+/// marker depends only on pattern, settings and kept copies.
 class MarkerNester {
 public:
-    /// @param pattern  as it lies (`patternOnCloth`)  @param fabric  of this material
-    /// @param kept  those of other pieces, or of more copies than are cut, are not looked at
-    /// @param threads  to work with, 0: as the machine has; the marker does not depend on it
-    /// Kept copies that lie on others, or nearer to them or to an edge than they may, stay there
-    /// too, and others make room. What is too large or finds no room is left out, with a note.
-    /// Errors: PageTooSmall naming the cloth where its width and border leave none; MalformedFile
-    /// naming the cloth where more copies are asked for than are laid at once; Cancelled.
+    /// @param pattern  from `patternOnCloth`  @param fabric  of this material
+    /// @param kept  placed copies; those of other pieces, or beyond the number to cut, are ignored
+    /// @param threads  0: as many as the machine has; the marker does not depend on it
+    /// Kept copies stay even if they overlap others, or are too close to them or to an edge; other
+    /// copies move away. Pieces that are too large or find no room are left out, with a note.
+    /// Errors: PageTooSmall naming the cloth if its width and border leave no room; MalformedFile
+    /// naming the cloth if more copies are requested than the limit; Cancelled.
     static Result<MarkerNester> make(std::shared_ptr<const Pattern> pattern,
                                      const std::string& material, const Fabric& fabric,
                                      const MarkerSettings& settings,
@@ -83,9 +83,9 @@ public:
     MarkerNester(MarkerNester&&) noexcept;
     MarkerNester& operator=(MarkerNester&&) noexcept;
 
-    /// The best so far; valid from the start.
+    /// The best marker so far; valid from the start.
     const ClothMarker& best() const;
-    /// A round of search. A cancelled one adds nothing.
+    /// Runs one round of search. A cancelled round has no effect.
     void step(const Progress& progress);
 
 private:
@@ -94,29 +94,29 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Measures a marker anew whose copies have been moved: parts, length, cloth and use. A roll ends
-/// by the border behind the last copy. Cost: linear.
+/// Recomputes the figures of a marker after copies were moved: parts, length, cloth and use. A roll
+/// ends one border behind the last copy. Cost: linear.
 void measureMoved(const Pattern& pattern, const MarkerSettings& settings, ClothMarker& marker);
 
-/// Which laid copies lie on another, beyond the cloth, in a hole of it or in a zone too bad for
-/// them: by exact arithmetic, as indices. Gap and border are not looked at; a roll has no end.
-/// Cost: that of the edges in the common parts of boxes. Pure.
+/// Indices of the copies that overlap another, exceed the cloth, or are in a hole or in a zone of
+/// too low a grade, by exact arithmetic. Gap and border are ignored; a roll has no end. Cost: that
+/// of the edges in the common parts of boxes. Pure.
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings);
 
 /// "Own fabric: 1400 mm wide, 2310 mm long, 82.4 % used".
 Wording clothSentence(const ClothMarker& marker);
 
-/// For the exports: the copies of a marker as one page, the warp along x, with all of the sheets or
-/// hides that are used.
+/// For the exports: the copies of a marker as a single page, the warp along x, with the full length
+/// of the sheets or hides used.
 Marker pageOf(const ClothMarker& marker);
 
-/// What a cutter asks of a marker.
+/// Figures of a marker for the cutter.
 struct MarkerFigures {
-    double seamMetres = 0;  ///< that are sewn, both sides once
-    int notches = 0;        ///< that are cut, through two layers once
-    double cutMetres = 0;   ///< along all lines that are cut, through two layers once
-    int copies = 0;         ///< pieces of the garment that come of it
+    double seamMetres = 0;  ///< total seam length, both sides counted once
+    int notches = 0;        ///< notches to cut; two layers count once
+    double cutMetres = 0;   ///< length of all cutting lines; two layers count once
+    int copies = 0;         ///< pieces of the garment cut from it
 };
 MarkerFigures markerFigures(const Pattern& pattern, const ClothMarker& marker);
 

@@ -11,8 +11,8 @@ namespace {
 using geometry::Polygon;
 
 constexpr double kBetweenParts = 50;  // mm
-constexpr double kBeyondHide = 10;    // mm: by how much its surroundings are larger than its box
-constexpr double kMostAlong = 9e6;    // mm: what a nest's numbers hold, sheets and hides together
+constexpr double kBeyondHide = 10;    // mm: margin of a hide's surroundings beyond its box
+constexpr double kMostAlong = 9e6;    // mm: largest coordinate of a nest with all its parts
 
 Polygon movedAlong(Polygon line, double x) {
     line.col(0).array() += x;
@@ -82,7 +82,7 @@ void addParts(const std::vector<ClothPart>& parts, const std::vector<int>& grade
         instance.bands.push_back({right, k + 1 < parts.size()
                                              ? parts[k + 1].outline.col(0).minCoeff()
                                              : std::numeric_limits<double>::infinity()});
-        // A lower one leaves room beside it, which is none.
+        // A sheet narrower than the widest leaves a strip that is not cloth.
         if (!isRectangle(parts[k]) || outline.col(1).maxCoeff() < instance.width) {
             const double top = std::max(instance.width, outline.col(1).maxCoeff());
             instance.obstacles.push_back({"the edge of the hide",

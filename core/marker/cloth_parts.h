@@ -9,23 +9,23 @@
 // For the sources of this folder and the marker in the window.
 namespace toile::cloth {
 
-/// Sheets or hides as they lie, one after the other along x; none: a roll. Sheets one for each
-/// copy, but no more than a nest's numbers hold.
+/// Sheets or hides one after the other along x; empty for a roll. One sheet for each copy, but no
+/// more than fit the range of a nest's coordinates.
 std::vector<ClothPart> clothParts(const MarkerSettings& settings, std::size_t copies);
 
-/// Across all of them, or of the roll; of folded cloth half of it.
+/// Width of all of them, or of the roll; half of it for folded cloth.
 double widthOnCloth(const MarkerSettings& settings, const Fabric& fabric);
 
-/// Tells the nest where the parts end, and which items may not lie in which zones.
-/// @param grades  the worst that each item of the instance may have, 0: any
+/// Adds the ends of the parts to the nest, and the zones that items must avoid.
+/// @param grades  worst allowed grade of each item of the instance, 0: any
 void addParts(const std::vector<ClothPart>& parts, const std::vector<int>& grades,
               NestInstance& instance);
 
-/// Of a marker whose copies lie where they are to: on which parts, how much of these is used. Its
-/// length is at least what it says, and up to the last copy.
+/// Sets the parts used and the use of a marker with placed copies. Its length is at least the
+/// stored one, and reaches the last copy.
 void measureOn(const std::vector<ClothPart>& parts, const Pattern& pattern, ClothMarker& marker);
 
-/// Index of the part in which a line lies, by its leftmost point.
+/// Index of the part that a line is on, by the line's leftmost point.
 int partAt(const std::vector<ClothPart>& parts, double x);
 
 /// Area of the part without its holes, mm2.

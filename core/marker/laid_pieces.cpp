@@ -22,7 +22,7 @@ namespace {
 
 using geometry::Polygon;
 
-/// So that ids made here are no others.
+/// Salts that keep the ids made here distinct from others.
 constexpr std::uint64_t kFacingOnCloth = 0x6661636573, kNamelessOnCloth = 0x6e6f6e616d65;
 
 void addNumbers(LaidPiece& laid, int first, int step, int count) {
@@ -46,7 +46,7 @@ PieceId idOnCloth(const Pattern& pattern, int piece) {
     }
     const FacingPiece& facing = pattern.facings[index - pieces];
     const auto of = static_cast<std::size_t>(facing.piece);
-    std::uint64_t before = 0;  // of the same facing on the same piece
+    std::uint64_t before = 0;  // earlier copies of the same facing on the same piece
     for (std::size_t k = 0; k < index - pieces; ++k) {
         before +=
             pattern.facings[k].piece == facing.piece && pattern.facings[k].facing == facing.facing

@@ -11,29 +11,29 @@
 // For the sources of this folder only.
 namespace toile::cloth {
 
-/// What is laid of a piece: it, or its image.
+/// A piece to lay, or its image.
 struct LaidPiece {
     int piece = 0;  ///< index into Pattern::pieces
     bool isImage = false;
     int yield = 1;               ///< LaidCopy::yield of each
     std::vector<int> numbers{};  ///< CopyKey::number of each
-    bool isKept = false;         ///< a single one, by a person
+    bool isKept = false;         ///< a single copy placed by the user
 };
 
-/// By which a copy of the piece is known: its id, or one that follows from what it is a facing of.
+/// The id of a copy's piece: its own, or one derived from the piece that it is a facing of.
 PieceId idOnCloth(const Pattern& pattern, int piece);
 
-/// Of which material a piece is, empty: of the garment's own.
+/// The material of a piece; empty for the garment's own.
 std::string materialOnCloth(const Pattern& pattern, const PatternPiece& piece);
 
 /// By piece, images after their originals.
-/// @param notes  what of folded cloth is left over
+/// @param notes  gets pieces left over on folded cloth
 std::vector<LaidPiece> laidPieces(const Pattern& pattern, const std::string& material,
                                   const MarkerSettings& settings, std::vector<Wording>& notes);
 
-/// The nest has pieces in coordinates of their own, so that what it lays and what is drawn of it
-/// have the same points to the last bit: turned where they lie on the fold, which is level there
-/// with the cloth above it, and then mirrored, where they are images.
+/// The nest uses separate piece coordinates, so that nested and drawn outlines have identical
+/// points, bit by bit: first turned for pieces on the fold, which is horizontal there with the
+/// cloth above it, then mirrored for images.
 struct NestForm {
     double turn = 0;
     bool flip = false;
@@ -45,20 +45,20 @@ struct NestForm {
 };
 NestForm nestFormOf(const PatternPiece& piece, bool isImage);
 
-/// The piece so that the warp runs along x, and as often turned as the rule allows; without the
-/// holes, in which nothing is laid.
+/// The piece with the warp along x, with all the angles that the rule allows; without holes,
+/// because nothing is laid in them.
 NestItem itemOf(const PatternPiece& piece, bool isImage, const MarkerSettings& settings);
 
-inline constexpr double kGapRounding = 0.002;  ///< mm: by which shapes with a gap may grow
+inline constexpr double kGapRounding = 0.002;  ///< mm: growth of shapes with a gap by rounding
 
-/// How long and how wide it is on the cloth, each at the best of its angles, mm.
+/// Smallest length and smallest width on the cloth, each at its best angle, mm.
 Eigen::Vector2d leastSides(const NestItem& item);
-/// What it has of the cloth's width, borders aside; none is kept from a fold. mm.
+/// Available width of the cloth without borders; a fold needs no border. mm.
 double roomAcross(const NestItem& item, double width, const MarkerSettings& settings);
-/// And of a sheet's length; a roll has no end.
+/// Available length of a sheet; a roll is endless.
 double roomAlong(const MarkerSettings& settings);
 
-/// The line that a copy takes up, as it lies.
+/// The outline of a copy at its placement.
 geometry::Polygon lineOf(const PatternPiece& piece, bool isImage, const Placement& placement);
 
 }  // namespace toile::cloth

@@ -37,31 +37,31 @@ constexpr const char* kNoLine =
 
 namespace toile::cloth {
 
-/// What is to be laid on a cloth, until all of it has room: copies that a person keeps where they
-/// are, and others, of which those are left out, with a note, that are too large or too many.
+/// Items to lay on a cloth, reduced until all fit: copies placed by the user, and others. Items
+/// that are too large or too many are left out, with a note.
 class ClothItems {
 public:
-    /// @param pattern  as it lies (`patternOnCloth`)
+    /// @param pattern  from `patternOnCloth`
     ClothItems(std::shared_ptr<const Pattern> pattern, const std::string& material,
                const Fabric& fabric, const MarkerSettings& settings,
                const std::vector<KeptCopy>& kept);
 
-    /// For the nest: its items are those of `copyOf` until something gives way.
+    /// For the nest: its items are those of `copyOf` until `giveWay` changes them.
     NestInstance instance() const;
-    /// Makes room where that has none: leaves out the piece that the error names, or has it stay
-    /// where it was laid.  @return whether that could be the reason for the error
+    /// Makes room if there is none: leaves out the piece that the error names, or keeps it on
+    /// top at the user's placement.  @return whether that could resolve the error
     bool giveWay(const Error& error);
 
     const Pattern& pattern() const { return *pattern_; }
     double width() const { return instance_.width; }
     std::size_t itemCount() const { return laid_.size(); }
-    /// @param nth  of the item's copies
+    /// @param nth  index among the item's copies
     LaidCopy copyOf(std::size_t item, std::size_t nth, const NestPlacement& placed) const;
-    /// Those that a person has laid on others or beyond the cloth, where they are.
+    /// Copies that the user placed over others or beyond the cloth, at their placement.
     const std::vector<LaidCopy>& onTop() const { return onTop_; }
-    /// Sheets or hides; none: a roll.
+    /// Sheets or hides; empty for a roll.
     const std::vector<ClothPart>& parts() const { return parts_; }
-    /// Whether nothing is left out.
+    /// Whether no copy is left out.
     bool isWhole() const { return isWhole_; }
     std::vector<Wording> notes() const;
 
@@ -87,10 +87,10 @@ private:
     std::vector<LaidPiece> laid_;  ///< one per item of the instance
     std::vector<LaidCopy> onTop_;
     std::vector<ClothPart> parts_;
-    std::size_t copies_ = 0;  ///< that were to be laid
+    std::size_t copies_ = 0;  ///< to lay in total
     bool isWhole_ = true;
     std::vector<Wording> notes_, ofStripes_;
-    std::map<std::string, int> missing_;  ///< copies for which there is no room
+    std::map<std::string, int> missing_;  ///< copies without room
 };
 
 ClothItems::ClothItems(std::shared_ptr<const Pattern> pattern, const std::string& material,
@@ -117,7 +117,7 @@ ClothItems::ClothItems(std::shared_ptr<const Pattern> pattern, const std::string
     }
 }
 
-/// Those that are kept get items of their own, in front, so that they are laid first.
+/// Kept copies become separate items at the front, so that they are laid first.
 void ClothItems::add(const LaidPiece& piece, const std::vector<KeptCopy>& kept) {
     const NestItem item = itemOf(pieceOf(piece), piece.isImage, settings_);
     const NestForm form = nestFormOf(pieceOf(piece), piece.isImage);
@@ -174,7 +174,7 @@ std::vector<Wording> ClothItems::notes() const {
     return all;
 }
 
-/// Of a piece and its image once.
+/// Adds a note once for a piece and its image.
 void ClothItems::note(const Wording& said) {
     if (std::ranges::find(notes_, said) == notes_.end()) {
         notes_.push_back(said);
@@ -194,7 +194,7 @@ void ClothItems::erase(std::size_t item) {
     laid_.erase(laid_.begin() + static_cast<std::ptrdiff_t>(item));
 }
 
-/// What is too large for the cloth of itself: not laid, and named.
+/// Leaves out items that are too large for an empty cloth, with a note.
 bool ClothItems::leaveOutTooLarge(const std::string& name) {
     bool isAny = false;
     for (std::size_t i = instance_.items.size(); i-- > 0;) {
@@ -220,7 +220,7 @@ bool ClothItems::leaveOutTooLarge(const std::string& name) {
     return isAny;
 }
 
-/// A copy less.
+/// Removes one copy of an item.
 void ClothItems::leaveOutOne(std::size_t item) {
     ++missing_[instance_.items[item].name];
     isWhole_ = false;
@@ -230,7 +230,7 @@ void ClothItems::leaveOutOne(std::size_t item) {
     }
 }
 
-/// Of a piece that finds no place: where sheets or hides are full one copy, else all.
+/// Leaves out a piece without a place: one copy if sheets or hides are full, else all.
 bool ClothItems::leaveOut(const std::string& name) {
     if (leaveOutTooLarge(name)) {
         return true;
@@ -254,8 +254,8 @@ bool ClothItems::leaveOut(const std::string& name) {
     return false;
 }
 
-/// Of copies that together are larger than all hides some are left out before anything is laid,
-/// of what is cut most often first, so that as many whole garments as can be remain.
+/// If the copies together are larger than all hides, leaves some out before laying, starting with
+/// those cut most often, to keep as many whole garments as possible.
 void ClothItems::leaveOutBeyondArea() {
     for (std::size_t i = instance_.items.size(); i-- > 0;) {
         if (i < instance_.items.size()) {
@@ -288,7 +288,7 @@ void ClothItems::leaveOutBeyondArea() {
     }
 }
 
-/// A person may lay a copy on others or beyond the cloth: it stays there, and others make room.
+/// Keeps copies that the user placed over others or beyond the cloth; other copies move away.
 bool ClothItems::layOnTop(const std::string& name) {
     bool isAny = false;
     for (std::size_t i = instance_.items.size(); i-- > 0;) {
@@ -309,7 +309,7 @@ bool ClothItems::layOnTop(const std::string& name) {
 namespace toile {
 namespace {
 
-/// No fewer are laid: of folded cloth two come of each.
+/// The least number of copies laid: on folded cloth each copy gives two.
 std::int64_t leastCopies(const Pattern& pattern, const std::string& material,
                          const MarkerSettings& settings) {
     std::int64_t cut = 0;
@@ -321,7 +321,7 @@ std::int64_t leastCopies(const Pattern& pattern, const std::string& material,
     return settings.isFolded ? cut / 2 : cut;
 }
 
-/// A first nest, after as many tries as something has to give way.
+/// Makes the first nest; retries as long as items can give way.
 Result<Nester> firstNest(cloth::ClothItems& items, const NestOptions& options,
                          const Progress& progress) {
     while (true) {

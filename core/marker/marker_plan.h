@@ -9,15 +9,15 @@
 
 namespace toile {
 
-/// What a person has said of laying the pieces of one material.
+/// Settings and manual placements for the pieces of one material.
 struct MarkerPlan {
     MarkerSettings settings{};
-    std::vector<KeptCopy> kept{};  ///< by copy, each once; of pieces that are no more there, too
+    std::vector<KeptCopy> kept{};  ///< by copy, each once; includes pieces that no longer exist
 
     bool operator==(const MarkerPlan&) const = default;
 };
 
-/// By material; the garment's own fabric has no name.
+/// By material; the garment's own fabric has an empty name.
 using MarkerPlans = std::map<std::string, MarkerPlan>;
 
 }  // namespace toile

@@ -16,59 +16,58 @@
 
 namespace toile {
 
-/// What a person says of laying a pattern on cloth. Lengths in mm, angles in radians. On the cloth
-/// the warp runs along x from 0, and y goes across it from one selvedge at 0 to the other.
+/// User settings for laying a pattern on cloth. Lengths in mm, angles in radians. On the cloth the
+/// warp runs along x from 0, and y goes across from one selvedge at 0 to the other.
 
-/// How copies may be turned, the grain along the warp.
+/// Allowed turns of copies, relative to the grain along the warp.
 enum class TurnRule {
-    HalfTurns,  ///< either way up
-    OneWay,     ///< cloth with a nap, or a print with an up
-    Free,       ///< cloth without a grain
+    HalfTurns,  ///< 0 or 180 degrees
+    OneWay,     ///< for cloth with a nap or a directional print
+    Free,       ///< for cloth without a grain
 };
 
-/// The pattern of a printed or woven cloth; 0: none in that direction.
+/// The repeat of a printed or woven cloth; 0: none in that direction.
 struct ClothRepeat {
     double warp = 0, weft = 0;
-    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< of one of its tiles on the cloth
+    Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< of a tile on the cloth
 
     bool operator==(const ClothRepeat&) const = default;
 };
 
-/// A part of a hide of its own quality, or a hole in it.
+/// A region of a hide with its own grade, or a hole in it.
 struct HideZone {
     geometry::Polygon outline;
-    int grade = 0;  ///< from 1, the best; 0: a hole, where nothing lies
+    int grade = 0;  ///< from 1, the best; 0: a hole
 };
 
-/// A leather hide: where no zone is, it is of grade 1.
+/// A leather hide: grade 1 outside all zones.
 struct Hide {
     std::string name;
     geometry::Polygon outline;
     std::vector<HideZone> zones{};
 };
 
-/// How the pieces of one material are laid. What stands here is all that a marker follows from,
-/// beside the pattern.
+/// How the pieces of one material are laid. A marker depends only on these settings and the
+/// pattern.
 struct MarkerSettings {
-    double width = 0;                        ///< 0: as the fabric says (`Fabric::width`)
+    double width = 0;                        ///< 0: that of the fabric (`Fabric::width`)
     std::optional<Eigen::Vector2d> sheet{};  ///< sheets instead: along the warp, across it
     std::vector<std::shared_ptr<const Hide>> hides{};  ///< or hides, in this order
-    double gap = 0;                                    ///< between two copies at least
+    double gap = 0;                                    ///< smallest distance between two copies
     double border = 0;  ///< between a copy and all edges of the cloth
     TurnRule turns = TurnRule::HalfTurns;
-    double tolerance = 0;   ///< and so much more to both sides
-    bool isFolded = false;  ///< lengthwise, the fold at y = 0: pieces on the fold lie along it
+    double tolerance = 0;   ///< additional turn to either side
+    bool isFolded = false;  ///< lengthwise, the fold at y = 0: pieces on the fold touch it
     ClothRepeat repeat{};
-    std::vector<std::string> matched{};  ///< seams, by name, along which the repeat goes on
-    std::map<std::string, int>
-        grades{};      ///< the worst that a piece may have, by its name; others: any
-    int garments = 1;  ///< how many are cut
+    std::vector<std::string> matched{};   ///< seams, by name, across which the repeat is matched
+    std::map<std::string, int> grades{};  ///< worst allowed grade by piece name; others: any
+    int garments = 1;                     ///< number of garments to cut
     std::uint64_t seed = 1;
 
     bool operator==(const MarkerSettings&) const = default;
 };
 
-/// Which of the copies that are cut of a piece: `number` from 0, over all garments.
+/// Identifies a copy of a piece: `number` from 0, over all garments.
 struct CopyKey {
     PieceId piece{};
     int number = 0;
@@ -79,10 +78,10 @@ struct CopyKey {
     }
 };
 
-/// A copy that a person has laid: it stays there.
+/// A copy placed by the user: it stays there.
 struct KeptCopy {
     CopyKey copy{};
-    int sheet = 0;  ///< or hide, from 0
+    int sheet = 0;  ///< sheet or hide, from 0
     Placement placement{};
 
     bool operator==(const KeptCopy&) const = default;

@@ -21,9 +21,9 @@ constexpr const char* kMatchedAtOneEnd =
 namespace toile::cloth {
 namespace {
 
-constexpr double kMatchedWithin = 0.5;  // mm: what no eye sees
+constexpr double kMatchedWithin = 0.5;  // mm: invisible mismatch
 
-/// A side of a seam on an item, as it lies but for where: ends that are sewn to each other.
+/// A side of a seam on an item, turned but not moved: ends that are sewn to each other.
 struct MatchedSide {
     int item = 0;
     Eigen::Vector2d first{0, 0}, last{0, 0};  ///< in the item's coordinates
@@ -35,7 +35,7 @@ struct MatchedPair {
     MatchedSide left, right;
 };
 
-/// Turned as the item is, or where a person has laid it as that says, but not moved.
+/// Turned like the item, or like its fixed placement, but not moved.
 geometry::Polygon turnedAs(const NestItem& item, const geometry::Polygon& line) {
     NestItem turned;
     turned.rings = {line};
@@ -47,7 +47,7 @@ Eigen::Vector2d turnedPoint(const NestItem& item, const Eigen::Vector2d& point) 
     return turnedAs(item, point.transpose()).row(0).transpose();
 }
 
-/// Where the repeat has no say: an item that is kept lies there, and one on the fold across it.
+/// Placements that the repeat cannot change: a kept item in full, one on the fold across it.
 void keepKnown(const NestItem& item, std::optional<Eigen::Vector2d>& place) {
     if (item.fixed) {
         place = {item.fixed->x, item.fixed->y};
@@ -69,8 +69,8 @@ MatchedSide sideOf(const Pattern& pattern, const LaidPiece& laid, int index, con
     return side;
 }
 
-/// The two sides of a seam, of originals and of images; of copies that are kept, too, each with the
-/// first of the other side.
+/// Pairs of the two sides of a seam, separately for originals and images; further sides, of kept
+/// copies, are paired with the first of the other side.
 std::vector<MatchedPair> pairsOf(const Pattern& pattern, const std::vector<LaidPiece>& laid,
                                  const std::vector<NestItem>& items, const std::string& name) {
     std::vector<MatchedPair> pairs;
@@ -96,7 +96,7 @@ std::vector<MatchedPair> pairsOf(const Pattern& pattern, const std::vector<LaidP
     return pairs;
 }
 
-/// How far apart two places are in the repeat, mm.
+/// Distance of two places modulo the repeat, mm.
 double apartIn(const ClothRepeat& repeat, const Eigen::Vector2d& way) {
     const auto along = [](double distance, double step) {
         return step > 0 ? std::abs(std::remainder(distance, step)) : 0;
@@ -118,9 +118,9 @@ void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
         pairs.insert(pairs.end(), found.begin(), found.end());
     }
     const ClothRepeat& repeat = settings.repeat;
-    // Where the origin of each item would lie in the repeat: first of those of which it is known,
-    // then of the first of each tree, on the fold if there is such a one, such that its seam begins
-    // where a repeat does.
+    // Origin of each item in the repeat: first of items whose place is known, then of the first
+    // item of each tree, on the fold if possible, such that its seam begins at the start of a
+    // repeat.
     std::vector<std::optional<Eigen::Vector2d>> places(items.size());
     const auto at = [&](int item) -> auto& {
         return places[static_cast<std::size_t>(item)];

@@ -8,10 +8,10 @@
 // For the sources of this folder only.
 namespace toile::cloth {
 
-/// Gives the items whose seams are matched a place in the repeat, so that where a seam begins its
-/// two sides lie alike in it; these are turned one way only.
+/// Gives the items with matched seams a place in the repeat, so that the two sides of a seam have
+/// the same phase where it begins; limits these items to one angle.
 /// @param laid  one per item  @param items  in the coordinates of `NestForm`
-/// @param notes  seams that are not there, that are not kept, or that are kept at one end only
+/// @param notes  gets seams that do not exist, do not match, or match at one end only
 void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
                   const MarkerSettings& settings, std::vector<NestItem>& items,
                   std::vector<Wording>& notes);
