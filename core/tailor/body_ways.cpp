@@ -11,20 +11,19 @@
 namespace toile {
 namespace {
 
-/// Over what width normals are smoothed, mm, so that folds do not count; rounds at most.
+/// Width of the smoothing of normals, mm, so that folds do not count; largest number of rounds.
 constexpr double kSmoothing = 25;
 constexpr int kMostRounds = 400;
-/// Of a line along the silhouette, the cost per length; a line where the cloth looks ahead costs 1
-/// more.
+/// Cost per length along the silhouette; 1 more where the cloth faces ahead or back.
 constexpr double kSilhouette = 0.15;
 
-/// Bands of height in which the width is taken, and what counts as the widest in each.
+/// Number of height bands in which the width is measured; quantile that counts as the widest.
 constexpr int kBands = 60;
 constexpr double kWidest = 0.995;
-/// What it costs to be off the widest place by all of it, and to look ahead there.
+/// Cost of a distance from the widest place by the whole width; cost of facing ahead or back.
 constexpr double kOffWidest = 20, kAheadOnEnvelope = 0.2;
 
-/// Normals of the vertices, smoothed; not of unit length where the cloth turns sharply.
+/// Smoothed normals of the vertices; shorter than 1 where the cloth turns sharply.
 Points3 smoothNormals(const SurfaceLinks& links, double usualEdge, const Progress& progress) {
     const MeshArrays& mesh = links.mesh();
     const Edges& edges = links.table().edges;

@@ -11,8 +11,8 @@
 
 namespace toile {
 
-/// Cheapest ways along the edges of a garment, by costs that tailors' lines follow. Keeps
-/// references: links, body and progress must outlive it. Cancelled, ways are empty or short.
+/// Cheapest paths along the edges of a garment, by costs for tailors' lines. Keeps references:
+/// links, body and progress must outlive it. After a cancel, paths are empty or short.
 class BodyWays {
 public:
     /// Cost: linear in the triangles, and some rounds of smoothing their normals.
@@ -26,30 +26,30 @@ public:
     Eigen::Vector3d at(int vertex) const { return links_.mesh().V.row(vertex).transpose(); }
     double across(int vertex) const { return body_.across(at(vertex)); }
     double height(int vertex) const { return body_.height(at(vertex)); }
-    /// As seen from ahead: across, outward on that side of the mirror plane, and height, mm.
+    /// Front view: distance from the mirror plane, outward on that side, and height, mm.
     Eigen::Vector2d seen(int vertex, int side = 1) const {
         return {side * across(vertex), height(vertex)};
     }
-    /// How much the cloth looks ahead there: 1 ahead, -1 back, 0 on the silhouette.
+    /// How far the cloth faces ahead there: 1 ahead, -1 back, 0 on the silhouette.
     double facing(int vertex) const { return facing_[vertex]; }
 
     const std::vector<double>& lengths() const { return lengths_; }  ///< of edges, mm
     double length(const std::vector<int>& way) const;
-    /// Length of each edge times a factor that is asked for at its two ends and averaged.
+    /// Length of each edge times the mean of a factor at its two ends.
     std::vector<double> costs(const std::function<double(int)>& factorAt) const;
-    /// Costs little along the silhouette, where front meets back.
+    /// Low costs along the silhouette, where front meets back.
     const std::vector<double>& silhouette() const { return silhouette_; }
 
-    /// The same where a flared trunk hangs in folds: costs little where the garment is widest at
+    /// The same for a flared trunk that hangs in folds: low costs where the garment is widest at
     /// each height.
     std::vector<double> envelope() const;
 
-    /// The cheapest way from any of some vertices to any of others; empty where there is none.
-    /// Cost: O(#E log #E).
+    /// The cheapest path from any of some vertices to any of others; empty if there is none. Cost:
+    /// O(#E log #E).
     /// @param costs  of edges, not negative
     std::vector<int> cheapest(const std::vector<double>& costs, const std::vector<int>& from,
                               const std::vector<int>& to) const;
-    /// The cheapest ways from one vertex to everywhere.
+    /// The cheapest paths from one vertex to all others.
     geometry::ShortestForest waysFrom(int vertex, const std::vector<double>& costs) const;
 
 private:

@@ -17,13 +17,13 @@
 namespace toile {
 namespace {
 
-/// Mean strain that is enough for what nobody wears, where nothing is stated.
+/// Sufficient mean strain for forms that are not worn, if no value is set.
 constexpr double kEnoughOfForms = 0.015;
-/// Beyond this mean strain the shortest cuts are no way to cover a form.
+/// Above this mean strain the shortest cuts cannot cover a form well.
 constexpr double kFormInDoubt = 0.025;
-/// Of lines of the form, as many of a kind are looked at; of darts, as many are proposed.
+/// Largest number of form lines of a kind, and of proposed darts.
 constexpr unsigned kFormLines = 16, kDarts = 10;
-/// A line shorter than this part of the root of the area is none of the form.
+/// Shorter lines, as a fraction of the root of the area, do not count as lines of the form.
 constexpr double kShortestLine = 0.25;
 
 Wording evidenceOf(const TailorCut& cut) {
@@ -65,7 +65,7 @@ AdvisedCut formCut(const FormLine& line, TailorLine kind, Wording evidence) {
     return made;
 }
 
-/// Ridges, and where the mirror plane goes through; long ones, and not too many.
+/// Ridges and intersections with the mirror plane; only long ones, up to a limit.
 std::vector<AdvisedCut> formCuts(const SurfaceLinks& links,
                                  const std::optional<MirrorPlane>& plane) {
     const double size = std::sqrt(surfaceArea(links.mesh()));
@@ -117,8 +117,8 @@ void giveNames(std::vector<AdvisedCut>& cuts, const std::vector<UserCut>& own) {
     }
 }
 
-/// Trousers have side seams where the mesh shows them: many have none. Maps are cut for more
-/// reasons than to sew: of their borders beside the usual seams bands are made, the others offered.
+/// Trousers have side seams only if the mesh shows them: many have none. UV maps are also cut for
+/// reasons other than seams: of their borders, bands are cut, and others are offered.
 bool isUsual(const AdvisedCut& cut, bool areTrousers) {
     switch (cut.what.line) {
         case TailorLine::Dart:
@@ -180,7 +180,7 @@ CutAdvice adviseCuts(const std::shared_ptr<const Piece>& piece, const std::vecto
         const bool isKnown = body && std::isfinite(body->plane.deviation);
         std::vector<AdvisedCut> cuts =
             formCuts(links, isKnown ? body->plane : findMirrorPlane({piece}, progress));
-        // On a closed form darts have to begin somewhere.
+        // Darts need a start on a closed form.
         if (cuts.empty() && rimsOf(piece->mesh, piece->table).empty()) {
             for (const PathPolyline& path : opening) {
                 order.propose(openingCut(piece->mesh, path));

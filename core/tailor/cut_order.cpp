@@ -14,15 +14,15 @@
 namespace toile::tailor {
 namespace {
 
-/// A cut is worthwhile that takes away about this part of the strain.
+/// Smallest gain of a worthwhile cut, about the share of the strain that it removes.
 constexpr double kWorthwhile = 0.03;
-/// Cloth that is too long by less is no reason for a dart.
+/// Relative surplus of cloth below this does not justify a dart.
 constexpr double kWorthADart = 0.04;
-/// Nor is one made that is shorter than this part of the root of the area.
+/// Shortest dart, as a fraction of the root of the area.
 constexpr double kShortestDart = 0.05;
-/// As good as flat: nothing more is worthwhile.
+/// Nearly flat: below this strain nothing more is worthwhile.
 constexpr double kFlat = 0.002;
-/// So many places are tried for the next dart.
+/// Number of places tried for the next dart.
 constexpr int kPlaces = 3;
 
 }  // namespace
@@ -127,7 +127,7 @@ const std::optional<FlatScale>& CutOrder::look() {
     return scale_;
 }
 
-/// Where what parts the piece does not open it, the shortest cuts do.
+/// If the given lines do not open the piece, adds the shortest cuts that do.
 std::optional<FlatScale> CutOrder::scaleWith(std::vector<char> parted) {
     if (!isOpened(parted)) {
         for (const int vertex : opening_) {
@@ -137,7 +137,7 @@ std::optional<FlatScale> CutOrder::scaleWith(std::vector<char> parted) {
     return model_.solve(std::move(parted));
 }
 
-/// What has no handles falls into disks where all lines and rims hang together.
+/// A surface without handles falls into disks if all lines and rims are connected.
 bool CutOrder::isOpened(const std::vector<char>& parted) const {
     geometry::DisjointSets sets(links_.vertexCount());
     const Edges& edges = links_.table().edges;
@@ -164,7 +164,7 @@ double CutOrder::mean() const {
     return scale_ ? scale_->strain.mean : 1;
 }
 
-/// By how much a mean strain is less than now, as a logarithm: halving counts alike everywhere.
+/// Reduction of the mean strain as a logarithm, so that halving counts equally at all levels.
 double CutOrder::gainOf(const std::optional<FlatScale>& scale) const {
     return scale ? std::log(std::max(mean(), kFlat) / std::max(scale->strain.mean, kFlat)) : 0;
 }
@@ -245,8 +245,8 @@ double CutOrder::gainOf(const Group& group) {
     return gainOf(scaleWith(std::move(parted))) / group.length;
 }
 
-/// What a cut gains becomes less, as a rule, the more others are made: only those are looked at
-/// anew that could still be the best.
+/// The gain of a cut usually decreases when others are made, so old gains are upper bounds:
+/// recomputes only those that could still be the best.
 std::size_t CutOrder::bestGroup() {
     std::vector<char> isKnown(groups_.size(), 0);
     for (;;) {
@@ -260,7 +260,7 @@ std::size_t CutOrder::bestGroup() {
     }
 }
 
-/// The best of the darts to the places where cloth is too long, far from any cut.
+/// The best dart to one of the places with surplus cloth, far from any cut.
 std::optional<CutOrder::DartFound> CutOrder::nextDart() {
     std::optional<DartFound> best;
     if (!scale_) {
@@ -320,7 +320,7 @@ std::optional<CutOrder::DartFound> CutOrder::dartTo(int tip) {
     return DartFound{{std::move(cut), std::move(line)}, gain};
 }
 
-/// A cut opens by the angles that it takes in, each about its own place.
+/// The opening of a cut: the sum of the angles that it takes in, each about its own place.
 DartIntake CutOrder::intakeOf(const std::vector<Eigen::Vector3d>& points,
                               const FlatScale& scale) const {
     DartIntake intake;

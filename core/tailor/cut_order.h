@@ -16,8 +16,8 @@
 
 namespace toile::tailor {
 
-/// Where a surface is parted, by its vertices, as cuts are added one by one: those of rims, and for
-/// each point of a cut the vertex next to it.
+/// Vertices at which a surface is separated, as cuts are added: those of rims, and the nearest
+/// vertex to each point of a cut.
 class PartedLines {
 public:
     /// Keeps references.
@@ -25,20 +25,20 @@ public:
                 const std::vector<char>& rims)
         : links_(links), nearest_(nearest), isParted_(rims), isSewn_(rims) {}
 
-    /// The vertices next to a line on the surface, in its order, none twice in a row.
+    /// The nearest vertices to a line on the surface, in its order, without consecutive duplicates.
     std::vector<int> verticesAlong(const std::vector<Eigen::Vector3d>& points) const;
     /// @param isDart  other darts do not begin on it
     void add(const std::vector<Eigen::Vector3d>& points, bool isDart);
 
     const std::vector<char>& isParted() const { return isParted_; }
-    /// The same with one more line.
+    /// Separated vertices with one more line added.
     std::vector<char> with(const std::vector<Eigen::Vector3d>& points) const;
     /// Whether a line meets a dart.
     bool meetsDart(const std::vector<Eigen::Vector3d>& points) const;
-    /// Per vertex: how far it is from a rim or a seam along edges, mm; infinite where none is.
+    /// Per vertex: distance from a rim or a seam along edges, mm; infinite if there is none.
     std::vector<double> distances(const std::vector<double>& edgeLengths,
                                   const Progress& progress) const;
-    /// The shortest way to a vertex from a rim or a seam: its first point lies on that.
+    /// The shortest path to a vertex from a rim or a seam; its first point is on that line.
     std::vector<Eigen::Vector3d> wayTo(int vertex, const std::vector<double>& edgeLengths,
                                        const Progress& progress) const;
 
@@ -49,29 +49,28 @@ private:
     const SurfaceLinks& links_;
     const NearestSurface& nearest_;
     std::vector<char> isParted_, isSewn_;
-    std::map<int, Eigen::Vector3d> place_;  ///< on the line, of vertices next to one
+    std::map<int, Eigen::Vector3d> place_;  ///< on the line, of vertices near one
 };
 
-/// Takes cuts, one after the other those that take most strain away for their length, by
-/// `StrainModel`; and finds darts where cloth remains that is too long. Keeps references.
+/// Takes cuts one by one, each with the largest reduction of strain for its length, by
+/// `StrainModel`; and finds darts where surplus cloth remains. Keeps references.
 class CutOrder {
 public:
-    /// @param opening  the shortest cuts that open the piece: counted in as long as nothing else
-    ///                 opens it
+    /// @param opening  the shortest cuts that open the piece: included until other cuts open it
     CutOrder(const SurfaceLinks& links, const std::vector<PathPolyline>& opening,
              const Progress& progress);
 
-    /// A cut that is there anyhow.
+    /// Adds a cut that is made in any case.
     void add(const UserCut& cut);
-    /// Makes known what there is with what was added and taken.
+    /// Computes the state with all cuts added and taken.
     const std::optional<FlatScale>& look();
 
-    /// To be taken later; both sides' of a garment are taken together.
+    /// Proposes a cut; cuts of both sides of a garment are taken together.
     void propose(AdvisedCut cut);
     bool isEmpty() const { return groups_.empty(); }  ///< nothing is proposed
-    /// Takes everything proposed.
+    /// Takes all proposals.
     void takeAll();
-    /// Takes proposals and darts as long as one takes a worthwhile part of the strain away.
+    /// Takes proposals and darts while any removes a worthwhile share of the strain.
     void takeWorthwhile(std::size_t mostDarts);
 
     std::vector<AdvisedCut>& taken() { return taken_; }
@@ -79,12 +78,12 @@ public:
 private:
     struct Proposal {
         AdvisedCut cut;
-        std::vector<Eigen::Vector3d> line;  ///< that it takes, at each edge that it meets
+        std::vector<Eigen::Vector3d> line;  ///< traced, with a point at each edge it meets
     };
     struct Group {
         std::vector<Proposal> cuts;
         double length = 0;
-        double gain = std::numeric_limits<double>::infinity();  ///< by length, at most
+        double gain = std::numeric_limits<double>::infinity();  ///< per length, upper bound
     };
     struct DartFound {
         Proposal proposal;
@@ -109,7 +108,7 @@ private:
     StrainModel model_;
     const std::vector<double> lengths_;  ///< of edges
     PartedLines lines_;
-    std::vector<int> opening_;  ///< vertices that the shortest cuts pass
+    std::vector<int> opening_;  ///< vertices on the shortest cuts
     bool hasHandles_ = false;
     double size_ = 0;  ///< root of the area, mm
     std::optional<FlatScale> scale_;

@@ -6,7 +6,7 @@
 namespace toile {
 namespace {
 
-/// Of the edges inside a piece. More of them are no seams.
+/// Largest share of borders among the edges inside a piece. More are no seams.
 constexpr double kMostBorders = 0.2;
 
 bool differs(const std::vector<int>& ofFace, int f, int g) {

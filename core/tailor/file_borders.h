@@ -8,11 +8,10 @@
 
 namespace toile {
 
-/// Per edge of a piece: whether its two triangles have other materials, groups or objects in the
-/// file, or other points of its UV map there. Who made the mesh meant such lines as borders.
-/// @param soup  that the piece was divided from
-/// @return empty where there is none, or where there are too many to be seams: a UV map of single
-///         triangles
+/// Per edge of a piece: whether its two triangles have different materials, groups or objects in
+/// the file, or different UV points. The author of the mesh intended such lines as borders.
+/// @param soup  the polygons that the piece was divided from
+/// @return empty if there are no borders, or too many to be seams: a UV map of single triangles
 /// Cost: linear. Pure.
 std::vector<char> fileBorders(const Piece& piece, const PolygonSoup& soup);
 

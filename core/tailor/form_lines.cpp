@@ -8,9 +8,9 @@
 namespace toile {
 namespace {
 
-/// Bent by more, radians, an edge is one of the form. A tube of twelve sides has none.
+/// Edges with a larger bend, radians, are ridges. A tube of twelve sides has none.
 constexpr double kRidgeFold = 0.6;
-/// A ridge goes on where it turns by less than acos of this.
+/// A ridge continues if it turns by less than acos of this.
 constexpr double kGoesOn = 0.5;
 
 void sortByLength(std::vector<FormLine>& lines) {
@@ -35,7 +35,7 @@ public:
 
     std::vector<FormLine> lines() {
         std::vector<FormLine> made;
-        for (const bool fromEnds : {true, false}) {  // what is left then goes round
+        for (const bool fromEnds : {true, false}) {  // the rest is closed
             for (const int e : ridges_) {
                 for (const int side : {0, 1}) {
                     const int end = static_cast<int>(at(e, side));
@@ -60,7 +60,7 @@ private:
     }
     Eigen::Vector3d position(int vertex) const { return links_.mesh().V.row(vertex); }
 
-    /// The edge that goes on from an edge beyond a vertex; -1 where the line ends.
+    /// The edge that continues an edge beyond a vertex; -1 if the line ends.
     int onFrom(int edge, int vertex) const {
         const std::vector<int>& there = ridgesAt_[static_cast<std::size_t>(vertex)];
         if (there.size() != 2) {
@@ -107,7 +107,7 @@ public:
 
     std::vector<FormLine> lines() {
         std::vector<FormLine> made;
-        for (const bool fromRims : {true, false}) {  // what is left then goes round
+        for (const bool fromRims : {true, false}) {  // the rest is closed
             for (int use = 0; use < 3 * links_.faceCount(); ++use) {
                 if (isCrossed(use) && isDone_[static_cast<std::size_t>(use) / 3] == 0 &&
                     (!fromRims || links_.twin(use) < 0)) {
@@ -136,7 +136,7 @@ private:
             isDone_[static_cast<std::size_t>(use) / 3] = 1;
             const int next = nextSide(use);
             const int out = isCrossed(next) ? next : nextSide(next);
-            // A vertex that lies in the plane is met once for each triangle there.
+            // A vertex in the plane is met once for each triangle there.
             if (const Eigen::Vector3d point = crossing(out); point != line.points.back()) {
                 line.points.push_back(point);
             }

@@ -10,20 +10,20 @@
 
 namespace toile {
 
-/// A line on a surface by its points, mm; one that goes all round does not repeat its first.
+/// A line on a surface by its points, mm; a closed one does not repeat its first.
 struct FormLine {
     std::vector<Eigen::Vector3d> points;
     bool isRound = false;
 };
 
-/// The lines along which a surface is bent sharply: the edges of a box, the rim of a lid. They end
-/// where three meet, or where they turn a corner. Longest first. Cost: O(#E log #E). Pure.
+/// Lines along which a surface is bent sharply: the edges of a box, the rim of a lid. They end
+/// where three meet, or at corners. Longest first. Cost: O(#E log #E). Pure.
 std::vector<FormLine> ridgesOf(const SurfaceLinks& links);
 
-/// Where a plane meets the surface. Longest first. Linear but for the sorting. Pure.
+/// The intersection of a plane and the surface. Longest first. Linear, except sorting. Pure.
 std::vector<FormLine> sectionsOf(const SurfaceLinks& links, const MirrorPlane& plane);
 
-/// Length in mm, round lines closed.
+/// Length in mm; closed lines include the way back to the first point.
 double lengthOf(const std::vector<Eigen::Vector3d>& points, bool isRound);
 
 }  // namespace toile

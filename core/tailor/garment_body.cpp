@@ -16,16 +16,16 @@ namespace toile {
 namespace {
 
 constexpr double kShortestOpening = 80;  // mm
-/// An opening is in the middle where its centre is nearer to the plane than this part of the width.
+/// An opening is in the middle if its centre is closer to the plane than this share of the width.
 constexpr double kMiddle = 0.25;
-/// How far an opening's image lies from its partner at most, as a part of its length.
+/// Largest distance between an opening's image and its partner, as a fraction of its length.
 constexpr double kPartnerApart = 0.25;
-/// A plane whose normal is as near to upright as this cosine parts no left from right.
+/// A plane whose normal is closer to vertical than this cosine does not separate left from right.
 constexpr double kNearlyLevel = 0.5;
-/// Of a neck, the part that is looked at for where it is low.
+/// Share of the neck that is examined for its lowest side.
 constexpr double kLowPart = 0.3;
-/// A vertex whose image is nearer to another than this, mm, is that one's mirror image; so many are
-/// looked at.
+/// A vertex whose image is closer to another vertex than this, mm, is its mirror image; number of
+/// vertices examined.
 constexpr double kSameVertex = 0.01;
 constexpr Eigen::Index kPolishedBy = 4000;
 
@@ -74,7 +74,7 @@ void findPartners(GarmentBody& body, const std::vector<int>& aside) {
     }
 }
 
-/// Names the openings, from the middle ones downwards. @param middle  highest first
+/// Names the openings, the middle ones from top to bottom. @param middle  highest first
 void nameOpenings(GarmentBody& body, const std::vector<int>& middle, const std::vector<int>& aside,
                   double centreHeight) {
     std::vector<int> paired;
@@ -101,7 +101,7 @@ void nameOpenings(GarmentBody& body, const std::vector<int>& middle, const std::
     }
 }
 
-/// Turns `forward` to the side on which the neck is low.
+/// Turns `forward` to the side where the neck is lower.
 void guessFront(GarmentBody& body, const Points3& V) {
     const BodyOpening* neck = body.find(OpeningKind::Neck);
     if (!neck) {
@@ -150,8 +150,8 @@ GarmentBody bodyBeside(const Piece& piece, const MirrorPlane& plane) {
     return body;
 }
 
-/// The plane by vertices and their images alone, where a mesh is its own mirror image: to the last
-/// digits, that both sides are cut alike to these.
+/// Refines the plane by vertices and their images alone if a mesh is its own mirror image: to the
+/// last digits, so that both sides are cut symmetrically.
 MirrorPlane polished(MirrorPlane plane, const MeshArrays& mesh) {
     const NearestSurface nearest(mesh);
     std::vector<std::array<Eigen::Vector3d, 2>> pairs;
@@ -215,7 +215,7 @@ std::optional<GarmentBody> readBody(const std::shared_ptr<const Piece>& piece,
     };
     GarmentBody body = bodyBeside(*piece, *plane);
     if (body.form == BodyForm::Unknown) {
-        // Front and back may be alike, too, and more so than left and right.
+        // Front and back may be symmetric too, more so than left and right.
         MirrorPlane across;
         across.normal = body.up.cross(plane->normal);
         across.offset = (piece->mesh.V * across.normal).mean();

@@ -14,10 +14,10 @@
 namespace toile {
 namespace {
 
-/// An end nearer to a rim than this lies on it, mm.
+/// An end closer to a rim than this is on it, mm.
 constexpr double kReachesRim = 1;
 
-/// Handles of a loop that has none of its own.
+/// Number of handles of a loop with fewer than two shared points.
 constexpr int kSpread = 4;
 
 bool goesRound(const UserCut& cut) {
@@ -28,7 +28,7 @@ std::array<double, 3> bitsOf(const Eigen::Vector3d& p) {
     return {p.x(), p.y(), p.z()};
 }
 
-/// The nearest to a part of the cut's length from a point on.
+/// The point nearest to a share of the cut's length from a given point.
 int indexAt(const UserCut& cut, int from, double part) {
     const int n = static_cast<int>(cut.points.size());
     const double aim = part * lengthAlong(cut);

@@ -13,9 +13,9 @@
 
 namespace toile {
 
-/// The points by which a cut is taken hold of, in order: its ends, and where it shares a point, to
-/// the last bit, with other cuts. A path that has none but its ends has its middle, too; a loop
-/// with fewer than two has four, spread evenly. Indices into its points.
+/// Handles of a cut, in order: its ends, and points that it shares with other cuts, bit by bit. A
+/// path with only its ends also gets its middle; a loop with fewer than two handles gets four,
+/// evenly spaced. Indices into its points.
 /// Cost: O(n log n) in the points of all cuts. Pure.
 std::vector<int> handlesOf(const std::vector<UserCut>& cuts, std::size_t cut);
 
@@ -26,25 +26,25 @@ public:
     explicit CutShaper(std::shared_ptr<const Piece> piece);
 
     const std::shared_ptr<const Piece>& piece() const { return piece_; }
-    /// Within 1 mm.
+    /// Whether the point is within 1 mm of a rim.
     bool isOnRim(const Eigen::Vector3d& point) const;
-    /// Nearest point of any rim; the point itself where the piece has none. Cost: its edges.
+    /// Nearest point of any rim; the point itself if the piece has none. Cost: its edges.
     Eigen::Vector3d onRim(const Eigen::Vector3d& point) const;
 
-    /// Places along the whole rim that a point lies on, `spacing` mm apart at most, in no order;
-    /// empty where it lies on none.
+    /// Places along the whole rim that a point is on, at most `spacing` mm apart, unordered; empty
+    /// if it is on none.
     std::vector<Eigen::Vector3d> rimThrough(const Eigen::Vector3d& point, double spacing) const;
 
-    /// Moves a point of a cut, which is best a handle, to the place on the surface nearest to `to`.
-    /// The line goes along up to the next handles, less the farther, by arc length, and stays on
-    /// the surface; the other cuts through that point follow. An end on a rim stays on rims. A line
-    /// that was straight between its handles in a plane can be moved back as it was.
-    /// Cost: a question to the surface for each point moved.
+    /// Moves a point of a cut, preferably a handle, to the place on the surface nearest to `to`.
+    /// The line follows up to the next handles, less with distance by arc length, and stays on the
+    /// surface; other cuts through that point follow. An end on a rim stays on rims. A line that
+    /// was straight in a plane between its handles can be restored by moving it back.
+    /// Cost: a nearest-point query for each moved point.
     void move(std::vector<UserCut>& cuts, std::size_t cut, int point,
               const Eigen::Vector3d& to) const;
 
-    /// Points along a cut on the surface, `spacing` mm apart at most. One that goes round repeats
-    /// its first.
+    /// Points along a cut on the surface, at most `spacing` mm apart. A closed cut repeats its
+    /// first.
     std::vector<Eigen::Vector3d> drawn(const UserCut& cut, double spacing) const;
 
 private:
@@ -61,10 +61,10 @@ private:
     std::shared_ptr<const Piece> piece_;
     NearestSurface nearest_;
     std::vector<int> rim_;     ///< edges
-    std::vector<int> rimSet_;  ///< per edge of `rim_`: which rim it is of
+    std::vector<int> rimSet_;  ///< per edge of `rim_`: index of its rim
 };
 
-/// Along its points; a loop with the way back to the first. mm.
+/// Length of the polyline; for a loop including the way back to the first point. mm.
 double lengthAlong(const UserCut& cut);
 
 }  // namespace toile

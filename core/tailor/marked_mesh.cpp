@@ -9,7 +9,7 @@
 namespace toile::tailor {
 namespace {
 
-/// Which vertex each of a mesh cut open was before its two sides parted.
+/// The vertex of each vertex of an opened mesh before its two sides were separated.
 std::vector<int> closedAgain(const CutResult& cut, int sourceCount) {
     std::map<std::array<double, 4>, int> known;
     std::vector<int> closed;

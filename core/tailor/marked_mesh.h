@@ -11,25 +11,25 @@
 
 namespace toile::tailor {
 
-/// A surface of which some edges are marked.
+/// A surface with marked edges.
 struct MarkedMesh {
     MeshArrays mesh;
     EdgeTable table;
     std::vector<std::vector<int>>
         ways;  ///< the marked lines, as vertices; neighbours share an edge
 
-    /// Per edge.
+    /// Per edge: whether it is marked.
     std::vector<char> marks() const;
-    /// Those on the lines.
+    /// The vertices on the lines.
     std::set<int> vertices() const;
 };
 
-/// The same surface with cuts as edges of it: split as `cutPieces` splits it, and closed again.
-/// Vertices of the source keep their numbers. Cuts that cannot be made are left out, and what of
-/// one runs along a rim or another cut.
+/// The same surface with cuts as edges: split like `cutPieces` splits it, and closed again. Source
+/// vertices keep their numbers. Cuts that cannot be made are left out, and so are parts along a rim
+/// or another cut.
 /// @param mesh  oriented, manifold
-/// Cost: that of tracing the cuts and of `cutAlong`. Cancelled, it is worth nothing. Deterministic.
-/// Pure.
+/// Cost: that of tracing the cuts and of `cutAlong`. After a cancel the result is invalid.
+/// Deterministic. Pure.
 MarkedMesh markedMesh(const MeshArrays& mesh, const EdgeTable& table,
                       const std::vector<UserCut>& cuts, const Progress& progress);
 

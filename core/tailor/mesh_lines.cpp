@@ -17,25 +17,25 @@ namespace toile {
 namespace {
 
 constexpr double kStraight = 0.9, kSameLength = 0.12;
-/// A line of fewer edges says little.
+/// Lines with fewer edges are weak evidence.
 constexpr int kFewEdges = 3;
 constexpr double kFewFactor = 0.3;
-/// Of its edges' lengths, the spread at which a line counts half.
+/// Relative spread of edge lengths at which a line counts half.
 constexpr double kEvenSpread = 0.03;
 constexpr double kUsualQuantile = 0.9;
-/// What even a flat line is worth, next to bends of as many medians.
+/// Worth of a flat line, and the limit of a bend in `bendsOf`.
 constexpr double kFlatWorth = 0.3;
 constexpr double kMostBends = 3;
-/// Below, radians, the mesh's own bends are rounding.
+/// Bends below this, radians, count as rounding in the mesh's medians.
 constexpr double kLeastFold = 0.01, kLeastDefect = 1e-3;
-/// Who made a mesh has rarely put a border of its file where no seam is.
+/// Likeliness of file borders: authors of meshes rarely put them where no seam is.
 constexpr double kBorder = 0.95;
-/// From how many medians on a bend is one.
+/// From this number of medians a bend counts.
 constexpr double kUnusual = 3;
-/// Median of |x| to the standard deviation of x, of a normal distribution.
+/// Factor from the median of |x| to the standard deviation of x, for a normal distribution.
 constexpr double kToDeviation = 1.48;
 
-/// Which edge goes on where another ends.
+/// Finds the edges that continue each other.
 class Continuations {
 public:
     explicit Continuations(const SurfaceLinks& links)
@@ -56,7 +56,7 @@ public:
         }
     }
 
-    /// The edge after this one beyond its first (0) or second (1) end, or -1.
+    /// The edge that continues this one beyond its first (0) or second (1) end, or -1.
     int next(int edge, int end) const { return next_[edge][end]; }
 
     int endAt(int edge, int vertex) const {
@@ -105,8 +105,8 @@ private:
     std::vector<std::array<int, 2>> next_;
 };
 
-/// How far the surface is from flat, per edge: its dihedral angle and the angle defect at its ends,
-/// each in thrice the mesh's own.
+/// Bend of the surface per edge: its dihedral angle and the angle defect at its ends, each in units
+/// of three times the mesh's own.
 std::vector<double> bendsOf(const SurfaceLinks& links) {
     std::vector<double> defect(static_cast<std::size_t>(links.vertexCount()), 0), some;
     for (int v = 0; v < links.vertexCount(); ++v) {
@@ -137,10 +137,10 @@ std::vector<double> bendsOf(const SurfaceLinks& links) {
 struct Line {
     std::vector<int> edges, way;
     double bend = 0;    ///< mean
-    double spread = 0;  ///< of the lengths, as a part of their mean
+    double spread = 0;  ///< of the lengths, as a fraction of their mean
 };
 
-/// Lines by following continuations both ways from their least edge.
+/// Builds lines by following continuations both ways from their lowest edge.
 std::vector<Line> linesOf(const Continuations& continuations, const SurfaceLinks& links,
                           std::vector<int>& lineOf) {
     std::vector<Line> lines;
@@ -229,7 +229,7 @@ void MeshLines::addBorders(const SurfaceLinks& links, const std::vector<char>& i
         ways.push_back(std::move(way));
         likeliness.push_back(kBorder);
     };
-    for (const bool fromEnds : {true, false}) {  // what is left then goes round
+    for (const bool fromEnds : {true, false}) {  // the rest is closed
         for (int e = 0; e < links.edgeCount(); ++e) {
             for (int side = 0; side < 2 && isBorder[static_cast<std::size_t>(e)] != 0; ++side) {
                 if (lineOf[e] < firstBorder &&

@@ -13,21 +13,21 @@
 namespace toile {
 namespace {
 
-/// A part is on one side of a plane where this much of its area is.
+/// A part is on one side of a plane if this share of its area is.
 constexpr double kOnOneSide = 0.85;
-/// It is front or back where its area looks there by this part of it, in the mean.
+/// A part is front or back if its mean normal has at least this component in that direction.
 constexpr double kLooksThere = 0.2;
-/// A band is at most so wide, mm, and has so much of its own rim at an opening.
+/// Largest width of a band, mm, and smallest share of its own rim at an opening.
 constexpr double kWidestBand = 60, kBandAtOpening = 0.38;
-/// A sleeve has this much of a cuff.
+/// Share of a cuff that belongs to a sleeve.
 constexpr double kAllOfCuff = 0.9;
 
-/// Where the area of a part is.
+/// Position of a part's area.
 struct PartArea {
     double whole = 0;
     Eigen::Vector3d centre{0, 0, 0};
-    Eigen::Vector3d facing{0, 0, 0};  ///< mean normal; short where it goes all round
-    double left = 0;                  ///< part of it with `across` above 0
+    Eigen::Vector3d facing{0, 0, 0};  ///< mean normal; short if the part goes all round
+    double left = 0;                  ///< area with positive `across`
 };
 
 PartArea areaOf(const MeshArrays& mesh, const GarmentBody& body) {
@@ -91,7 +91,7 @@ private:
         return {mesh.V(v, 0), mesh.V(v, 1), mesh.V(v, 2)};
     }
 
-    /// How much of an opening's rim is the part's, mm.
+    /// Length of an opening's rim that belongs to the part, mm.
     double lengthAt(const BodyOpening& opening) const {
         const std::vector<int>& rim = opening.loop.vertices;
         double length = 0;
@@ -171,7 +171,7 @@ private:
         });
     }
 
-    /// Whether the part lies beyond a closed line, as seen from the middle of the garment.
+    /// Whether the part is beyond a closed line, as seen from the middle of the garment.
     bool isBeyond(const std::vector<Eigen::Vector3d>& loop, const Eigen::Vector3d& cuff) const {
         Eigen::Vector3d middle(0, 0, 0), normal(0, 0, 0);
         for (const Eigen::Vector3d& point : loop) {

@@ -9,15 +9,15 @@
 namespace toile::tailor {
 namespace {
 
-/// What a line that is a seam for sure saves of the cost.
+/// Share of the cost that a certain seam saves.
 constexpr double kSaving = 0.9;
-/// A near corridor, mm, in which any gain counts, and a wide one, which must gain much.
+/// Corridors, mm: a near one, in which any gain counts, and a wide one, which needs a large gain.
 constexpr double kNear = 60, kWide = 180;
 constexpr double kMuchMore = 0.15, kSure = 0.75;
 constexpr double kOutOfReach = 1e6;
-/// A way in reach that is more than this part of sure seams is meant.
+/// A reachable path with a larger share of certain seams is preferred.
 constexpr double kMostlySure = 0.4;
-/// What it costs along a sure seam, and within so many mm beside it.
+/// Cost factor along a certain seam; width, mm, and cost factor of the strip next to it.
 constexpr double kAlongSure = 0.02, kBesideSure = 10, kBeside = 30;
 
 }  // namespace

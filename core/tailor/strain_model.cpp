@@ -11,11 +11,11 @@
 namespace toile {
 namespace {
 
-/// Beyond a factor of e^3 in length nothing is told apart any more.
+/// Limit of |log|: length factors beyond e^3 are not distinguished.
 constexpr double kMostLog = 3;
-/// A vertex that hangs on others by less has no say.
+/// A vertex with a smaller coupling to others is ignored.
 constexpr double kLoose = 1e-9;
-/// Of what a conformal map would stretch the isometric one needs about this part, on garments.
+/// On garments an isometric map needs about this share of a conformal map's strain.
 constexpr double kIsometricPart = 0.45;
 constexpr double kPassedOver = 0.001;  ///< of the area
 
@@ -75,7 +75,7 @@ StrainModel::StrainModel(const SurfaceLinks& links)
 std::optional<FlatScale> StrainModel::solve(std::vector<char> parted) {
     linalg::SymmetricMatrix system = laplacian_;
     for (int v = 0; v < system.size; ++v) {
-        if (system.value[system.columnStart[v]] < kLoose) {  // of flat triangles alone
+        if (system.value[system.columnStart[v]] < kLoose) {  // only in flat triangles
             parted[static_cast<std::size_t>(v)] = 1;
         }
     }

@@ -12,38 +12,38 @@
 
 namespace toile {
 
-/// Strain of flat cloth, part of 1.
+/// Strain of flat cloth; 1 is 100 %.
 struct StrainFigures {
     double mean = 0;  ///< over the area
-    double most = 0;  ///< what a thousandth of the area exceeds: single triangles are passed over
+    double most = 0;  ///< exceeded by a thousandth of the area, to ignore single triangles
 
     bool operator==(const StrainFigures&) const = default;
 };
 
-/// Of strains of either sign, and the areas that have them, none negative. O(n log n). Pure.
+/// From signed strains and their areas, none negative. O(n log n). Pure.
 StrainFigures strainFigures(std::vector<std::pair<double, double>> strainsAndAreas);
 
-/// How a surface would lie flat.
+/// Flat scale of a surface.
 struct FlatScale {
-    Eigen::VectorXd log;       ///< per vertex: logarithm of flat by worn length
-    Eigen::VectorXd absorbed;  ///< per vertex, radians: the curvature that a parted one takes in,
-                               ///< which is by how much a cut opens there
+    Eigen::VectorXd log;       ///< per vertex: logarithm of flat length by worn length
+    Eigen::VectorXd absorbed;  ///< per vertex, radians: the curvature taken in at a separated one,
+                               ///< which is the angle by which a cut opens there
     StrainFigures strain;
 };
 
-/// Foretells what strain remains where a surface is parted along some lines, before anything is
-/// flattened. A flat metric exp(2u) times the worn one has to take back the curvature K, as angle
-/// defects, by L u = -K with the cotangent Laplacian L; with u = 0 along rims and cuts these keep
-/// their lengths ([BCGB08] section 3.2, [SC17] section 4). It is what a conformal map with kept
-/// boundary lengths does exactly; `isometric` does better, but in the same places. One
-/// factorisation of size #V for each question; the order of elimination is found once.
+/// Predicts the strain that remains if a surface is cut along some lines, without flattening. A
+/// flat metric exp(2u) times the worn one must cancel the curvature K (angle defects): L u = -K
+/// with the cotangent Laplacian L. With u = 0 along rims and cuts these keep their lengths
+/// ([BCGB08] section 3.2, [SC17] section 4). A conformal map with fixed boundary lengths does
+/// exactly this; `isometric` has less strain, but in the same places. Each query takes one
+/// factorisation of size #V; the elimination order is found once.
 class StrainModel {
 public:
     /// Linear.
     explicit StrainModel(const SurfaceLinks& links);
 
     /// @param parted  per vertex, whether a rim or a cut passes there; rims are not added
-    /// @return none where a part of the surface has no such vertex, or memory is short
+    /// @return nothing if a component of the surface has no such vertex, or memory is short
     std::optional<FlatScale> solve(std::vector<char> parted);
 
     /// Per vertex: on a rim.

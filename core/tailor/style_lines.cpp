@@ -13,17 +13,17 @@ namespace toile::tailor {
 namespace {
 
 constexpr double kLikely = 0.8, kShortest = 60;  // mm
-/// A line is known where more than this part of it is this near to known ones, mm.
+/// A line is known if more than this share of it is within this distance of known ones, mm.
 constexpr double kKnownPart = 0.4, kByKnown = 20;
-/// What leads on from its ends: likely, or short, mm.
+/// Leads from its ends: smallest likeliness, or largest length, mm.
 constexpr double kLikelyLead = 0.7, kShortLead = 40;
-/// Where more of all edges than this look like seams, as those of a lathe do, none are but borders
-/// of the file.
+/// If more than this share of all edges looks like seams, as on a lathed mesh, only borders of the
+/// file count.
 constexpr double kMostSeams = 0.05;
-/// Of its mirror image, what must lie on other likely lines.
+/// Share of its mirror image that must be on other likely lines.
 constexpr double kMirroredPart = 0.7;
 
-/// Points in space, and whether some are near a place.
+/// Points in space, with a test whether any are near a place.
 class PointCloud {
 public:
     void add(const Eigen::Vector3d& point) { cells_[cellOf(point)].push_back(point); }
@@ -128,7 +128,7 @@ private:
         return lines_.likeliness[line] > kLikely && ways_.length(lines_.ways[line]) > kShortest;
     }
 
-    /// Which part of a way, or of its mirror image, is near to some vertices.
+    /// Share of a path, or of its mirror image, near some vertices.
     double nearPart(const std::vector<int>& way, const PointCloud& others, bool isMirrored) const {
         int near = 0;
         for (const int v : way) {
@@ -139,7 +139,7 @@ private:
         return static_cast<double>(near) / static_cast<double>(way.size());
     }
 
-    /// The way with both ends led on to the network; empty where one does not reach it.
+    /// The path with both ends extended to the network; empty if an end does not reach it.
     std::vector<int> ledOn(const std::vector<int>& way) const {
         std::vector<int> whole = way;
         if (way.front() == way.back()) {

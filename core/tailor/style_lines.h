@@ -7,9 +7,9 @@
 
 namespace toile::tailor {
 
-/// Lines of the mesh that look like seams and lie on no line found so far, as princess lines,
-/// yokes, bands of necks and collars: long, likely, the same on both sides of the mirror plane, and
-/// led on to where other lines or rims are.
+/// Lines of the mesh that look like seams and are not found yet, like princess lines, yokes, bands
+/// of necks and collars: long, likely, symmetric in the mirror plane, and extended to other lines
+/// or rims.
 /// @param known  ways of vertices
 /// Cost: a search for each end of each. Deterministic.
 std::vector<std::vector<int>> styleLines(const BodyWays& ways, const MeshLines& lines,

@@ -25,9 +25,9 @@ namespace toile::tailor {
 namespace {
 
 struct Fairness {
-    double near;    ///< mm: how far the line may leave its way
-    double step;    ///< mm: from one of its points to the next, at most
-    int roundings;  ///< how often it is shortened around each of them
+    double near;    ///< mm: largest distance of the line from its way
+    double step;    ///< mm: largest distance between its points
+    int roundings;  ///< number of shortenings around each of them
 };
 
 /// The point between two neighbours on a path. @param share  0 at the first
@@ -81,8 +81,8 @@ double distanceTo(const std::vector<Eigen::Vector3d>& line, const Eigen::Vector3
     return least;
 }
 
-/// The fewest geodesics, one after the other, that stay near a way. Each is the shortest of all:
-/// the way pulled tight may pass the bumps of uneven cloth on other sides, and turn far more.
+/// The fewest consecutive geodesics that stay near a path. Each is a globally shortest one: a path
+/// pulled tight may pass the bumps of uneven cloth on other sides, and turn far more.
 std::vector<PathPolyline> geodesicsNear(const SurfaceLinks& links, std::span<const int> way,
                                         double near) {
     auto shortest = geodesicPath(links, links.atVertex(way.front()), links.atVertex(way.back()));
@@ -107,7 +107,7 @@ std::vector<PathPolyline> geodesicsNear(const SurfaceLinks& links, std::span<con
     return parts;
 }
 
-/// A path in parts of even length, none longer than a step.
+/// A path in parts of equal length, none longer than a step.
 std::vector<PathPolyline> inSteps(const SurfaceLinks& links, PathPolyline path, double step) {
     const int count = std::max(1, static_cast<int>(std::ceil(path.length / step)));
     const double each = path.length / count;
@@ -121,7 +121,7 @@ std::vector<PathPolyline> inSteps(const SurfaceLinks& links, PathPolyline path, 
     return parts;
 }
 
-/// Shortens a line around every second of its inner points, and around the others, by turns.
+/// Shortens a line around every second inner point, alternating between even and odd ones.
 void roundKinks(const SurfaceLinks& links, std::vector<PathPolyline>& parts, int roundings) {
     for (int round = 0; round < 2 * roundings; ++round) {
         for (auto k = static_cast<std::size_t>(1 + round % 2); k < parts.size(); k += 2) {
@@ -133,9 +133,9 @@ void roundKinks(const SurfaceLinks& links, std::vector<PathPolyline>& parts, int
     }
 }
 
-/// The line on the surface that a way along edges stands for: the fewest shortest ways that stay
-/// near it, and the kinks between them rounded.  @param way  vertices, at least two
-/// @return geodesics of even length, one after the other, from its first vertex to its last
+/// The smooth line for a path along edges: the fewest geodesics that stay near it, with the kinks
+/// between them rounded.  @param way  vertices, at least two
+/// @return geodesics of equal length, one after the other, from its first vertex to its last
 /// Cost: some shortest ways (`geodesicPath`) and dozens of shortenings (`straightened`). Pure.
 std::vector<PathPolyline> fairPath(const SurfaceLinks& links, std::span<const int> way,
                                    const Fairness& fairness) {
@@ -152,26 +152,26 @@ std::vector<PathPolyline> fairPath(const SurfaceLinks& links, std::span<const in
     return parts;
 }
 
-/// Edges that look like a seam stay where they follow each other for so long, mm; none turns more
-/// than by this from the one before, as a cosine.
+/// Edges that look like a seam are kept if a run of them is at least this long, mm; no edge turns
+/// by more than this from the one before, as a cosine.
 constexpr double kLongEnough = 50, kNoCorner = 0.8;
-/// An armhole, which is hollow, and other lines.
+/// For armholes, which are concave, and for other lines.
 constexpr Fairness kFairHollow{5, 20, 3}, kFairStraight{18, 40, 6};
-/// A line that comes this near to another meets it, mm; where the other has a point near, there.
+/// A line this close to another meets it, mm; at a point of the other, if one is this close.
 constexpr double kMeets = 1, kMeetsAtPoint = 3;
-/// A line that begins at the one that it ends on has left it when it is so far off, mm.
+/// A line that begins on the line it ends on has left it at this distance, mm.
 constexpr double kLeft = 10;
 constexpr int kPartsLookedAt = 8;
 
-/// A line on the surface: its points, and those between that its geodesics pass.
+/// A line on the surface: its points, and those between where its geodesics cross edges.
 struct FairLine {
     struct Point {
         Eigen::Vector3d at;
-        bool isOwn;  ///< of the line; false: passed
+        bool isOwn;  ///< of the line; false: crossed by a geodesic
     };
     std::vector<Point> points;
 
-    /// The place of the line nearest to another, and between which points it lies.
+    /// The place of the line nearest to a given point, and the points on either side of it.
     struct Nearest {
         Eigen::Vector3d at;
         std::size_t after = 0;
@@ -189,7 +189,7 @@ struct FairLine {
         return found;
     }
 
-    /// Has another line meet it there: at a point that it has near, or at a new one.
+    /// Returns the point where another line meets this one: a near own point, or a new one.
     Eigen::Vector3d meet(const Nearest& place) {
         for (Point& point : points) {
             if (point.isOwn && (point.at - place.at).norm() < kMeetsAtPoint) {
@@ -202,7 +202,7 @@ struct FairLine {
         return place.at;
     }
 
-    /// Ends on another line: where it first comes to it, or is nearest to it.
+    /// Ends this line on another: where it first reaches it, or is nearest to it.
     void endOn(FairLine& other) {
         bool hasLeft = other.nearest(points.front().at).distance > kMeets;
         for (std::size_t k = 1; k < points.size(); ++k) {
@@ -274,14 +274,14 @@ public:
     }
 
 private:
-    /// Led by the mesh alone: it ends on lines that the form has.
+    /// Lines found only by the mesh: they end on lines that follow the form.
     static bool isOfMesh(const TailorSeam& seam) {
         return seam.line == TailorLine::Style || seam.line == TailorLine::Band;
     }
 
     static bool isRound(const TailorSeam& seam) { return seam.way.front() == seam.way.back(); }
 
-    /// The end of a style line, where it lies on another line's way.
+    /// Ends a style line on another line if its end vertex is on that line's way.
     void endOnOther(std::size_t s, int end) {
         const auto other = seamAt_.find(end);
         if (other != seamAt_.end() && other->second != s && !held_.contains(end)) {
@@ -296,7 +296,7 @@ private:
             isFixed.push_back(held_.contains(v) ? 1 : 0);
         }
         isFixed.front() = isFixed.back() = 1;
-        std::size_t first = 0;  // of the seam's edges that follow each other
+        std::size_t first = 0;  // start of a run of the seam's edges
         double length = 0;
         for (std::size_t k = 1; k <= way.size(); ++k) {
             if (k < way.size() && isSeam(way[k - 1], way[k]) &&
@@ -349,7 +349,7 @@ private:
                 made.points.push_back({ways_.at(way[last]), true});
             } else {
                 if (way[first] == way[last]) {
-                    last = (first + last) / 2;  // it goes round, and is held nowhere else
+                    last = (first + last) / 2;  // it is closed, and fixed nowhere else
                 }
                 addFair(std::span(way).subspan(first, last - first + 1), seam.line, made);
             }
@@ -362,18 +362,18 @@ private:
     const MeshLines& lines_;
     const std::vector<TailorSeam>& seams_;
     std::set<int> held_;
-    std::map<int, std::size_t> seamAt_;  ///< by vertex: the first
+    std::map<int, std::size_t> seamAt_;  ///< by vertex: the first seam through it
     std::vector<FairLine> made_;
 };
 
-/// Makes smooth lines of ways along edges. Where a way follows a seam of the mesh it stays on its
-/// edges. Elsewhere its teeth are taken out: it becomes the fewest shortest ways that stay near it,
-/// and the kinks between them are rounded on the surface. Lines that meet share the point where
-/// they do; a style line or a band ends on the others where these have come to run.
-/// @param cuts  ways that are made anyhow: what meets them does so at their vertices
-/// @return per seam points on the surface, joined by geodesics; of one that goes round the first is
-///         not repeated
-/// Cost: some shortest ways (`geodesicPath`) and dozens of shortenings (`straightened`) each.
+/// Makes smooth lines of paths along edges. Where a path follows a seam of the mesh it keeps the
+/// edges. Elsewhere its zigzag is removed: it becomes the fewest geodesics that stay near it, with
+/// the kinks between them rounded on the surface. Lines that meet share a point; a style line or a
+/// band ends on the final course of the others.
+/// @param cuts  ways that are cut in any case: lines meet them at their vertices
+/// @return per seam points on the surface, joined by geodesics; a closed seam does not repeat its
+/// first
+/// Cost: some geodesics (`geodesicPath`) and dozens of shortenings (`straightened`) each.
 /// Deterministic. Pure.
 std::vector<std::vector<Eigen::Vector3d>> fairLines(const BodyWays& ways, const MeshLines& lines,
                                                     const std::vector<TailorSeam>& seams,
@@ -387,10 +387,10 @@ std::vector<std::vector<Eigen::Vector3d>> fairLines(const BodyWays& ways, const 
 namespace toile {
 namespace {
 
-/// A garment nearer than this to its own mirror image, mm, is cut alike on both sides.
+/// A garment closer than this to its own mirror image, mm, is cut symmetrically.
 constexpr double kSymmetric = 0.5;
 
-/// "left side": as the wearer has it.
+/// "left side": the wearer's left.
 std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
     std::string word = wordOf(seam.line);
     if (seam.side == 0) {
@@ -399,8 +399,8 @@ std::string nameOf(const TailorSeam& seam, const GarmentBody& body) {
     return ((seam.side > 0) == body.isLeftAcross() ? "left " : "right ") + word;
 }
 
-/// Makes both sides alike: those of one are those of the other, reflected, and the centre lies in
-/// the plane. What met a line that has moved goes along to it; lines that meet a person's cut stay.
+/// Makes both sides symmetric: reflects the lines of one side to the other, and moves the centre
+/// into the plane. Lines that met a moved line follow it; lines that meet a user's cut stay.
 class Reflection {
 public:
     /// @param isHeld  per cut
@@ -456,7 +456,7 @@ private:
         point = to;
     }
 
-    /// Takes along what lay on a point that has moved.
+    /// Moves the points that coincide with a moved point.
     void follow() {
         for (TailorCut& cut : cuts_) {
             for (Eigen::Vector3d& point : cut.cut.points) {
@@ -474,7 +474,7 @@ private:
     std::map<Key, Eigen::Vector3d> moved_;
 };
 
-/// Marks of the edges that a mesh still has after others were split.
+/// Border marks of the edges that still exist after other edges were split.
 std::vector<char> bordersIn(const EdgeTable& table, const EdgeTable& before,
                             const std::vector<char>& borders) {
     std::vector<char> isBorder(static_cast<std::size_t>(table.edges.rows()), 0);
@@ -561,7 +561,7 @@ std::vector<TailorCut> tailorCuts(const Piece& piece, const GarmentBody& body,
         names.take(cut.name);
     }
     std::vector<TailorCut> cuts;
-    std::vector<char> isHeld;  // per cut: a person's own meets it
+    std::vector<char> isHeld;  // per cut: it meets a user's cut
     const std::set<int> atOwn = marked.vertices();
     for (std::size_t s = 0; s < seams.size(); ++s) {
         const TailorSeam& seam = seams[s];

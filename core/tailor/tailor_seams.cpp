@@ -20,16 +20,16 @@
 namespace toile::tailor {
 namespace {
 
-/// The lines of trousers; each a way of vertices, of legs first the one with `across` below 0.
+/// Lines of trousers, each a path of vertices; of pairs first the one with negative `across`.
 struct LegSeams {
     std::vector<int> centre;  ///< from the front of the waist between the legs to its back
     std::array<std::vector<int>, 2> inseam;  ///< from the crotch, a vertex of `centre`, to an ankle
     std::array<std::vector<int>, 2> side;    ///< from the waist to an ankle
 };
 
-/// Off the mirror plane by so many mm a line costs as much again as its length does anyhow.
+/// A line at this distance from the mirror plane, mm, costs twice the base cost of its length.
 constexpr double kOffCentre = 15, kCentreCost = 0.1;
-/// Of a waist, the part near the plane where the centre line may end, as a part of its width.
+/// Half-width of the waist's part where the centre line may end, as a fraction of its width.
 constexpr double kWaistMiddle = 0.15;
 
 template <class Keep>
@@ -111,18 +111,18 @@ std::array<std::vector<int>, 2> skirtSides(const BodyWays& ways, const SeamPull&
     return sides;
 }
 
-/// A line this far off its plane or height, mm, costs as much again; what its length costs anyhow.
+/// A line at this distance from its plane or height, mm, costs twice; base cost per length.
 constexpr double kOffPlane = 15, kLength = 0.1;
 constexpr double kOtherHalf = 1e4;
-/// A waist is where the garment is narrower than this part of its greatest width.
+/// A garment has a waist if it is narrower than this fraction of its greatest width.
 constexpr double kNarrow = 0.9;
 constexpr int kHeights = 40;
-/// How far from there, mm, a likely line of the mesh may be the waist's.
+/// Largest distance, mm, from there to a likely line of the mesh for the waist.
 constexpr double kWaistReach = 50;
-/// Nor is there one where a cut crosses both sides so near to it, mm.
+/// No waist is added if a cut crosses both sides within this distance, mm.
 constexpr double kCutAround = 120;
 
-/// Costs in one half of the garment: near a value of `off` of 0.
+/// Costs in one half of the garment, lowest where `off` is 0.
 std::vector<double> costsNear(const BodyWays& ways, bool isFront,
                               const std::function<double(int)>& off) {
     return ways.costs([&](int v) {
@@ -132,13 +132,13 @@ std::vector<double> costsNear(const BodyWays& ways, bool isFront,
     });
 }
 
-/// The place of a way at some height: across, and which vertex.
+/// The vertex of a way nearest to a height.
 int vertexAt(const BodyWays& ways, const std::vector<int>& way, double height) {
     return *std::ranges::min_element(way, {},
                                      [&](int v) { return std::abs(ways.height(v) - height); });
 }
 
-/// Vertices of a way that are near a height, the nearest among them.
+/// Vertices of a way near a height, added to `nearest`.
 std::vector<int> nearHeight(const BodyWays& ways, const std::vector<int>& way, double height,
                             std::vector<int> nearest) {
     std::ranges::copy_if(way, std::back_inserter(nearest), [&](int v) {
@@ -166,8 +166,8 @@ std::vector<int> centreLine(const BodyWays& ways, const SeamPull& pull,
 }
 
 /// The line around the narrowest height of a trunk, from one side line to the other through the
-/// front and back again; empty where the trunk is nearly as narrow everywhere, or where a person
-/// has cut around it.
+/// front and back again; empty if the trunk is nearly as narrow everywhere, or if the user has cut
+/// around it.
 /// @param sides  from below the arms to the hem
 std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
                            const std::array<std::vector<int>, 2>& sides) {
@@ -200,7 +200,7 @@ std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
     for (const bool isFront : {true, false}) {
         const auto costs = costsNear(ways, isFront, [&](int v) { return ways.height(v) - at; });
         std::vector<int> half = ways.cheapest(costs, left, right);
-        // The first half says where a line of the mesh begins and ends, the second closes it.
+        // The first half fixes the ends of a line of the mesh, the second closes it.
         std::vector<int> led = isFront
                                    ? pull.pulled(half, costs, nearHeight(ways, sides[0], at, left),
                                                  nearHeight(ways, sides[1], at, right))
@@ -221,11 +221,11 @@ std::vector<int> waistLine(const BodyWays& ways, const SeamPull& pull,
     return around;
 }
 
-/// How wide a band is, mm, and how much of its rim it goes round.
+/// Width limits of a band, mm, and the share of its rim that it must cover.
 constexpr double kNarrowest = 15, kWidest = 65, kAllRound = 0.85;
 constexpr std::size_t kFewVertices = 3;
 
-/// From a vertex to a line of vertices, mm.
+/// Distance from a vertex to a line of vertices, mm.
 double distanceToLine(const BodyWays& ways, int vertex, const std::vector<int>& line) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k < line.size(); ++k) {
@@ -235,8 +235,8 @@ double distanceToLine(const BodyWays& ways, int vertex, const std::vector<int>& 
     return least;
 }
 
-/// Which of some lines set bands off, as of a neck, a cuff or a waist: all of such a line runs 15
-/// to 65 mm beside the rim of an opening, and those beside one rim go nearly all round it.
+/// Finds lines that bound bands, as of a neck, a cuff or a waist: the whole line runs 15 to 65 mm
+/// from the rim of an opening, and such lines cover nearly all of that rim.
 /// @param ways  of vertices
 /// @return per line
 /// Cost: for each line and opening the product of their vertices. Pure.
@@ -271,8 +271,8 @@ std::vector<char> bandsAmong(const BodyWays& body, const std::vector<std::vector
     return isBand;
 }
 
-/// The same lines of a mesh, of which those that set bands off look like no seam: an armhole is not
-/// to be drawn to the border of a neck band. Cost: as above, for the likely ones.
+/// The same lines, with zero likeliness for those that bound bands: an armhole must not be pulled
+/// to the border of a neck band. Cost: as above, for the likely lines.
 MeshLines withoutBands(const BodyWays& body, MeshLines lines) {
     std::vector<std::size_t> likely;
     std::vector<std::vector<int>> ways;
@@ -289,8 +289,8 @@ MeshLines withoutBands(const BodyWays& body, MeshLines lines) {
     return lines;
 }
 
-/// The stretches of a way along edges of which some are left out. @param isLeftOut  whether one of
-/// a way that goes round is, that begins anywhere then: the whole of it where none is
+/// The stretches of a path along edges after some edges are left out. A closed path then starts at
+/// such an edge; it stays whole if it has none. @param isLeftOut  tests an edge
 template <class IsLeftOut>
 std::vector<std::vector<int>> stretchesOf(std::vector<int> way, const IsLeftOut& isLeftOut) {
     const bool isRound = way.size() > 2 && way.front() == way.back();
@@ -366,7 +366,7 @@ private:
         }
     }
 
-    /// The triangles at an edge; the second -1 at a rim.
+    /// The triangles at an edge; the second is -1 at a rim.
     std::pair<int, int> facesAt(int edge) const {
         const auto uses = links_.table().usesOf(edge);
         return {uses[0] / 3, uses.size() == 2 ? uses[1] / 3 : -1};
@@ -379,14 +379,14 @@ private:
         }
     }
 
-    /// The edges of a line between a part and a neighbour.
+    /// The edges of a line between a part and its neighbour.
     struct Border {
         double length = 0;
         std::vector<int> edges;
     };
 
-    /// Joins each scrap to the neighbour with which it shares most of a proposed line; those that
-    /// have come to be one with another wait for the next turn. False where there is none.
+    /// Joins each scrap to the neighbour with which it shares most of a proposed line. Edges whose
+    /// sides are one part by then are skipped. False if there are no scraps.
     bool joinScraps() {
         std::vector<double> areas(static_cast<std::size_t>(links_.faceCount()), 0);
         for (int f = 0; f < links_.faceCount(); ++f) {
@@ -432,15 +432,15 @@ private:
 
     const SurfaceLinks& links_;
     const std::vector<TailorSeam>& seams_;
-    std::vector<int> seamOf_;  ///< per edge: the seam that cuts it, or what else
+    std::vector<int> seamOf_;  ///< per edge: the seam that cuts it, or kUncut, or kCutAnyhow
     geometry::DisjointSets parts_;
 };
 
-/// What of proposed lines is not to be cut beside cuts that are made anyhow: what runs along these,
-/// and what would part a scrap of cloth from the rest, as where two lines meet a cut near its end.
-/// @param cuts  ways of vertices, as those of the seams are
-/// @return the seams that are left; one may come in several stretches
-/// Cost: linear, for each turn in which scraps are joined; one or two do. Deterministic. Pure.
+/// Removes parts of proposed lines next to cuts made in any case: those along such cuts, and those
+/// that would cut off a scrap of cloth, as where two lines meet a cut near its end.
+/// @param cuts  paths of vertices, like those of the seams
+/// @return the remaining seams; a seam may be split in several stretches
+/// Cost: linear per round of joining scraps, usually one or two. Deterministic. Pure.
 std::vector<TailorSeam> withoutScraps(const BodyWays& ways, const std::vector<TailorSeam>& seams,
                                       const std::vector<std::vector<int>>& cuts) {
     return Scraps(ways, seams, cuts).run();
@@ -521,7 +521,7 @@ public:
         }
     }
 
-    /// Leaves out what runs along the cuts.
+    /// Removes the parts along the cuts.
     void leaveOutCuts() {
         const std::vector<TailorSeam> left = tailor::withoutScraps(ways_, seams_, cuts_);
         seams_.clear();

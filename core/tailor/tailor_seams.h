@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// The lines along which tailors cut.
+/// Kinds of lines along which tailors cut.
 enum class TailorLine {
     Side,
     Underarm,
@@ -20,14 +20,13 @@ enum class TailorLine {
     Inseam,
     Waist,
     Style,
-    Band,     ///< a style line all round a neck, a cuff, a waist, beside its rim
-    Ridge,    ///< an edge of the form: of the lid of a box
-    Opening,  ///< the shortest that lets a closed form lie flat
+    Band,     ///< a style line all round a neck, a cuff, a waist, near its rim
+    Ridge,    ///< an edge of the form, as of a box's lid
+    Opening,  ///< the shortest cut that lets a closed form lie flat
     Dart,
 };
 
-/// One line along edges, from its first vertex to its last; one that goes all round ends where it
-/// began.
+/// One line along edges, from its first vertex to its last; a closed one ends at its first vertex.
 struct TailorSeam {
     TailorLine line;
     int side = 0;           ///< of the mirror plane: -1, 1; 0 in the middle
@@ -35,11 +34,11 @@ struct TailorSeam {
     double likeliness = 0;  ///< mean of `MeshLines` along it, by length
 };
 
-/// Proposes the lines of a top, of trousers or of a skirt: where front meets back along the tubes
-/// of trunk, sleeves and legs, around the arms, along the shoulders. First by the form alone; then
-/// each is pulled to lines of the mesh that look like seams, where there are some near.
-/// @param cuts  ways that are cut anyhow, sure seams of `lines`: lines run to them, and what of a
-///              line runs along one is left out, so that it may come in several stretches
+/// Proposes the lines of a top, of trousers or of a skirt: where front meets back along trunk,
+/// sleeves and legs, around the arms, along the shoulders. First by the form alone; then each is
+/// pulled to near lines of the mesh that look like seams.
+/// @param cuts  ways that are cut in any case, certain seams of `lines`: lines run to them; parts
+///              along them are left out, so that a line may be split in several stretches
 /// Cost: some dozens of searches, O(#E log #E) each. Deterministic. Pure.
 std::vector<TailorSeam> tailorSeams(const BodyWays& ways, const MeshLines& lines,
                                     const std::vector<std::vector<int>>& cuts = {},

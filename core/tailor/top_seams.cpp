@@ -12,17 +12,17 @@
 namespace toile::tailor {
 namespace {
 
-/// By how much of its height an armhole is hollow towards the body.
+/// Depth of an armhole's curve towards the body, as a fraction of its height.
 constexpr double kHollow = 0.16;
-/// A line this far off its target, mm, costs double; at most as much as at so many times that.
+/// A line at this distance from its target, mm, costs double; multiple that limits the cost.
 constexpr double kOff = 20, kMaxOff = 5, kLengthCost = 0.2;
-/// Which half of the garment a line may run through, by `facing`, and how near the middle.
+/// Smallest `facing` of the half that a line may run through, and distance from the middle, mm.
 constexpr double kHalfFacing = -0.35, kNearMiddle = 20;
 constexpr double kForbidden = 1e4;
-/// How far armpit and shoulder point may go, mm, to meet a line of the mesh, and what that costs.
+/// Largest moves of armpit and shoulder point, mm, to reach a line of the mesh; cost of a move.
 constexpr double kArmpitReach = 50, kShoulderReach = 110, kShift = 0.15;
 constexpr double kArmpitStep = 25;
-/// From here on a line of the mesh is taken for the armhole seam.
+/// From this likeliness on a line of the mesh is taken for the armhole seam.
 constexpr double kArmholeSure = 0.45;
 
 class ArmholeFinder {
@@ -36,7 +36,7 @@ public:
         const std::vector<std::size_t> shoulders =
             within(top_.ridge, top_.shoulder, kShoulderReach, 0);
         using Places = std::vector<std::size_t>;
-        // By the form it is where it is, unless cuts are in the way.
+        // The form alone fixes the armhole, unless there are cuts.
         take(bestArmhole(pull_.hasSure() ? armpits : Places{top_.armpit},
                          pull_.hasSure() ? shoulders : Places{top_.shoulder},
                          armholeCosts(true, false), armholeCosts(false, false)));
@@ -50,8 +50,8 @@ public:
 private:
     Eigen::Vector2d seen(int vertex) const { return ways_.seen(vertex, side_); }
 
-    /// What an armhole costs in the front or the back: near its target curve, or where lines of the
-    /// mesh may lead it, anywhere.
+    /// Costs of an armhole in the front or the back: low near its target curve, or anywhere if
+    /// lines of the mesh may lead it.
     std::vector<double> armholeCosts(bool isFront, bool isLed) const {
         const Eigen::Vector2d from = seen(top_.under[top_.armpit]);
         const Eigen::Vector2d way = seen(top_.ridge[top_.shoulder]) - from;
@@ -63,7 +63,7 @@ private:
             target.push_back(from + t * way + kHollow * 4 * t * (1 - t) * inward);
         }
         std::vector<char> isOnRidge(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
-        for (const int v : top_.ridge) {  // of both halves, wherever it looks
+        for (const int v : top_.ridge) {  // of both halves, in any direction
             isOnRidge[v] = 1;
         }
         std::vector<double> costs = ways_.costs([&](int v) {
@@ -86,7 +86,7 @@ private:
         return findEdge(ways_.links().table().edges, from, to);
     }
 
-    /// Costs with which a line does not run along those that it is to part.
+    /// Costs that keep a line from running along the lines that it separates.
     std::vector<double> parting(std::vector<double> costs) const {
         for (const auto* line : {&top_.under, &top_.ridge}) {
             for (std::size_t k = 1; k < line->size(); ++k) {
@@ -97,11 +97,11 @@ private:
     }
 
     /// Half an armhole: from an armpit to each place of the ridge, straight or along a border of
-    /// the file that the ridge follows from there on, having left the shoulder's.
+    /// the file: the ridge follows it from that place on, where it leaves the shoulder line.
     struct Half {
         geometry::ShortestForest ways;
         std::vector<double> straight, along;  ///< costs, by place
-        std::vector<std::size_t> meets;       ///< by place: where `along` comes to the ridge
+        std::vector<std::size_t> meets;       ///< by place: where `along` reaches the ridge
     };
 
     Half halfFrom(std::size_t armpit, const std::vector<std::size_t>& shoulders,
@@ -160,7 +160,7 @@ private:
             const Half ahead = halfFrom(armpit, shoulders, front);
             const Half behind = halfFrom(armpit, shoulders, back);
             for (const std::size_t shoulder : shoulders) {
-                for (const bool isAheadAlong : {false, true}) {  // the other half is straight then
+                for (const bool isAheadAlong : {false, true}) {  // then the other half is straight
                     const std::size_t meets = (isAheadAlong ? ahead : behind).meets[shoulder];
                     const double cost =
                         (isAheadAlong ? ahead.along : ahead.straight)[shoulder] +
@@ -183,8 +183,8 @@ private:
         return best;
     }
 
-    /// Costs between one armpit and some shoulder points, with which a line that cuts lead does not
-    /// touch elsewhere the lines that it is to part.
+    /// Costs between one armpit and some shoulder points that keep a line from touching elsewhere
+    /// the lines that it separates.
     std::vector<double> keptOff(std::vector<double> costs, int armpit,
                                 const std::vector<std::size_t>& shoulders) const {
         std::vector<char> isOff(static_cast<std::size_t>(ways_.links().vertexCount()), 0);
@@ -219,7 +219,7 @@ private:
                              first + static_cast<std::ptrdiff_t>(std::max(a, b)) + 1});
     }
 
-    /// Places of a way within a reach of one, a step apart, that one among them; both mm.
+    /// Places of a path within reach of one place, about a step apart, including it; both mm.
     std::vector<std::size_t> within(const std::vector<int>& way, std::size_t middle, double reach,
                                     double step) const {
         std::vector<std::size_t> places{middle};
@@ -249,21 +249,21 @@ private:
     TopSide& top_;
 };
 
-/// Finds the armhole of a side whose other lines are known. Where cuts or lines of the mesh lead
-/// it, its armpit and shoulder point move there. It stays empty where there is no way.
+/// Finds the armhole of a side whose other lines are known. If cuts or lines of the mesh lead it,
+/// its armpit and shoulder point move there. It stays empty if there is no path.
 void findArmhole(const BodyWays& ways, const SeamPull& pull, int side, TopSide& top) {
     ArmholeFinder(ways, pull, side, top).run();
 }
 
-/// Of a cuff, seen along the height, the part in which the under line and the ridge end.
+/// Share of a cuff's height in which the under line, or the ridge, ends.
 constexpr double kEndPart = 0.4;
-/// Without a sleeve the under line falls by this much of its first stretch, both mm.
+/// Without a sleeve the under line falls steeply: length of its first stretch, and fall, mm.
 constexpr double kFirstStretch = 80, kSteepFall = 60;
 constexpr int kArmpitRounds = 5;
-/// From the armpit the shoulder point lies so far outward of straight up, radians.
+/// Outward lean of the line from armpit to shoulder point, radians.
 constexpr double kLean = 8 * std::numbers::pi / 180;
 
-/// Vertices of a rim on one side of a height that divides its extent.
+/// Vertices of a rim above or below a height that divides its extent.
 std::vector<int> partOf(const BodyWays& ways, const RimLoop& loop, bool isUpper) {
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const int v : loop.vertices) {
@@ -343,7 +343,7 @@ private:
         return false;
     }
 
-    /// The corner of the under line: farthest in the direction that halves the angle there.
+    /// The corner of the under line: farthest along the bisector of the angle there.
     void findArmpit() {
         const std::vector<int>& way = top_.under;
         const Eigen::Vector2d cuff = seen(way.front()), hem = seen(way.back());

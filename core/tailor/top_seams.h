@@ -9,14 +9,14 @@
 
 namespace toile::tailor {
 
-/// The lines of one side of a top; each a way of vertices.
+/// Lines of one side of a top, each a path of vertices.
 struct TopSide {
-    std::vector<int> under;    ///< from the cuff by the armpit to the hem
+    std::vector<int> under;    ///< from the cuff past the armpit to the hem
     std::vector<int> ridge;    ///< from the neck to the cuff
     bool hasSleeve = true;     ///< false: the cuff is the armhole
     std::size_t armpit = 0;    ///< index into `under`; 0 without a sleeve
     std::size_t shoulder = 0;  ///< index into `ridge`; its end without a sleeve
-    std::vector<int> armhole;  ///< closed, from armpit by the front over the shoulder and back
+    std::vector<int> armhole;  ///< closed: armpit, front, shoulder, back
 };
 
 /// @param side  -1 or 1: of the mirror plane
