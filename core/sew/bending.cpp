@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNewtonMillimetres = 1e3;  // N·m in N·mm
 
-/// Of the angle at a corner of a triangle at rest.
+/// Cotangent of the angle at a corner of a triangle at rest.
 double cotangentAt(const Points2& Q, int corner, int a, int b) {
     const Eigen::RowVector2d u = Q.row(a) - Q.row(corner), w = Q.row(b) - Q.row(corner);
     return u.dot(w) / std::abs(u[0] * w[1] - u[1] * w[0]);

@@ -11,14 +11,14 @@
 
 namespace toile::sew {
 
-/// The energy of cloth that is bent, flat at rest: the quadratic one of [BWHGZ06], a sum over the
+/// Bending energy of cloth that is flat at rest: the quadratic one of [BWHGZ06], a sum over the
 /// inner edges of each piece,
 ///   W = sum_e B / (2 (A0 + A1)) |sum_i K_i x_i|²,
-/// with A0, A1 the two triangles' areas at rest and K_i of the cotangents of their angles; for
-/// small angles |sum K_i x_i| is the edge's length times the angle between the triangles. In
-/// [BWHGZ06] a factor of 3 stands before; here a cylinder, which is how cloth bends, costs B / (2
-/// R²) per area. Meant for cloth that is not strained. A seam is a hinge: it does not resist. N,
-/// mm. Immutable; linear cost.
+/// with A0, A1 the two triangles' areas at rest and K_i from the cotangents of their angles; for
+/// small angles |sum K_i x_i| is the edge's length times the angle between the triangles. [BWHGZ06]
+/// has an additional factor of 3; here a cylinder, the usual bend of cloth, costs B / (2 R²) per
+/// area. For cloth without strain. Seams are hinges without resistance. N, mm. Immutable; linear
+/// cost.
 class Bending {
 public:
     Bending(const Cloth& cloth, const PieceStiffness& stiffness);
@@ -26,7 +26,7 @@ public:
     bool empty() const { return hinges_.empty(); }
     double energy(const Points3& X) const;
     void addGradient(const Points3& X, Points3& g) const;
-    /// Positive semidefinite, the same everywhere.
+    /// Positive semidefinite, independent of positions.
     void addHessian(SpaceMatrix& H) const;
     void addPairs(std::vector<std::pair<int, int>>& pairs) const;
 
@@ -39,7 +39,7 @@ private:
         Eigen::RowVector3d bend(const Points3& X) const;
     };
 
-    std::vector<Hinge> hinges_;  ///< of pieces whose B is above 0
+    std::vector<Hinge> hinges_;  ///< of pieces with B above 0
 };
 
 }  // namespace toile::sew

@@ -11,7 +11,7 @@
 namespace toile::sew {
 namespace {
 
-/// A triangle with less height than this part of its longest edge has no area.
+/// A triangle whose height is below this fraction of its longest edge has no area.
 constexpr double kNoHeight = 1e-9;
 
 Eigen::Matrix2d restEdges(const Points2& Q, const Triangles& F, Eigen::Index f) {
@@ -59,7 +59,7 @@ Cloth sewTogether(const CutCloth& cut) {
     cloth.clothVertex.assign(static_cast<std::size_t>(points), -1);
     std::vector<int> members;
     for (int p = 0; p < points; ++p) {
-        const int root = sets.root(p);  // the least of its set
+        const int root = sets.root(p);  // the smallest of its set
         if (isUsed[root] && root == p) {
             cloth.clothVertex[p] = static_cast<int>(members.size());
             members.push_back(0);

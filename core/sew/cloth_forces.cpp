@@ -7,16 +7,16 @@
 namespace toile::sew {
 namespace {
 
-/// At caution 1, damping in parts of the membrane's stiffness against the largest bend that cloth
-/// of this size can have: N/mm³.
+/// Damping at caution 1, as a fraction of the membrane's stiffness against the largest bend of
+/// cloth of this size: N/mm³.
 constexpr double kDamping = 1e-4;
 
-/// Cloth nearer to cloth than this times its thickness may soon touch it.
+/// Cloth closer than this multiple of its thickness may soon touch.
 constexpr double kNearlyTouching = 3;
 
 constexpr double kGramsPerArea = 1e-9;  // g/m² m/s² in N/mm²
 
-/// What gravity does to the vertices, N.
+/// Gravity on the vertices, N.
 Eigen::VectorXd weightsOf(const Cloth& cloth, const SettleOptions& options) {
     const Eigen::VectorXd areas = restAreas(cloth);
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(cloth.X.rows());
@@ -160,7 +160,7 @@ void ClothForces::layOut(const Point& point) {
     if (std::ranges::all_of(now, isKnown)) {
         return;
     }
-    // With those that may touch next, so that the pattern lasts for some steps.
+    // Includes pairs that may touch soon, so that the pattern stays valid for some steps.
     touching_.clear();
     self_->addPairs(self_->touchesAt(point.X, kNearlyTouching * self_->thickness()), touching_);
     std::ranges::sort(touching_);

@@ -13,18 +13,17 @@
 
 namespace toile::sew {
 
-/// What holds cloth besides itself, for a while.
+/// External supports of the cloth during one stage.
 struct ClothHold {
-    double pin = 0;       ///< of springs to `Cloth::X`, N/mm³: per area of cloth
-    double contact = 1;   ///< times the surface's stiffness; 0: no surface
-    double share = 1e-3;  ///< it is over at this rest of force, as in `SettleOptions`
+    double pin = 0;       ///< stiffness of springs to `Cloth::X`, N/mm³: per area of cloth
+    double contact = 1;   ///< factor on the surface's stiffness; 0: no surface
+    double share = 1e-3;  ///< the stage ends at this residual force, as in `SettleOptions`
 };
 
-/// Everything that acts on sewn cloth, and its second derivative. Keeps references to all it is
-/// given. N, mm.
+/// All forces on sewn cloth, and their derivative. Keeps references to its arguments. N, mm.
 class ClothForces {
 public:
-    /// Cancelled: ends soon, and is of no use.
+    /// After a cancel it returns soon and is unusable.
     ClothForces(const Cloth& cloth, const WornSurface& surface, const SettleOptions& options,
                 const Progress& progress = {});
 
@@ -33,24 +32,24 @@ public:
         std::vector<WornSurface::Place> places{};
         std::vector<SelfContact::Touch> touches{};  ///< of cloth with cloth
         double energy = 0;
-        double scale = 0;  ///< of its terms, for what rounding makes of their sum
+        double scale = 0;  ///< sum of its terms' sizes, to estimate rounding
     };
 
-    /// Of the points that are looked at from here on.
+    /// Sets the hold for all following points.
     void hold(const ClothHold& hold);
     Point at(Points3 X) const;
-    /// As it is after a step from another point, on whose sheet of the surface it stays.
+    /// The point after a step from `before`; vertices stay on their sheets of the surface.
     Point at(Points3 X, const Point& before) const;
     Points3 gradient(const Point& point) const;
     /// A positive definite matrix near the second derivative.
-    /// @param caution  how much dearer steps are made than they are
+    /// @param caution  factor on the damping of steps
     const linalg::SymmetricMatrix& hessian(const Point& point, double caution);
-    /// Grows with each new pattern of the matrix that `hessian` gives: where cloth has come to
-    /// touch itself elsewhere.
+    /// Incremented with each new sparsity pattern of the `hessian` matrix, when cloth touches
+    /// itself at other places.
     int layout() const { return layout_; }
-    /// The part of a step from a point that can be gone, in (0, 1].
+    /// The fraction of a step from a point that is free of collisions, in (0, 1].
     double freeWay(const Point& point, const Points3& step) const;
-    /// Says of a result how far from rest it is; not whether it has settled.
+    /// Writes the residual forces to a result, but not whether it has settled.
     void judge(const Point& point, const Points3& g, SettledCloth& result) const;
 
 private:
@@ -71,9 +70,9 @@ private:
     ClothHold hold_;
     Contact contact_;
     std::optional<SelfContact> self_;
-    std::vector<std::pair<int, int>> touching_;  ///< ascending: that the pattern has for it
+    std::vector<std::pair<int, int>> touching_;  ///< ascending: pairs in the sparsity pattern
     int layout_ = 0;
-    SpaceMatrix bentH_;  ///< of bending alone, which is the same everywhere
+    SpaceMatrix bentH_;  ///< of bending alone, which is constant
     SpaceMatrix H_;
 };
 

@@ -6,30 +6,30 @@
 
 namespace toile::sew {
 
-/// How cloth resists being deformed, the tangent moduli at rest of an orthotropic sheet, and what
-/// it weighs.
+/// Resistance of cloth to deformation (tangent moduli at rest of an orthotropic sheet), and its
+/// weight.
 struct ClothStiffness {
     double weft = 1000;     ///< force per width and strain along the weft, N/m
     double warp = 1000;     ///< along the warp, N/m
-    double coupling = 300;  ///< of one in the other (C12), N/m; below the mean of the two
+    double coupling = 300;  ///< between both (C12), N/m; below the mean of the two
     double shear = 350;     ///< force per width and shear angle, N/m
     double bending = 1e-5;  ///< moment per width and curvature, N·m
-    double weight = 150;    ///< g/m²; it has no part in resisting, and counts under gravity
+    double weight = 150;    ///< g/m²; only used with gravity
 
     bool operator==(const ClothStiffness&) const = default;
 };
 
-/// A sheet that is alike in all directions. @param stretch  E h, N/m  @param poisson  in [0, 1)
+/// An isotropic sheet. @param stretch  E h, N/m  @param poisson  in [0, 1)
 constexpr ClothStiffness isotropicStiffness(double stretch, double poisson, double bending) {
     const double along = stretch / (1 - poisson * poisson);
     return {along, along, poisson * along, stretch / (2 * (1 + poisson)), bending};
 }
 
-/// What stands in where nothing is known of the fabric; not measured. Woven ones shear far more
-/// easily than this; a sheet alike in all directions favours no grain.
+/// Default if the fabric is unknown; not measured. Woven fabrics shear far more easily; an
+/// isotropic sheet favours no grain.
 inline constexpr ClothStiffness kUnstatedStiffness = isotropicStiffness(1000, 0.3, 1e-5);
 
-/// By piece number, as in `Cloth::pieceOf`; those past the end are not stated.
+/// By piece number, as in `Cloth::pieceOf`; pieces past the end use the default.
 using PieceStiffness = std::vector<ClothStiffness>;
 
 inline const ClothStiffness& stiffnessOf(const PieceStiffness& pieces, int piece) {

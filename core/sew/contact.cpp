@@ -13,11 +13,11 @@
 namespace toile::sew {
 namespace {
 
-/// Nearer to an edge or a corner than this part of a triangle's size the direction to it is not
-/// known.
+/// Closer to an edge or a corner than this fraction of a triangle's size, the direction to it is
+/// unknown.
 constexpr double kTouching = 1e-9;
 
-/// Of the squared sine: directions closer than this are one.
+/// Squared sine below which directions count as parallel.
 constexpr double kParallel = 1e-12;
 
 Eigen::Vector3d unit(const Eigen::Vector3d& v) {
@@ -32,8 +32,8 @@ double angleAt(const MeshArrays& mesh, Eigen::Index f, int k) {
     return std::atan2(u.cross(w).norm(), u.dot(w));
 }
 
-/// Projects onto the directions in which a point at `offset` from a corner of the rim is past it:
-/// those of the nearest point to it in the cone of what leads past either edge of the rim there.
+/// Projects onto the directions in which a point at `offset` from a corner of the rim is beyond it:
+/// the span of its nearest point in the cone of directions beyond the corner's two rim edges.
 Eigen::Matrix3d pastCorner(const Eigen::Vector3d& offset, const Eigen::Vector3d& one,
                            const Eigen::Vector3d& other) {
     const double a = offset.dot(one), b = offset.dot(other), c = one.dot(other);
@@ -48,7 +48,7 @@ Eigen::Matrix3d pastCorner(const Eigen::Vector3d& offset, const Eigen::Vector3d&
     return a >= b ? alongOne : Eigen::Matrix3d(other * other.transpose());
 }
 
-/// A signed distance changes by at most this times the way, and this much, mm.
+/// A signed distance changes by at most this factor times the move, plus this length, mm.
 constexpr double kLeap = 1 + 1e-6;
 constexpr double kSame = 1e-9;
 
@@ -115,11 +115,11 @@ WornSurface::Place WornSurface::placeOf(const Eigen::Vector3d& p, int near) cons
         const Eigen::Vector3d normal = faceNormals_.row(f).transpose();
         return {offset.dot(normal), normal, Eigen::Matrix3d::Zero(), f};
     }
-    // The edge across from corner `zero` begins at the next one.
+    // The edge opposite corner `zero` begins at the next corner.
     const int edge = faceEdges_(f, (zero + 1) % 3), vertex = mesh_.F(f, other);
     const Eigen::Vector3d normal =
         (zeros == 1 ? edgeNormals_.row(edge) : vertexNormals_.row(vertex)).transpose();
-    // What is left to turn about the edge or the corner.
+    // The remaining rotation about the edge or the corner.
     Eigen::Matrix3d turns = Eigen::Matrix3d::Identity();
     if (zeros == 1) {
         const Eigen::Vector3d ridge =

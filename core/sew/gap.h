@@ -8,43 +8,43 @@
 
 namespace toile::sew {
 
-/// A figure at a place of the cloth.
+/// A value at a place of the cloth.
 struct SpreadSample {
     double value;
-    double area;   ///< at rest that it stands for
-    int triangle;  ///< where it is
+    double area;   ///< area at rest that it represents
+    int triangle;  ///< triangle of the place
 };
 
-/// A figure over cloth, by area at rest.
+/// Statistics of a value over cloth, by area at rest.
 struct SpreadFigures {
     double mean = 0;
-    double most95 = 0;  ///< what a twentieth of the area exceeds
+    double most95 = 0;  ///< exceeded by a twentieth of the area
     double max = 0;
-    int place = -1;  ///< triangle where the largest is
+    int place = -1;  ///< triangle with the largest value
 };
 
-/// All nought where there is no area. n log n. Pure.
+/// All zero without area. n log n. Pure.
 SpreadFigures spreadOf(std::vector<SpreadSample> samples);
 
-/// How far sewn cloth lies from a surface, mm, whichever side: distances of its triangles' corners
-/// and middles from the nearest point, weighted so that a quadratic one has its exact mean.
+/// Distances of sewn cloth from a surface, mm, unsigned: at its triangles' corners and middles from
+/// the nearest point, weighted so that the mean of a quadratic function is exact.
 /// n log n. Pure.
 SpreadFigures gapTo(const WornSurface& surface, const Cloth& cloth, const Points3& X);
 
-/// Of the whole, and of each piece alone.
+/// Gaps of the whole cloth, and of each piece.
 struct ClothGaps {
     SpreadFigures whole;
-    std::vector<SpreadFigures> pieces;  ///< `pieceCount(cloth)` of them
+    std::vector<SpreadFigures> pieces;  ///< size: `pieceCount(cloth)`
 };
 
 /// As `gapTo`, at the same cost.
 ClothGaps gapsTo(const WornSurface& surface, const Cloth& cloth, const Points3& X);
 
-/// Of each triangle the principal strain of larger size, a part of 1; above 0 it pulls. Linear.
-/// Pure.
+/// Per triangle, the principal strain of larger absolute value, 1 is 100 %; positive is tension.
+/// Linear. Pure.
 std::vector<double> principalStrains(const Cloth& cloth, const Points3& X);
 
-/// How much it is strained: the sizes of `principalStrains`. n log n. Pure.
+/// Statistics of the absolute values of `principalStrains`. n log n. Pure.
 SpreadFigures strainOf(const Cloth& cloth, const Points3& X);
 
 }  // namespace toile::sew

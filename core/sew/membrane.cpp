@@ -18,7 +18,7 @@ Eigen::Matrix2d greenStrain(const Deformation& F) {
     return (F.transpose() * F - Eigen::Matrix2d::Identity()) / 2;
 }
 
-/// Its pressures left out.
+/// The stress without its compressive part.
 Eigen::Matrix2d tensionOf(const Eigen::Matrix2d& stress) {
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
     solver.computeDirect(stress);
@@ -94,13 +94,13 @@ void Membrane::addHessian(const Points3& X, SpaceMatrix& H, int threads) const {
         pulls[f].F = deformation(rest_[f], cloth_.F, row, X);
         pulls[f].tension = tensionOf(stress(row, greenStrain(pulls[f].F)));
     });
-    // Derivatives of E11, E22 and 2 E12 by a corner.
+    // Derivatives of E11, E22 and 2 E12 with respect to a corner.
     const auto byStrain = [](const Deformation& F, const Eigen::Vector2d& b) {
         Eigen::Matrix3d by;
         by << F.col(0) * b[0], F.col(1) * b[1], F.col(0) * b[1] + F.col(1) * b[0];
         return by;
     };
-    // A pair of corners is added where the smaller of their vertices is: nobody else writes there.
+    // The thread of its smaller vertex adds each pair of corners, so that no writes conflict.
     sideBySide(threads, static_cast<std::size_t>(X.rows()), [&](std::size_t vertex) {
         const int v = static_cast<int>(vertex);
         for (const int corner : corners_[v]) {

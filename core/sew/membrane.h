@@ -11,26 +11,26 @@
 
 namespace toile::sew {
 
-/// The energy of cloth that is stretched, taken in and sheared: St. Venant and Kirchhoff's, on
-/// linear triangles ([BW98] has the triangles, [VMF09] the strain). With the deformation
+/// Energy of cloth under stretch, compression and shear: St. Venant and Kirchhoff's, on linear
+/// triangles ([BW98] has the triangles, [VMF09] the strain). With the deformation
 /// F of a triangle and Green's strain E = (F^T F - 1) / 2, weft 1, warp 2:
 ///   W = sum_T A_T (C11 E11² / 2 + C22 E22² / 2 + C12 E11 E22 + 2 G E12²).
-/// It has no opinion of which side of the plane a triangle lies on. Forces in N, lengths in mm,
+/// It does not depend on the side of the plane that a triangle lies on. Forces in N, lengths in mm,
 /// energy in N·mm. Immutable; keeps a reference to the cloth; linear cost.
 class Membrane {
 public:
     Membrane(const Cloth& cloth, const PieceStiffness& stiffness);
 
     double energy(const Points3& X) const;
-    /// Adds the derivative by every coordinate: minus the forces on the vertices, N.
+    /// Adds the derivative with respect to each coordinate: minus the vertex forces, N.
     void addGradient(const Points3& X, Points3& g) const;
-    /// Adds the second derivative, N/mm, made positive semidefinite triangle by triangle: the part
-    /// of the strain's change is so by itself, of that of the stress only tension is taken. The
-    /// same bytes for any number of threads.
+    /// Adds the second derivative, N/mm, made positive semidefinite per triangle: the part from the
+    /// change of strain already is; of the part from the stress only tension is used. Results do
+    /// not depend on the number of threads.
     void addHessian(const Points3& X, SpaceMatrix& H, int threads = 1) const;
-    /// Adds per vertex the sizes of its triangles' forces, N: what balances there.
+    /// Adds per vertex the magnitudes of its triangles' forces, N, which cancel there.
     void addForceSizes(const Points3& X, Eigen::VectorXd& sizes) const;
-    /// The vertices that act on each other.
+    /// Adds the pairs of vertices that act on each other.
     void addPairs(std::vector<std::pair<int, int>>& pairs) const;
 
 private:

@@ -12,10 +12,10 @@
 namespace toile::sew {
 namespace {
 
-/// Of the shorter of two edges: nearer to a vertex a place is the vertex.
+/// A place closer to a vertex than this fraction of the shorter of two edges is the vertex.
 constexpr double kAcross = 0.05;
 
-/// A piece whose rim edges are divided at places to come.
+/// A piece whose rim edges are to be split at given places.
 class DividedPiece {
 public:
     explicit DividedPiece(const Piece& piece, const Points2& flat)
@@ -27,7 +27,7 @@ public:
         }
     }
 
-    /// The vertex at a place of a rim edge of the piece as it was, there already or new.
+    /// The vertex at a place of an original rim edge, existing or new.
     int vertexAt(int tail, int head, double share) {
         std::vector<std::pair<double, int>>& stops = stops_[{tail, head}];
         if (stops.empty()) {
@@ -87,7 +87,7 @@ private:
     }
 
     std::map<std::pair<int, int>, int> faceAt_;  ///< by tail and head of a rim edge
-    /// Per rim edge as it was: the vertices on it and where they are, in order.
+    /// Per original rim edge: its vertices and their places, in order.
     std::map<std::pair<int, int>, std::vector<std::pair<double, int>>> stops_;
 };
 

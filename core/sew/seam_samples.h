@@ -8,13 +8,13 @@
 
 namespace toile::sew {
 
-/// A garment's pieces with what is sewn to what along its seams: as the two sides are matched, that
-/// is by arc length with ease spread evenly. Where vertices of the two sides lie across from each
-/// other they are sewn; where one has none across, the triangle there is divided at that place, in
-/// space and in the pattern alike. Two closer than a twentieth of their edges count as across.
-/// @param flat  per piece where each vertex is in the pattern, mm, warp along y; without points it
-/// is left out  Cost: linear in the triangles, n log n in the seams. Pure. Errors: NoGeometry,
-/// where no piece is flat.
+/// A garment's pieces with the vertices to sew along its seams, matched like the two sides: by arc
+/// length with ease spread evenly. Opposite vertices of the two sides are sewn. If a vertex has no
+/// opposite vertex, the triangle there is split at that place, both in space and in the pattern.
+/// Vertices closer than a twentieth of their edges count as opposite.
+/// @param flat  per piece the pattern position of each vertex, mm, warp along y; a piece without
+///              points is left out  Cost: linear in the triangles, n log n in the seams. Pure.
+///              Errors: NoGeometry if no piece is flat.
 Result<CutCloth> cutAlongSeams(const Garment& garment, const std::vector<Points2>& flat);
 
 }  // namespace toile::sew

@@ -14,15 +14,15 @@
 namespace toile::sew {
 namespace {
 
-/// The boxes that triangles sweep on straight ways, in a tree: which of them another box meets.
-/// Immutable; thread-safe.
+/// Bounding boxes of triangles on straight moves, in a tree for box queries. Immutable;
+/// thread-safe.
 class FaceBoxes {
 public:
     /// Cost: n log n.
     FaceBoxes(const Points3& from, const Points3& to, const Triangles& F)
         : ends_(2 * F.rows(), 3), tree_(treeOf(from, to, F)) {}
 
-    /// @param visit  the number of each triangle that is met, in an order of its own
+    /// @param visit  called with the number of each triangle found, in unspecified order
     template <class Visit>
     void visitMet(const Eigen::RowVector3d& low, const Eigen::RowVector3d& high,
                   const Visit& visit) const {
@@ -44,7 +44,7 @@ public:
 private:
     using Tree = geometry::TriangleTree<3, double>;
 
-    /// To the tree a box is a triangle, from its lowest corner to its highest.
+    /// The tree stores a box as a triangle with its lowest and highest corner.
     Tree treeOf(const Points3& from, const Points3& to, const Triangles& F) {
         std::vector<std::uint32_t> diagonals;
         diagonals.reserve(static_cast<std::size_t>(F.size()));
@@ -68,11 +68,10 @@ private:
 
 constexpr int kRings = 2;
 constexpr double kApart = 3;  // times the thickness, along the cloth
-/// Of a distance, what a step leaves of it at least, and which part of what may be lost is gone at
+/// Smallest fraction of a distance that remains after a step; share of the allowed loss used at
 /// once.
 constexpr double kLeft = 0.1, kBold = 0.9;
-/// Parts of the thickness: what is nearer than this is not held apart any more, so that nothing
-/// gets stuck.
+/// Fraction of the thickness: closer contacts are released so that layers do not stick.
 constexpr double kLost = 1e-3;
 constexpr int kMaxAdvances = 200;
 
@@ -91,7 +90,7 @@ Corners cornersOf(const Points3& X, const Triangles& F, int vertex, int face) {
             X.row(F(face, 2)).transpose()};
 }
 
-/// How far a vertex and a triangle may go along a step, by advances that cannot reach each other.
+/// How far a vertex and a triangle may move along a step, by advances that cannot collide.
 double freeWayOf(const Corners& at, const Corners& step, double lost, double most) {
     const double speed =
         std::max({(step.p - step.a).norm(), (step.p - step.b).norm(), (step.p - step.c).norm()});

@@ -18,28 +18,28 @@ constexpr int kMaxHalvings = 12;
 constexpr double kFirstCaution = 1;
 constexpr double kLeastCaution = 1e-6;
 constexpr double kMostCaution = 1e4;
-constexpr double kBolder = 0.2;  // times the caution after a step that kept its promise
-constexpr double kTimider = 10;  // and after one that had to be cut
-constexpr double kKept = 0.5;    // of the promised fall
-/// Where less is held than before.
+constexpr double kBolder = 0.2;  // factor on the caution after a step that kept its promise
+constexpr double kTimider = 10;  // and after one that was cut
+constexpr double kKept = 0.5;    // share of the predicted decrease
+/// Smallest caution at the start of a stage, where less is held than before.
 constexpr double kLetGoCaution = 0.01;
-/// A fall below this part of the energy's terms is rounding.
+/// A decrease below this fraction of the energy's terms is rounding.
 constexpr double kRounding = 1e-14;
-/// N: below this a rest of force is rounding.
+/// N: a smaller residual force is rounding.
 constexpr double kNoForce = 1e-12;
-/// So many unknowns are worth the longer search for an order.
+/// From this number of unknowns a longer search for an elimination order pays off.
 constexpr int kDissected = 6000;
-/// mm: a step below this leads nowhere.
+/// mm: a smaller step is useless.
 constexpr double kNoMove = 1e-9;
-/// Cloth that is so many times its size from where it was designed falls for ever.
+/// Cloth this many times its size away from the design is in free fall.
 constexpr double kFallen = 10;
 
-// Pins are let go by and by, and the surface hardens: a step in which vertices cross many of its
-// edges is as good as any while it is soft, and has to be cut where it is hard.
+// Pins are released in stages, and the surface hardens: steps in which vertices cross many of its
+// edges are fine while it is soft, but must be cut when it is hard.
 constexpr ClothHold kPinned{1, 0, 0};
 constexpr ClothHold kHeldLoosely[] = {{1e-3, 0.1, 0.05}, {1e-4, 0.1, 0.05}, {1e-5, 0.1, 0.05}};
-/// Where it is pinned, positions are taken in parts of a millimetre of which the last digits of the
-/// start are no longer seen.
+/// Pinned positions are rounded to 1 / kParts mm, so that the last digits of the start do not
+/// matter.
 constexpr double kParts = 65536;
 constexpr ClothHold kLetGo{0, 0.3, 0.02};
 
@@ -69,7 +69,7 @@ public:
              const Progress& progress)
         : cloth_(cloth), forces_(cloth, surface, options, progress), factor_(options.threads) {}
 
-    /// Goes on until the cloth is at rest as the hold wants it, or nothing helps any more.
+    /// Iterates until the cloth is at rest as the hold requires, or no step helps.
     Result<void> settle(const ClothHold& hold, const SettleOptions& options,
                         const Progress& progress) {
         forces_.hold(hold);
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    /// The step that the quadratic model finds best; none where that has no best.
+    /// The optimal step of the quadratic model; an error if the model has no minimum.
     Result<Points3> step(const Points3& g) {
         const linalg::SymmetricMatrix& H = forces_.hessian(point_, caution_);
         if (layout_ != forces_.layout()) {
@@ -149,14 +149,14 @@ private:
         return Points3(Eigen::Map<const Points3>(solved->data(), g.rows(), 3));
     }
 
-    /// Moves along a step as far as it helps. @return whether it does
+    /// Moves along a step while the energy decreases. @return whether it moved
     bool take(const Points3& P, const Points3& g) {
         const double slope = g.cwiseProduct(P).sum();
         double t = forces_.freeWay(point_, P);
         for (int k = 0; k < kMaxHalvings; ++k, t /= 2) {
             ClothForces::Point next = forces_.at(point_.X + t * P, point_);
             const double fall = point_.energy - next.energy;
-            // A fall that rounding hides is no reason to stay.
+            // Accept a step whose decrease is hidden by rounding.
             const double hidden = kRounding * (point_.scale + next.scale);
             if (fall >= -kSufficientDecrease * t * slope - hidden) {
                 if (k == 0 && fall >= -kKept * t * slope / 2 - hidden) {
@@ -176,8 +176,8 @@ private:
     ClothForces::Point point_;
     linalg::FrontalCholesky factor_;
     double caution_ = kFirstCaution;
-    int layout_ = -1;          ///< of the matrix, that the factor is laid out for
-    bool isTouching_ = false;  ///< the point knows which sheet of the surface each vertex is on
+    int layout_ = -1;          ///< of the matrix, for which the factor is laid out
+    bool isTouching_ = false;  ///< the point records the surface sheet of each vertex
 };
 
 }  // namespace

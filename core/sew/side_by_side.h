@@ -9,12 +9,12 @@
 
 namespace toile::sew {
 
-/// Does work(first, last) for stretches that make up 0 ... count, on several threads. What is done
-/// for one number must not depend on another: then it leaves no trace how many there were.
-/// What it throws is thrown on the calling thread, when the others have ended.
+/// Runs work(first, last) for stretches that cover 0 ... count, on several threads. The work for
+/// one number must not depend on others, so that the number of threads does not matter. Rethrows
+/// exceptions on the calling thread after all threads have ended.
 template <class Work>
 void stretchesSideBySide(int threads, std::size_t count, const Work& work) {
-    constexpr std::size_t kLeast = 500;  // for less no thread is worth its start
+    constexpr std::size_t kLeast = 500;  // smaller stretches are not worth a thread
     const std::size_t most = count / kLeast;
     const std::size_t parts =
         threads > 1 && most > 1 ? std::min(static_cast<std::size_t>(threads), most) : 1;
@@ -28,7 +28,7 @@ void stretchesSideBySide(int threads, std::size_t count, const Work& work) {
     };
     std::vector<std::thread> others;
     others.reserve(parts);
-    std::size_t mine = 1;  // from here on nobody else does them
+    std::size_t mine = 1;  // first stretch without a thread
     try {
         for (; mine < parts; ++mine) {
             others.emplace_back(stretch, mine);
@@ -49,7 +49,7 @@ void stretchesSideBySide(int threads, std::size_t count, const Work& work) {
     }
 }
 
-/// Does work(0) ... work(count - 1), each once, in such stretches.
+/// Runs work(0) ... work(count - 1), each once, in such stretches.
 template <class Work>
 void sideBySide(int threads, std::size_t count, const Work& work) {
     stretchesSideBySide(threads, count, [&](std::size_t first, std::size_t last) {

@@ -6,8 +6,8 @@
 
 namespace toile::sew {
 
-// Column 3 v + k holds the diagonal block's rows from k on, and three rows for each pair with a
-// larger vertex; every place follows from the pair's number alone.
+// Column 3 v + k has the diagonal block's rows from k on, and three rows for each pair with a
+// larger vertex; each position follows from the pair's number alone.
 SpaceMatrix::SpaceMatrix(std::vector<std::pair<int, int>> pairs, int vertexCount)
     : firstPair_(static_cast<std::size_t>(vertexCount) + 1, 0) {
     for (auto& [v, w] : pairs) {

@@ -11,13 +11,12 @@
 // For the sources of this folder only.
 namespace toile::sew {
 
-/// Per vertex of the cloth those that it has an edge with, and their lengths at rest, mm: an edge
-/// once for each of its triangles.
+/// Per vertex of the cloth its neighbours along edges, and the edge lengths at rest, mm: an edge
+/// appears once for each of its triangles.
 using Neighbours = std::vector<std::vector<std::pair<int, double>>>;
 Neighbours neighboursOf(const Cloth& cloth);
 
-/// What lies round vertices along cloth, one question after the other, in memory that is kept from
-/// one to the next.
+/// Finds vertices near given ones along the cloth; reuses its memory between queries.
 class VerticesAround {
 public:
     /// Keeps a reference. @param far  mm
@@ -28,12 +27,12 @@ public:
           askedAt_(neighbours.size()),
           wayTo_(neighbours.size()) {}
 
-    /// Ascending: some vertices, and all that are within so many edges of one, or no farther than
-    /// `far` by the shortest way along edges.  Cost: n log n in what comes out.
+    /// Ascending: the seeds, and all vertices within `rings` edges of one, or within `far` by the
+    /// shortest path along edges.  Cost: n log n in the result.
     std::vector<int> of(const std::vector<int>& seeds);
 
 private:
-    using Way = std::pair<double, int>;  ///< its length, and the vertex where it ends
+    using Way = std::pair<double, int>;  ///< its length, and its last vertex
 
     void reach(int vertex);
     void shorten(int vertex, double way);
@@ -42,8 +41,8 @@ private:
     int rings_;
     double far_;
     std::vector<int> reached_;
-    std::vector<int> askedAt_;   ///< per vertex: for which question it was reached last
-    std::vector<double> wayTo_;  ///< per reached vertex: the shortest so far
+    std::vector<int> askedAt_;   ///< per vertex: the last query that reached it
+    std::vector<double> wayTo_;  ///< per reached vertex: shortest length so far
     std::priority_queue<Way, std::vector<Way>, std::greater<>> open_;
     int asked_ = 0;
 };
