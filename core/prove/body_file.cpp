@@ -30,8 +30,8 @@ MeshPart bodyPart(const PolygonSoup& soup, UpAxis up, double millimetres, const 
     return part;
 }
 
-/// Turns the faces of every part that hangs together outwards: what it encloses, seen from its own
-/// middle, is no less than nothing.
+/// Turns the faces of every connected part outwards, so that its volume, relative to its own
+/// middle, is not negative.
 void turnOutwards(MeshArrays& mesh) {
     const auto count = static_cast<int>(mesh.V.rows());
     geometry::DisjointSets parts(count);

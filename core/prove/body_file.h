@@ -11,17 +11,17 @@
 
 namespace toile {
 
-/// Reads what cloth is worn on from a mesh file: in mm, y up, in the space of the garment; put
-/// right as pieces are, each part that hangs together with its faces outwards.
-/// @param unit  of its coordinates, where a person has said it; else what the file states, else
-/// that of the garment's first file, whose axes it has too where it states none
+/// Reads the body that the cloth is worn on from a mesh file: mm, y up, in the garment's space;
+/// repaired like pieces, with the faces of each connected part outwards.
+/// @param unit  of its coordinates, if set by the user; else the file's unit, else that of the
+///              garment's first file, which also gives the axes if the file states none
 /// Errors: those of `readSoup`, NoGeometry. Cost: n log n.
 Result<MeshArrays> readBody(const std::filesystem::path& path, const std::optional<FileUnit>& unit,
                             const Garment& garment, Progress& progress);
 
-/// Whether their boxes meet. Where they do not, unit or axes are wrong. Linear. Pure.
+/// Whether their boxes overlap. If not, unit or axes are wrong. Linear. Pure.
 bool isNear(const MeshArrays& body, const Garment& garment);
-/// What is to be said of a body that is not.
+/// The error for a body whose box does not overlap the garment's.
 Error bodyNotNear(const std::filesystem::path& path);
 
 }  // namespace toile

@@ -12,9 +12,9 @@
 namespace toile::prove {
 namespace {
 
-/// Per piece whether its triangles run against those of the first piece that it is joined to.
+/// Per piece whether its triangles run opposite to those of the first piece it is joined to.
 std::vector<char> turnedPieces(const sew::CutCloth& cut, const Triangles& F, std::size_t pieces) {
-    // Each side of a triangle, between joined points, with whose it is and which way it runs.
+    // Each side of a triangle, between joined points, with its piece and direction.
     struct Side {
         int low, high, piece;
         bool isUp;
@@ -29,7 +29,7 @@ std::vector<char> turnedPieces(const sew::CutCloth& cut, const Triangles& F, std
         }
     }
     std::ranges::stable_sort(sides, {}, [](const Side& s) { return std::pair(s.low, s.high); });
-    std::map<std::pair<int, int>, int> votes;  // of two pieces: sides that run the same way
+    std::map<std::pair<int, int>, int> votes;  // per pair of pieces: sides with the same direction
     for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
         const Side &a = sides[k], &b = sides[k + 1];
         if (a.low == b.low && a.high == b.high && a.piece != b.piece) {
@@ -64,7 +64,7 @@ std::vector<char> turnedPieces(const sew::CutCloth& cut, const Triangles& F, std
 Result<MeshArrays> designSurface(const Garment& garment) {
     std::vector<Points2> flat;
     for (const auto& piece : garment.pieces) {
-        // Nobody asks for its plane: a piece that stands upright has no area there.
+        // The plane does not matter: an upright piece may have no area there.
         flat.emplace_back(piece->mesh.V.leftCols<2>());
     }
     const auto cut = sew::cutAlongSeams(garment, flat);

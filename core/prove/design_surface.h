@@ -6,8 +6,8 @@
 
 namespace toile::prove {
 
-/// The garment as it was designed: its pieces, joined along their seams (`sew::cutAlongSeams`), all
-/// running the way that the first of those joined to each other does.
+/// The surface of the designed garment: its pieces, joined along their seams
+/// (`sew::cutAlongSeams`), all oriented like the first of those joined to each other.
 /// Errors: NoGeometry.  Cost: that of joining. Pure.
 Result<MeshArrays> designSurface(const Garment& garment);
 

@@ -8,19 +8,19 @@
 
 namespace toile {
 
-/// How a fabric resists and what it weighs: of a preset as docs/prove.md has it with its source, by
-/// the id; of a fabric that is not stated, or of a person's own, a sheet that is alike in all
-/// directions (`sew::kUnstatedStiffness`), which favours no grain. Pure.
+/// Stiffness and weight of a fabric. Presets are found by id and documented in docs/prove.md;
+/// unknown fabrics and those of the user are an isotropic sheet (`sew::kUnstatedStiffness`), which
+/// favours no grain. Pure.
 sew::ClothStiffness clothStiffness(const Fabric& fabric);
 
-/// What a person has measured and said of the cloth; the rest is as its fabric is.
+/// Measured values set by the user; empty fields use the fabric's values.
 struct StatedStiffness {
     std::optional<double> warp{}, weft{};  ///< N/m
     std::optional<double> shear{};         ///< N/m
     std::optional<double> bending{};       ///< N·m
     std::optional<double> weight{};        ///< g/m²
 
-    /// Warp and weft draw on each other as before, in parts of their own stiffness.
+    /// Coupling of warp and weft keeps its ratio to their stiffness.
     sew::ClothStiffness over(sew::ClothStiffness fabric) const;
     bool operator==(const StatedStiffness&) const = default;
 };

@@ -48,7 +48,7 @@ ProofFault clothNowhereNear(double gap, double size) {
 }
 
 Wording patternInOtherUnit(double times, const FileUnit& read) {
-    constexpr double kLikely = 1.5;  // a unit that fits better than by this factor is named
+    constexpr double kLikely = 1.5;  // a closer unit within this factor is suggested
     double off = kLikely;
     std::optional<LengthUnit> likely;
     for (const LengthUnit unit : kLengthUnits) {

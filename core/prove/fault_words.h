@@ -5,35 +5,35 @@
 
 namespace toile {
 
-/// What is wrong with a pattern, told.
+/// Faults of a pattern, with their texts.
 
 ProofFault pieceNotThere(const Garment& garment, int piece);
 ProofFault pieceNotNeeded(const FilePiece& piece);
 ProofFault pieceMirrored(const Garment& garment, int piece);
-/// @param other  the piece that what the pattern has for `piece` fits better
+/// @param other  the piece that fits the pattern's piece for `piece` better
 ProofFault otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there);
-/// It is left out: its outline crosses itself.
+/// The piece is left out: its outline crosses itself.
 ProofFault pieceCrossesItself(const Garment& garment, int piece);
-/// Nothing of it is left: all of it is between sides that are sewn to each other.
+/// The piece disappears: all of it is between sides that are sewn to each other.
 ProofFault pieceSewnAway(const Garment& garment, int piece);
-/// @param slip  as of `ProvenSeam`
+/// @param slip  see `ProvenSeam`
 ProofFault seamSlips(const Garment& garment, int seam, double slip);
-/// @param longer  mm; below 0: shorter
+/// @param longer  mm; negative: shorter
 ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer);
 
-/// All of the cloth is nowhere near the design. @param gap  mean, mm
+/// All cloth is far from the design. @param gap  mean, mm
 ProofFault clothNowhereNear(double gap, double size);
 
-/// The detail of an error: the lengths of the pattern are those of another unit than `read`.
-/// @param times  how many times as long as the design's they are
+/// Error detail: the lengths of the pattern suggest another unit than `read`.
+/// @param times  ratio of its lengths to the design's
 Wording patternInOtherUnit(double times, const FileUnit& read);
-/// The detail of an error: nothing of the pattern is to be sewn.
+/// Error detail: no piece of the pattern can be sewn.
 Wording nothingToSew();
-/// Or nothing of the garment's own is left in a file, whose numbers have an end.
+/// Error detail: the garment's own pattern vanishes in a file, because numbers are rounded.
 Wording patternTooSmall();
-/// @param edge  asked for, mm  @param least  that makes few enough triangles
+/// @param edge  requested, mm  @param least  that gives few enough triangles
 Wording edgesTooFine(double edge, double triangles, double least);
-/// `Proof::source` of the designer's panels, and of the garment's own pattern.
+/// `Proof::source` for the designer's panels, and for the garment's own pattern.
 Wording sourceIsReference();
 Wording sourceIsReadBack();
 

@@ -20,13 +20,13 @@
 namespace toile::prove {
 namespace {
 
-/// Where the points of a flat mesh lie in another plane in which some of them are given: each of
-/// the rest in the middle of its neighbours, by cotangent weights, so that a plane's own motion and
-/// stretch goes on between them ([DMA02]'s harmonic map).
+/// Maps the points of a flat mesh to another plane in which some points are given: each other point
+/// is the mean of its neighbours, by cotangent weights, so that motion and stretch in the plane are
+/// interpolated ([DMA02]'s harmonic map).
 /// @param given  the places of the first points  Errors: FactorisationFailed, OutOfMemory.
 /// Cost: one factorisation. Pure.
 Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
-    /// So that no two triangles across a rim draw an edge apart.
+    /// Keeps all weights positive, so that two triangles across a rim do not pull an edge apart.
     constexpr double kMinWeight = 1e-6;
     const auto known = static_cast<int>(given.rows());
     const auto count = static_cast<int>(mesh.Q.rows());
@@ -76,16 +76,16 @@ Result<Points2> harmonicPlaces(const FreshMesh& mesh, const Points2& given) {
 }
 
 constexpr double kMaxEdge = 30;  // mm
-/// No edge is shorter than that of a square of which so many make the cloth: it has some 100 000
-/// triangles then, and a doll's may be as short as they are.
+/// Edges are at least as long as those of this many squares that cover the cloth: some 100 000
+/// triangles, and edges for dolls may be short.
 constexpr double kMaxSquares = 50000;
 
-/// More take minutes for each step, and a step cannot be cancelled.
+/// With more triangles a step takes minutes, and a step cannot be cancelled.
 constexpr double kMaxTriangles = 300000;
 
 struct UsualEdge {
     double own;   ///< the median of the garment's own triangles' edges, mm
-    double made;  ///< what is made of it
+    double made;  ///< the edge length to use
 };
 
 double flatAreaOf(const Garment& garment, const RestPattern& pattern) {
@@ -99,9 +99,9 @@ double flatAreaOf(const Garment& garment, const RestPattern& pattern) {
     return area;
 }
 
-/// Where an edge would make more triangles than can be sewn.
+/// An error if the edge length gives more triangles than can be sewn.
 std::optional<Error> tooFine(double edge, double area) {
-    const double perSquare = 4 / std::sqrt(3.0);  // equal ones
+    const double perSquare = 4 / std::sqrt(3.0);  // equilateral ones
     const double count = perSquare * area / (edge * edge);
     if (count <= kMaxTriangles) {
         return std::nullopt;
@@ -110,9 +110,9 @@ std::optional<Error> tooFine(double edge, double area) {
     return Error{ErrorCode::OutOfMemory, {}, edgesTooFine(edge, count, least)};
 }
 
-/// Where the outlines of most pieces are much longer or shorter than on the garment.
+/// An error if the outlines of most pieces are much longer or shorter than on the garment.
 std::optional<Error> inOtherUnit(const RestPattern& pattern, const FileUnit& read) {
-    constexpr double kOtherUnit = 8;  // no ease or grading does that, nor inches for centimetres
+    constexpr double kOtherUnit = 8;  // beyond ease, grading, and inches for centimetres
     std::vector<double> times;
     for (const auto& piece : pattern.pieces) {
         if (piece && !piece->loops.empty() && piece->loops.front()) {
@@ -150,16 +150,16 @@ MeshArrays inSpace(const Points2& flat, const Triangles& F) {
     return mesh;
 }
 
-/// A piece triangulated.
+/// A triangulated piece.
 struct PieceCloth {
     FreshMesh mesh;      ///< at rest; Q has the rims' points first
-    Points2 places;      ///< of its points in our flat piece
+    Points2 places;      ///< its points in our flat piece
     Points3 worn;        ///< and on the garment
-    int firstPoint = 0;  ///< of the cloth's
+    int firstPoint = 0;  ///< index into the cloth's points
     std::vector<int> firstOfLoop;
 };
 
-/// The points along a piece's rims, three times.
+/// The points along a piece's rims, in three positions.
 struct RimPoints {
     std::vector<Points2> rest;  ///< loop by loop
     Points2 drawn;
@@ -191,7 +191,7 @@ RimPoints rimPoints(const RestPiece& rest, const std::vector<std::vector<double>
     return rim;
 }
 
-/// With points of a grid, or with those of the garment's vertices that are inside.
+/// Triangulates with points of a grid, or with the garment's vertices that are inside.
 Result<PieceCloth> clothOf(const Piece& piece, const RestPiece& rest,
                            const std::vector<std::vector<double>>& places, double edge,
                            bool hasGrid) {
@@ -237,13 +237,13 @@ Result<PieceCloth> clothOf(const Piece& piece, const RestPiece& rest,
     return cloth;
 }
 
-/// So that the warp runs up the y axis.
+/// Turns the warp to the y axis.
 Points2 alongWarp(const Points2& Q, double warp) {
     const double turn = std::numbers::pi / 2 - warp;
     return turn == 0 ? Q : Points2(Q * Eigen::Rotation2Dd(-turn).toRotationMatrix());
 }
 
-/// Where the vertices of the garment's pieces are on the cloth.
+/// Places of the garment pieces' vertices on the cloth.
 std::vector<SurfacePoint> placesOn(const sew::Cloth& cloth, int index, const PieceCloth& piece,
                                    const RestPiece& rest) {
     std::vector<int> faces;
@@ -325,7 +325,7 @@ Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& orde
     fresh.source = pattern.source;
     fresh.faults = std::move(pattern.faults);
     const UsualEdge usual = usualEdge(garment, pattern);
-    // Of points that are too close, or too far, nothing good can be made.
+    // Points that are too close, or too far apart, give no good triangles.
     const bool hasGrid = order.settings.edge > 0 || usual.made != usual.own;
     const double edge = order.settings.edge > 0 ? order.settings.edge : usual.made;
     if (auto error = tooFine(edge, hasGrid ? flatAreaOf(garment, pattern) : 0)) {

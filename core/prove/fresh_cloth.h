@@ -9,13 +9,13 @@
 
 namespace toile::prove {
 
-/// A pattern as cloth, sewn, where the design is.
+/// A pattern as sewn cloth, at the position of the design.
 struct FreshCloth {
     sew::Cloth cloth;
-    /// Per piece of the garment and vertex of it: where that is on the cloth's triangles; empty of
-    /// a piece that has no cloth.
+    /// Per piece of the garment and vertex of it: its place on the cloth's triangles; empty if the
+    /// piece has no cloth.
     std::vector<std::vector<SurfacePoint>> placeOf;
-    std::vector<ProvenSeam> seams;  ///< but for their strain
+    std::vector<ProvenSeam> seams;  ///< without their strain
     std::vector<ProofFault> faults;
     Wording source;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Includes CGAL, and is slow to compile.
+// Includes CGAL and is slow to compile.
 #include "core/prove/fresh_mesh.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"
 
-// Exact arithmetic of headers alone: nothing is linked.
+// Header-only exact arithmetic: no library to link.
 #undef CGAL_USE_GMP
 #undef CGAL_USE_MPFR
 #undef CGAL_USE_GMPXX
@@ -39,25 +39,25 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
                 CGAL::Triangulation_face_base_with_info_2<
                     int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>>>;
 
-/// Of the edge: no point of a grid is nearer to the outline, nor a given one.
+/// Smallest distance of grid points, and of given points, from the outline, in edge lengths.
 constexpr double kOffRim = 0.6, kGivenOffRim = 0.4;
-constexpr int kRounds = 4;  ///< of triangles after points have moved
-constexpr int kMoves = 3;   ///< of the points in a round
-/// Of the edge: by how much an outline that touches itself is drawn in for its triangles' sake.
+constexpr int kRounds = 4;  ///< rounds of triangulation after points have moved
+constexpr int kMoves = 3;   ///< moves of the points per round
+/// Insets, in edge lengths, for triangulating outlines that touch themselves.
 constexpr double kDrawnIn[] = {0, 1e-4, 1e-3, 1e-2};
 
 Eigen::RowVector2d next(const Points2& loop, Eigen::Index k) {
     return loop.row((k + 1) % loop.rows());
 }
 
-/// Each point moved to the left of the line.
+/// Moves each point to the left of the line.
 Points2 drawnIn(const Points2& loop, double by) {
     Points2 moved = loop;
     for (Eigen::Index k = 0; by > 0 && k < loop.rows(); ++k) {
         const Eigen::RowVector2d before = loop.row((k + loop.rows() - 1) % loop.rows());
         const Eigen::RowVector2d in = loop.row(k) - before, out = next(loop, k) - loop.row(k);
         const double half = geometry::turnBetween(in, out) / 2;
-        // Along the middle of the two directions, a quarter turn to the left.
+        // Along the bisector of the two directions, a quarter turn to the left.
         const double angle = std::atan2(in.y(), in.x()) + half + std::numbers::pi / 2;
         moved(k, 0) += by * std::cos(angle);
         moved(k, 1) += by * std::sin(angle);
@@ -65,10 +65,10 @@ Points2 drawnIn(const Points2& loop, double by) {
     return moved;
 }
 
-/// Whether two edges that are no neighbours meet, or neighbours lie on each other.
+/// Whether two non-adjacent edges meet, or adjacent ones overlap.
 bool touchesItself(const std::vector<Points2>& loops) {
     std::vector<geometry::Segment2> segments;
-    std::vector<std::pair<int, int>> ends;  // numbers of the points
+    std::vector<std::pair<int, int>> ends;  // point numbers
     int first = 0;
     for (const Points2& loop : loops) {
         const auto count = static_cast<int>(loop.rows());
@@ -91,7 +91,7 @@ bool touchesItself(const std::vector<Points2>& loops) {
             touches = touches || (sides[0] == 0 && sides[1] == 0 && in.dot(out) < 0);
             return !touches;
         }
-        if (sides[0] == 0 && sides[1] == 0) {  // in line
+        if (sides[0] == 0 && sides[1] == 0) {  // collinear
             const Eigen::RowVector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
             touches = touches || ((low.array() <= c.cwiseMax(d).array()).all() &&
                                   (c.cwiseMin(d).array() <= high.array()).all());
@@ -103,7 +103,7 @@ bool touchesItself(const std::vector<Points2>& loops) {
     return touches;
 }
 
-/// Points of a grid of equal triangles over the outline's box.
+/// Points of a grid of equilateral triangles over the outline's box.
 Points2 gridPoints(const Points2& outline, double edge) {
     const Eigen::RowVector2d low = outline.colwise().minCoeff();
     const Eigen::RowVector2d high = outline.colwise().maxCoeff();
@@ -122,7 +122,7 @@ Points2 gridPoints(const Points2& outline, double edge) {
     return grid;
 }
 
-/// Numbers of those points that lie in the shape, away from its rims.
+/// Numbers of the points inside the shape, away from its rims.
 std::vector<int> pointsInside(const std::vector<Points2>& loops, const Points2& points,
                               double offRim) {
     const std::vector<geometry::NearestOnLine> nearest(loops.begin(), loops.end());
@@ -141,7 +141,7 @@ std::vector<int> pointsInside(const std::vector<Points2>& loops, const Points2& 
     return inside;
 }
 
-/// Marks the triangles by how many rims are between them and the outside.
+/// Marks each triangle with the number of rims between it and the outside.
 void markDepth(Delaunay& delaunay) {
     constexpr int kUnknown = -1;
     for (const auto face : delaunay.all_face_handles()) {
@@ -202,7 +202,7 @@ double doubleArea(const Points2& Q, const Triangles& F, int f) {
     return geometry::cross(Q.row(F(f, 1)) - Q.row(F(f, 0)), Q.row(F(f, 2)) - Q.row(F(f, 0)));
 }
 
-/// Moves points inside to the middle of their neighbours, where no triangle turns over.
+/// Moves inside points to the mean of their neighbours unless a triangle would flip.
 void moveInside(Points2& Q, const Triangles& F, Eigen::Index firstInside) {
     std::vector<std::vector<int>> facesOf(static_cast<std::size_t>(Q.rows()));
     for (int side = 0; side < static_cast<int>(F.size()); ++side) {

@@ -20,12 +20,12 @@ constexpr int kPlaces = 128;
 constexpr double kAboutAsWell = 1.05, kAboutAsNear = 0.2;     // times, and mm
 constexpr double kTurnsAlike = std::numbers::pi / 6;          // radians
 constexpr double kFarthestCorner = 0.06, kAloneCorner = 0.1;  // of the perimeter
-/// Nor are corners farther apart than so many times the lines are, and this share of the perimeter:
-/// of two in one window either may have been taken.
+/// Corners also pair only within this multiple of the lines' distance plus this share of the
+/// perimeter: of two corners in one window either may have been detected.
 constexpr double kFartherThanLines = 6, kFartherCorner = 0.005;
 constexpr double kMaxCornerTrials = 5e7;
 
-/// Places at even shares of a line's length around their middle, from a share of it on.
+/// Places at even shares of a line's length, starting at a share, relative to their mean.
 CentredPlaces evenPlaces(const geometry::Line& line, double from, double scale) {
     CentredPlaces places;
     ComplexPlace middle = 0;
@@ -61,8 +61,8 @@ std::vector<LineCorner> cornersOf(const geometry::Line& line, const Eigen::RowVe
     return corners;
 }
 
-/// Pairs corners in order, theirs from number `start` on: the least sum of distances, and a fixed
-/// price for each of ours that stays alone.
+/// Pairs corners in order, with the file's corners counted from number `start`: minimises the sum
+/// of distances, plus a fixed cost for each of our corners that stays unpaired.
 class CornerPairs {
 public:
     CornerPairs(const std::vector<LineCorner>& ours, const std::vector<LineCorner>& theirs,
@@ -84,7 +84,7 @@ public:
 
     double cost(std::size_t i, std::size_t j) const { return cost_[i * n_ + j % n_]; }
 
-    /// @param partner  of each of ours: the number of theirs, counted on from `start`, or -1
+    /// @param partner  per corner of ours: the file's corner, counted on from `start`, or -1
     double from(std::size_t start, std::vector<int>& partner) const {
         const std::size_t m = partner.size();
         std::vector<double> least((m + 1) * (n_ + 1), 0);
@@ -117,7 +117,7 @@ private:
     double alone_;
 };
 
-/// The fit with its offset, and where it is free its angle, to more digits than there are places.
+/// Refines the offset of the fit, and its angle if it is free, below the spacing of the places.
 RoughFit refined(const geometry::Line& ours, const geometry::Line& theirs, RoughFit fit,
                  bool canTurn) {
     constexpr int kThirds = 50;

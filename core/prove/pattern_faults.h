@@ -7,15 +7,15 @@
 
 namespace toile::prove {
 
-/// How long the two sides of each seam are that is sewn, and what does not fit.
+/// Lengths of the two sides of each sewn seam, and mismatches.
 struct SeamLengths {
     std::vector<ProvenSeam> seams;
     std::vector<ProofFault> faults;
 };
 
-/// A seam slips where its sides differ by more than kNearlyMm beyond its ease; its length differs
-/// where both of them are shorter, or longer, than the design's by more than 5 mm and 3 %.
-/// Linear. Pure.
+/// A seam slips if its sides differ by more than kNearlyMm beyond its ease. Its length differs if
+/// both sides are shorter, or both longer, than the design's by more than 5 mm and 3 %. Linear.
+/// Pure.
 SeamLengths seamLengths(const Garment& garment, const RestPattern& pattern);
 
 }  // namespace toile::prove

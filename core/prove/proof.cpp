@@ -15,10 +15,10 @@
 namespace toile::prove {
 namespace {
 
-/// Farther than this from what holds it cloth touches nothing, mm.
+/// Cloth farther than this from its support touches nothing, mm.
 constexpr double kTouches = 0.5;
 
-/// The piece's vertex that is nearest to a triangle of the cloth.
+/// The vertex of the piece that is nearest to a triangle of the cloth.
 int vertexAt(const std::vector<SurfacePoint>& placeOf, const ProvenPiece& piece,
              const sew::Cloth& cloth, const Points3& X, int triangle) {
     Eigen::RowVector3d middle = Eigen::RowVector3d::Zero();
@@ -35,7 +35,7 @@ int vertexAt(const std::vector<SurfacePoint>& placeOf, const ProvenPiece& piece,
     return best;
 }
 
-/// Where the vertices of a garment's pieces lie on cloth in this place, one list per piece. Linear.
+/// Positions of the vertices of a garment's pieces on the cloth at X, one list per piece. Linear.
 std::vector<Points3> sewnPieces(const FreshCloth& fresh, const Points3& X) {
     std::vector<Points3> pieces;
     for (const auto& places : fresh.placeOf) {
@@ -51,8 +51,8 @@ std::vector<Points3> sewnPieces(const FreshCloth& fresh, const Points3& X) {
     return pieces;
 }
 
-/// Fills in what is measured of cloth that has settled: the pieces, gap, strain and free share.
-/// @param held  what the cloth lies on, the design or a body
+/// Measures settled cloth: the pieces, gap, strain and free share.
+/// @param held  the support of the cloth, the design or a body
 void measureCloth(const FreshCloth& fresh, const Points3& X, const sew::WornSurface& design,
                   const sew::WornSurface& held, Proof& proof) {
     const sew::Cloth& cloth = fresh.cloth;
@@ -133,12 +133,12 @@ namespace {
 
 constexpr double kPascal = 1e-6;   // N/m² in N/mm²
 constexpr double kGravity = 9.81;  // m/s²
-/// Of the force at seams, what may be left. At half of it the mean gap of garments is another by
-/// less than 1 %; at two and a half times as much by up to 10 %.
+/// Allowed residual as a share of the force at seams. Half of it changes the mean gap of garments
+/// by less than 1 %; two and a half times as much by up to 10 %.
 constexpr double kShare = 2e-3;
-constexpr double kNowhereNear = 0.1;  // of the design's size: no garment has such a mean gap
+constexpr double kNowhereNear = 0.1;  // of the design's size: beyond the mean gap of any garment
 
-/// What each piece is cut from.
+/// The fabric of each piece.
 std::vector<Fabric> fabricsOf(const ExportSource& source) {
     const LaidOutPattern& laid = source.laid();
     std::vector<Fabric> fabrics(source.garment().pieces.size(), source.fabric());

@@ -10,49 +10,49 @@
 
 namespace toile {
 
-/// Limits of `ProofSettings::edge` where a person states it, mm.
+/// Limits of `ProofSettings::edge` if it is set, mm.
 inline constexpr double kLeastProofEdge = 1, kMostProofEdge = 500;
 /// Limits of `ProofSettings::thickness`, mm.
 inline constexpr double kLeastThickness = 0.1, kMostThickness = 10;
-/// Of `ProofSettings::pressure`, either way, N/m².
+/// Limit of `ProofSettings::pressure`, in either direction, N/m².
 inline constexpr double kMostPressure = 1e5;
-/// Of `StatedStiffness`: of warp and weft, N/m; of shear, N/m; of bending, N·m; of weight, g/m².
+/// Limits of `StatedStiffness`: warp and weft, N/m; shear, N/m; bending, N·m; weight, g/m².
 inline constexpr double kLeastStretch = 1, kMostStretch = 1e7;
 inline constexpr double kLeastShear = 0.01, kMostShear = kMostStretch;
 inline constexpr double kMostBending = 10, kMostClothWeight = 1e5;
 
-/// How a pattern is sewn and what holds it meanwhile, as a person has said it.
+/// User settings for sewing a pattern, and for the forces on it.
 struct ProofSettings {
-    /// Length of the edges of the fresh triangles, mm; 0: as the garment's own are.
+    /// Length of the edges of the fresh triangles, mm; 0: like the garment's own.
     double edge = 0;
-    /// Towards the design or the body, N/m² (10 Pa: 1 g on 10 cm²); below 0: outwards, as of a
+    /// Towards the design or the body, N/m² (10 Pa: 1 g on 10 cm²); negative: outwards, like a
     /// cushion's filling.
     double pressure = 10;
     bool hasGravity = false;      ///< down the y axis
-    bool touchesItself = false;   ///< else cloth goes through cloth
-    double thickness = 1;         ///< that cloth keeps off itself then, mm
-    StatedStiffness stiffness{};  ///< in place of what the pieces' fabrics have
-    int threads = 0;              ///< 0: as many as the machine has cores; the same bytes for any
+    bool touchesItself = false;   ///< false: cloth passes through cloth
+    double thickness = 1;         ///< distance between layers if touchesItself, mm
+    StatedStiffness stiffness{};  ///< replaces values of the pieces' fabrics
+    int threads = 0;              ///< 0: all cores; results do not depend on it
 
     bool operator==(const ProofSettings&) const = default;
 };
 
-/// What is sewn back together.
+/// The pattern to sew back together.
 enum class SewnPattern {
-    Own,        ///< the garment's, as it is written to a file and read back
-    Designer,   ///< the designer's own panels, where the garment's file has them
+    Own,        ///< the garment's, written to a file and read back
+    Designer,   ///< the designer's own panels, if the garment's file has them
     Reference,  ///< the pattern file that the pieces are compared with
 };
 
-/// What they are called in project files. Once released they stay.
+/// Names in project files. They must not change once released.
 inline constexpr Word<SewnPattern> kSewnPatternWords[] = {{SewnPattern::Own, "own"},
                                                           {SewnPattern::Designer, "designer"},
                                                           {SewnPattern::Reference, "reference"}};
 
-/// How a garment's pattern is proved, as a person has said it.
+/// User settings for proving a garment's pattern.
 struct ProofPlan {
     SewnPattern sewn = SewnPattern::Own;
-    std::filesystem::path body{};  ///< what it is worn on, a mesh; empty: the design's own surface
+    std::filesystem::path body{};        ///< body mesh to wear it; empty: the design's own surface
     std::optional<FileUnit> bodyUnit{};  ///< of its coordinates; none: see `readBody`
     ProofSettings settings{};
 

@@ -14,12 +14,12 @@ constexpr Word<ProofFaultKind> kFaultWords[] = {
     {ProofFaultKind::NotThere, "not-there"},   {ProofFaultKind::NotNeeded, "not-needed"},
     {ProofFaultKind::FarOff, "far-off"}};
 
-/// From here on pull, slack and what hangs free are told, parts of 1.
+/// From these values on strain and the free share are reported; 1 is 100 %.
 constexpr double kToldStrain = 0.01, kToldFree = 0.1;
 
-/// What the fabrics of some pieces give along warp, weft and bias.
+/// Stretch limits of the fabrics of some pieces along warp, weft and bias.
 struct Given {
-    double least, most;  ///< of the directions and the fabrics: the one that gives least, and most
+    double least, most;  ///< over all directions and fabrics: smallest and largest limit
 };
 
 std::optional<Given> givenBy(const Proof& proof, std::initializer_list<int> pieces) {
@@ -40,7 +40,7 @@ std::optional<Given> givenBy(const Proof& proof, std::initializer_list<int> piec
     return given;
 }
 
-/// Whether the fabric gives so much: said only where it does, or does not, in every direction.
+/// Compares the strain with the fabric's limits; mentions them only if all directions agree.
 Wording pulling(const Wording& subject, double strain, const std::optional<Given>& given,
                 bool isSeam) {
     const std::vector<Wording> arguments{subject, figure(100 * strain, 1)};
@@ -56,7 +56,7 @@ Wording pulling(const Wording& subject, double strain, const std::optional<Given
                   : worded("; %1 pulls %2 %", arguments);
 }
 
-/// The seam or the piece that tells most of where it pulls or bags; nothing where all is below 1 %.
+/// The seam or the piece with most tension or slack; nothing if all is below 1 %.
 Wording tellingPlace(const Proof& proof, const Garment& garment) {
     const auto seam = std::ranges::max_element(proof.seams, {}, &ProvenSeam::strain);
     if (seam != proof.seams.end() && seam->strain >= kToldStrain) {
@@ -81,7 +81,7 @@ Wording tellingPlace(const Proof& proof, const Garment& garment) {
                : Wording();
 }
 
-/// As typed: with no more decimals than it needs.
+/// The figure with no more decimals than needed.
 Wording typedFigure(double value) {
     constexpr int kMaxDecimals = 4;
     int decimals = 0;
@@ -106,7 +106,7 @@ Wording sentence(const Proof& proof, const Garment& garment) {
     if (proof.freeShare >= kToldFree) {
         said += worded("; %1 % of it hangs free", {figure(100 * proof.freeShare)});
     }
-    // What a person has left out is missed by nobody.
+    // Pieces that the user left out do not count.
     const auto missing =
         std::ranges::count(proof.faults, ProofFaultKind::NotThere, &ProofFault::kind);
     if (missing > 0) {

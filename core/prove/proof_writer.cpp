@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-constexpr int kProofVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kProofVersion = 1;  // grows if a field changes its meaning or is removed
 
 Json provenPieceName(const Garment& garment, int piece) {
     return piece < 0 ? Json(nullptr) : text(garment.pieces[static_cast<std::size_t>(piece)]->name);

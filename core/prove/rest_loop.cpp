@@ -15,7 +15,7 @@ RestLoop::RestLoop(Points3 space, geometry::Line drawn, geometry::Line rest, Lin
       rest_(std::move(rest)),
       map_(std::move(map)) {
     for (const int k : findCorners(drawn_.points())) {
-        // A line that was drawn as the image of another need not begin where the outline does.
+        // A line drawn as the image of another may begin elsewhere than the outline.
         corners_.push_back(space_.wrap(drawn_.arc()[k]));
     }
 }

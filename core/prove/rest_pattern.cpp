@@ -19,15 +19,15 @@
 namespace toile::prove {
 namespace {
 
-/// A loop of a piece as we have it.
+/// A loop of a piece in our pattern.
 struct OurLoop {
     Points3 space;
     geometry::Line drawn;  ///< measured on the garment
 };
 
 /// The outline, then the rims of the holes.
-/// @param flat  of the piece's vertices
-/// @param line  of the outline where it is no polygon of its vertices, or null
+/// @param flat  positions of the piece's vertices
+/// @param line  of the outline if it is not the polygon of its vertices, or null
 /// Cost: linear. Pure.
 std::vector<OurLoop> ourLoops(const Piece& piece, const Points2& flat, const FlatLine* line) {
     std::vector<OurLoop> loops;
@@ -47,11 +47,11 @@ std::vector<OurLoop> ourLoops(const Piece& piece, const Points2& flat, const Fla
     return loops;
 }
 
-/// Of two fits one is clearly better: by so much, and so many mm.
+/// A fit is clearly better if it is below this share of the other minus this many mm.
 constexpr double kClearlyShare = 0.6, kClearlyLength = 0.3;
-/// From here on, mm, it is asked whether what the file has fits another piece.
+/// From this distance, mm, the fit of other pieces is tested too.
 constexpr double kFitsBadly = 1;
-/// A pair's other half is looked for among shapes no farther than this share of their size.
+/// Largest distance, as a share of their size, between shapes of a pair's two halves.
 constexpr double kSameShape = 0.1;
 
 bool isClearlyBetter(double distance, double than) {
@@ -68,7 +68,7 @@ Points2 turnedBy(const Points2& line, double angle) {
     return angle == 0 ? line : Points2(line * Eigen::Rotation2Dd(-angle).toRotationMatrix());
 }
 
-/// The line that is sewn along.
+/// The line to sew along.
 const Points2& sewingLine(const FilePiece& piece) {
     return piece.sew.rows() > 2 ? piece.sew : piece.cut;
 }
@@ -78,7 +78,7 @@ double directionOf(const FileChord& chord) {
     return std::atan2(way.y(), way.x());
 }
 
-/// What a piece of the file is beside one of ours.
+/// Fit of a piece of the file to one of ours.
 struct FittedPiece {
     bool mirrored = false;
     RoughFit fit;
@@ -126,7 +126,7 @@ private:
     const PatternPiece& ours(int k) const { return pattern_.pieces[static_cast<std::size_t>(k)]; }
     const FilePiece& theirs(int k) const { return file_.pieces[static_cast<std::size_t>(k)]; }
 
-    /// By which a file's piece may be turned to lie as ours does: as the grain lines say, or not.
+    /// Angles to try for a file's piece to match ours: those of the grain lines, then 0.
     std::vector<double> anglesFor(int piece, const FilePiece& other, bool mirrored) const {
         std::vector<double> angles{0};
         if (other.grain) {
@@ -134,7 +134,7 @@ private:
             const double their = mirrored ? std::numbers::pi - grain : grain;
             const double turn = std::remainder(grainOf(ours(piece)) - their, std::numbers::pi);
             const double back = turn > 0 ? turn - std::numbers::pi : turn + std::numbers::pi;
-            // A turn within the chord's rounding is none.
+            // A turn within the chord's rounding is ignored.
             constexpr double kNoTurn = 1e-4;
             angles.insert(
                 angles.begin(),
@@ -157,7 +157,7 @@ private:
         return {mirrored, mirrored ? image : plain};
     }
 
-    /// The file's piece of which a piece without partner is another copy, or the image.
+    /// The file's piece that also represents a piece without partner, as another copy or mirrored.
     std::optional<int> drawnOnce(int piece, const PatternMatch& match) const {
         std::optional<int> best;
         double least =
@@ -181,9 +181,9 @@ private:
         return best;
     }
 
-    /// Whether it is called as one of our facings, which no proof sews.
+    /// Whether its name is that of one of our facings, which are never sewn in a proof.
     bool isFacing(const FilePiece& piece) const {
-        // Only so long a name may be one that its writer cut off.
+        // Only names of at least this length may have been cut off by their writer.
         constexpr std::size_t kCutOff = 18;
         const std::string called = plainName(piece.name);
         const auto isIt = [&](const std::string& facing) {
@@ -196,7 +196,7 @@ private:
         });
     }
 
-    /// Another piece that what the file has for this one fits better than what it has for that.
+    /// Another piece that fits this one's file piece better than its own file piece does.
     int fitsRather(int piece, double distance) const {
         if (distance < kFitsBadly) {
             return -1;
@@ -214,8 +214,8 @@ private:
         return -1;
     }
 
-    /// Whether what is the image of this piece is another one as it is: a file without names may
-    /// have had that in mind.
+    /// Whether the mirror image of this piece fits another piece unmirrored: a file without names
+    /// may mean that piece.
     bool hasImage(int piece, const FilePiece& other, double distance) const {
         for (int k = 0; k < static_cast<int>(pattern_.pieces.size()); ++k) {
             if (k != piece && ours(k).outline.rows() > 2 &&
@@ -266,7 +266,7 @@ private:
             return RestLoop(std::move(loop.space), std::move(loop.drawn), std::move(there),
                             std::move(map));
         };
-        // At rest the piece lies as ours does, but for its place.
+        // At rest the piece has our orientation, but not our position.
         const Points2 outline = asLaid(geometry::antiClockwise(sewingLine(other)));
         const Eigen::RowVector2d move = middleOf(geometry::Line::closed(loops[0].drawn.points())) -
                                         middleOf(geometry::Line::closed(outline));
@@ -302,17 +302,17 @@ private:
     const Garment& garment_;
     const PatternFile& file_;
     const Pattern& pattern_;
-    std::map<int, int> fileOf_;  ///< per piece of ours the file's
+    std::map<int, int> fileOf_;  ///< per piece of ours: the file's piece
     RestPattern rest_;
 };
 
-/// The pieces of a file beside ours: which is which, which way each lies, and what is wrong with
-/// them. A pair that the file draws once serves both.  Cost: that of `matchPatterns`. Pure.
+/// Matches the pieces of a file to ours: pairs them, orients each, and finds faults. A pair that
+/// the file draws once serves both.  Cost: that of `matchPatterns`. Pure.
 RestPattern restOfFile(const ExportSource& source, const PatternFile& file) {
     return RestMaker(source, file).made();
 }
 
-/// The designer's panels: each line is ours.
+/// The designer's panels: their lines correspond to ours directly.
 RestPattern referencePattern(const Garment& garment) {
     RestPattern rest;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
@@ -343,7 +343,7 @@ RestPattern referencePattern(const Garment& garment) {
     return rest;
 }
 
-/// The garment's own pattern as a program for patterns gets it.
+/// The garment's own pattern as another pattern program would read it.
 Result<PatternFile> readBack(const ExportSource& source) {
     LaidOutPattern laid;
     laid.wholePattern = source.laid().wholePattern;
@@ -352,13 +352,13 @@ Result<PatternFile> readBack(const ExportSource& source) {
     ExportOptions options;
     const ExportSource whole(source.garment(), source.results(), laid, options, {}, source.lines(),
                              source.fabric());
-    // A doll's would be taken for one in centimetres.
+    // The unit is given, because a doll's file would be taken for one in centimetres.
     auto file = readPattern(writeApparelDxf(whole), PatternFileKind::Dxf, laid.pattern.name,
                             FileUnit(options.dxf.unit));
     if (!file) {
         return file.error();
     }
-    // In the order of ours; names are cut off after some characters.
+    // Restores our order; names are cut off after some characters.
     std::vector<std::string> slugs;
     for (const PatternPiece& piece : laid.pattern.pieces) {
         if (piece.outline.rows() > 0) {

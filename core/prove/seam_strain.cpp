@@ -8,7 +8,7 @@
 namespace toile::prove {
 namespace {
 
-/// Length of a stretch of outline where it is sewn, mm: each edge of it by its share.
+/// Sewn length of a stretch of outline, mm: each of its edges by its share.
 double sewnLength(const SeamSide& side, const Piece& piece, const Points3& sewn) {
     const std::vector<int>& loop = loopOf(side, piece);
     const double from = std::min(side.start, side.end), to = std::max(side.start, side.end);

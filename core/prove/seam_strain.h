@@ -7,8 +7,8 @@
 
 namespace toile::prove {
 
-/// How much longer the two sides of a seam are where they are sewn than in the pattern, their mean;
-/// a part of 1, above 0 pulls. Of sides whose piece is not sewn, or has no length: 0.
+/// Mean relative extension of the two sides of a seam from the pattern to the sewn cloth; positive
+/// is tension. Ignores sides without length or whose piece is not sewn; 0 if both are ignored.
 /// @param pieces  sewn, one per piece of the garment  Cost: linear in the loops. Pure.
 double seamStrain(const Garment& garment, const ProvenSeam& seam,
                   const std::vector<ProvenPiece>& pieces);

@@ -10,36 +10,36 @@
 namespace toile::prove {
 namespace {
 
-/// The points along one loop while they are placed. Numbers are those of the points as they were
-/// made, until `putInOrder`.
+/// The points along one loop during placement. Points are numbered in order of creation until
+/// `putInOrder`.
 class LoopStations {
 public:
-    /// Of the edge: nearer to each other two points are one.
+    /// Points closer than this, in edge lengths, are merged.
     static constexpr double kOnePoint = 0.2;
-    /// Of the edge: nearer to another no vertex becomes a point.
+    /// Vertices closer to a point than this, in edge lengths, do not become points.
     static constexpr double kCrowded = 0.5;
 
-    /// @param edge  mm between points, about  Keeps a reference to the loop
+    /// @param edge  approximate distance between points, mm  Keeps a reference to the loop
     LoopStations(const RestLoop& loop, double edge) : loop_(loop), edge_(edge) {}
 
     const RestLoop& loop() const { return loop_; }
     const std::vector<double>& places() const { return places_; }
 
-    /// A side of a seam ends there.
+    /// Records the end of a seam's side.
     void addEnd(double place) { ends_.push_back(place); }
-    /// The number of the point at a place, there already or new.
+    /// The number of the point at a place, existing or new.
     int at(double place);
-    /// A side whose points are all sewn: no others come between them.
+    /// Marks a side whose points are all sewn: no further points are added to it.
     void cover(const SeamSide& side);
-    /// Whether a place is strictly within a side that is covered.
+    /// Whether a place is strictly inside a covered side.
     bool isCovered(double place) const;
 
-    /// Of a side's inside, as it counts places: points that are there, corners and ends of others.
+    /// Places inside a side, counted like its own: points, corners and ends of other sides.
     std::vector<double> neededWithin(const SeamSide& side) const;
-    /// The garment's vertices there.
+    /// The garment's vertices inside a side.
     std::vector<double> verticesWithin(const SeamSide& side) const;
 
-    /// Evenly, with corners, ends and, if asked for, vertices; three points at least.
+    /// Fills the loop evenly, using corners, ends and optionally vertices; at least three points.
     void fill(bool atVertices);
     /// Sorts the places. @return per point its new number
     std::vector<int> putInOrder();
@@ -58,7 +58,7 @@ private:
     std::vector<Range> covered_;
 };
 
-/// Of the edge: where two points are farther apart there is room for another.
+/// Gap between two points, in edge lengths, from which another point is inserted.
 constexpr double kRoom = 1.6;
 
 int LoopStations::at(double place) {
@@ -163,7 +163,7 @@ std::vector<int> LoopStations::putInOrder() {
     return number;
 }
 
-/// A place of either side.
+/// Corresponding places of the two sides.
 struct PlacePair {
     double left, right;
 };
@@ -225,13 +225,13 @@ private:
         return loop.restLength(std::min(a, b), std::max(a, b));
     }
 
-    /// Whether one side has all its points between two already, those of another seam.
+    /// Whether one side between two pairs is already covered by another seam's points.
     bool isTaken(const Seam& seam, const PlacePair& a, const PlacePair& b) {
         return on(seam.left).isCovered((a.left + b.left) / 2) ||
                on(seam.right).isCovered((a.right + b.right) / 2);
     }
 
-    /// The points that both sides must have.
+    /// Pairs of places that both sides must have.
     std::vector<PlacePair> needed(const Seam& seam) {
         std::vector<PlacePair> pairs;
         for (const bool isRight : {false, true}) {
@@ -241,7 +241,7 @@ private:
                 pairs.push_back(isRight ? PlacePair{across, place} : PlacePair{place, across});
             }
         }
-        // Points that are one: of their two sides each one's own.
+        // Merge places that are close on either side.
         std::ranges::stable_sort(pairs, {}, &PlacePair::left);
         const auto [lowL, highL] = std::minmax(seam.left.start, seam.left.end);
         const auto [lowR, highR] = std::minmax(seam.right.start, seam.right.end);
@@ -263,7 +263,7 @@ private:
         return kept;
     }
 
-    /// With the left side's vertices between them, where there is room.
+    /// Adds the left side's vertices between them, if there is room.
     std::vector<PlacePair> withVertices(const Seam& seam, const std::vector<PlacePair>& stops) {
         std::vector<double> vertices = on(seam.left).verticesWithin(seam.left);
         std::ranges::sort(vertices);
@@ -306,7 +306,7 @@ private:
             int parts = std::max(1, static_cast<int>(std::lround(length / edge_)));
             parts = isTaken(seam, a, b) ? 1 : parts;
             parts = seam.closed && stops.size() == 2 ? std::max(parts, 3) : parts;
-            // By how much the two are off from lying across from each other.
+            // Offsets of the two pairs from exact correspondence.
             const double offA = a.right - placeAcross(seam, a.left, false);
             const double offB = b.right - placeAcross(seam, b.left, false);
             for (int i = 1; i < parts; ++i) {
@@ -326,7 +326,7 @@ private:
             {{seam.left.piece, seam.left.loop, left}, {seam.right.piece, seam.right.loop, right}});
     }
 
-    /// The points in order along their loops, free edges and all.
+    /// Numbers all points in order along their loops, including free edges.
     Stations numbered() {
         Stations stations;
         std::vector<std::vector<std::vector<int>>> numbers(loops_.size());

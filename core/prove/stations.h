@@ -16,26 +16,26 @@ struct Station {
     int number = 0;  ///< along the loop
 };
 
-/// The points along the loops of all cloth, and which are sewn to which.
+/// The points along the loops of all cloth, and the pairs to sew.
 struct Stations {
-    /// Per piece and loop: places (`RestLoop`), ascending within one turn; none where there is no
-    /// cloth, or no loop.
+    /// Per piece and loop: places (`RestLoop`), ascending within one turn; empty without cloth or
+    /// without a loop.
     std::vector<std::vector<std::vector<double>>> places;
     std::vector<std::pair<Station, Station>> sewn;
 };
 
-/// Puts points on both sides of each seam, as many, at places that are matched, about `edge` apart
-/// on the longer side; on free edges evenly. Corners and ends of seams are among them. A seam to a
-/// place that has points already, as of a third layer, takes these.
-/// @param atVertices  where the garment's own vertices are on free edges and on the left sides of
-///                    seams, as far as they are apart
+/// Puts equally many points on both sides of each seam, at matched places, about `edge` apart on
+/// the longer side; evenly on free edges. Corners and ends of seams are included. A seam to a place
+/// that already has points, like that of a third layer, uses those.
+/// @param atVertices  use the garment's own vertices on free edges and on the left sides of seams,
+///                    as far as their spacing allows
 /// Cost: points of a loop, squared. Pure.
 Stations placeStations(const SeamGraph& seams, const RestPattern& pattern, double edge,
                        bool atVertices);
 
 /// Whether both sides of a seam are cloth.
 bool isSewn(const Seam& seam, const RestPattern& pattern);
-/// The loop of a side; precondition: it is cloth.
+/// The loop of a side; precondition: it has cloth.
 const RestLoop& loopOf(const SeamSide& side, const RestPattern& pattern);
 
 }  // namespace toile::prove
