@@ -138,7 +138,7 @@ std::vector<std::string> reversedWords(const std::vector<std::string>& typed) {
         const std::string next = i + 1 < typed.size() ? typed[i + 1] : "";
         if (words.back() == "--fair" &&
             (next.empty() || !isNumber(next.substr(0, next.find(','))))) {
-            words.emplace_back(shortest(Fairing{}.tolerance));
+            words.emplace_back("nan");  // the usual tolerance, which wrinkles may widen
         }
     }
     std::ranges::reverse(words);

@@ -2,6 +2,7 @@
 // Includes CLI11 as `arguments.cpp` does; both are compiled together.
 #include "app/cli/flattening_options.h"
 
+#include <cmath>
 #include <optional>
 
 #include "app/cli/choice_options.h"
@@ -66,11 +67,13 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
             "--fair",
             [&stated](const std::vector<double>& typed) {
                 Fairing& fairing = stated.fairing.emplace();
-                fairing.tolerance = typed.front();
+                fairing.isFixed = !std::isnan(typed.front());  // see reversedWords
+                fairing.tolerance = fairing.isFixed ? typed.front() : fairing.tolerance;
                 fairing.smoothing = typed.size() > 1 ? typed[1] : fairing.smoothing;
             },
-            "Draw outlines as fair lines of the same length, at most so far from the exact ones, "
-            "smoothed over LAMBDA [1,40]")
+            "Draw outlines as fair lines of the same length, at most MM from the exact ones, "
+            "smoothed "
+            "over LAMBDA [1,40]. Without MM, up to 8 on wrinkled garments")
         ->type_name("[MM[,LAMBDA]]")
         ->delimiter(',')
         ->expected(1, 2)

@@ -252,6 +252,7 @@ void LinesPanel::setFairing(double Fairing::*field, double value, const QString&
     LineSettings lines = document_.state().lines;
     Fairing fairing = lines.fairing.value_or(Fairing{tolerance_->value(), smoothing_->value()});
     fairing.*field = value;
+    fairing.isFixed |= field == &Fairing::tolerance;
     lines.fairing = fairing;
     document_.setLines(std::move(lines), text, gesture_);
 }

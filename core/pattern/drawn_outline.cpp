@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/geometry/line.h"
 #include "core/pattern/mirrored_lines.h"
 #include "core/pattern/reshaped_outline.h"
@@ -140,12 +141,12 @@ double roughness(const PieceResults& results, const std::vector<OutlineSegments>
             continue;  // not flat
         }
         const Piece& piece = *results[p]->piece;
-        const ClosedLine line(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+        const auto line = geometry::Line::closed(results[p]->flat->Q(piece.boundary, Eigen::all),
+                                                 outlineArc(piece));
         for (const Segment& segment : segments[p].segments) {
             std::vector<double> at{segment.at.start};
             for (int k = 1; k < segment.at.count; ++k) {
-                const int n = line.count(), v = segment.at.first + k;
-                if (const double place = line.arc()[v % n] + v / n * line.length();
+                if (const double place = line.placeOf(segment.at.first + k);
                     place > at.back() + kApart) {
                     at.push_back(place);
                 }
@@ -160,12 +161,7 @@ double roughness(const PieceResults& results, const std::vector<OutlineSegments>
             }
         }
     }
-    if (changes.size() < kFewest) {
-        return 0;
-    }
-    const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
-    std::ranges::nth_element(changes, middle);
-    return *middle;
+    return changes.size() < kFewest ? 0 : medianOf(std::move(changes));
 }
 
 std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garment,

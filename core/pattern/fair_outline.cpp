@@ -223,7 +223,7 @@ void boundByWidth(const Points2& line, const std::vector<double>& steps,
 OutlinePlan planOutline(const OutlineSegments& segments, const LineSettings& settings,
                         const std::vector<double>& turnChanges, bool isWrinkled) {
     const Fairing fairing = settings.fairing.value_or(Fairing{});
-    const bool isLoose = isWrinkled && fairing.tolerance == Fairing{}.tolerance;
+    const bool isLoose = isWrinkled && !fairing.isFixed && fairing.tolerance == Fairing{}.tolerance;
     const double tolerance = isLoose ? kWrinkledTolerance : fairing.tolerance;
     OutlinePlan plan;
     plan.smoothing = (isLoose ? kWrinkledSmoothing : 1) * fairing.smoothing;

@@ -16,7 +16,8 @@ namespace toile {
 /// How outlines are made fair (fair_outline.h).
 struct Fairing {
     double tolerance = 1;   ///< no point strays further from the exact outline, mm
-    double smoothing = 40;  ///< lambda, mm: what is shorter than about six times that goes
+    double smoothing = 40;  ///< lambda, mm: waves shorter than about six times that go
+    bool isFixed = false;   ///< the tolerance holds on wrinkled garments too
 
     bool operator==(const Fairing&) const = default;
 };

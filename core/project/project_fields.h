@@ -108,6 +108,7 @@ inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
 inline constexpr auto kFairing = [](auto& at, auto& fairing) {
     at.field("tolerance", fairing.tolerance, kMinFairTolerance, kMaxFairTolerance);
     at.field("smoothing", fairing.smoothing, kMinSmoothing, kMaxSmoothing);
+    at.field("fixed", fairing.isFixed);
 };
 
 inline constexpr auto kSegment = [](auto& at, auto& said) {
