@@ -18,7 +18,7 @@
 namespace toile {
 namespace {
 
-// The window's translations are told of this name (app/translations.cmake).
+// The window's translation tools look for this name (app/translations.cmake).
 #define TR(text) text
 
 constexpr Word<Severity> kSeverities[] = {
@@ -86,7 +86,7 @@ constexpr FindingWords kWords[] = {
     {"message", TR("Messages"), "", ""},
 };
 
-/// Of a piece with several rims.
+/// For a piece with several rims.
 constexpr const char* kTube =
     TR("the piece is a tube with %1 openings, and lies flat only when it is cut open");
 
@@ -113,7 +113,7 @@ std::string written(const Figure& figure) {
     return {};
 }
 
-/// What to type against a doubt.
+/// The command line option that answers a doubt.
 std::string_view optionOf(FindingKind kind) {
     const std::string_view wanted = findingWords(kind).name;
     const auto* const found = std::ranges::find(kDoubtWords, wanted, &DoubtWords::name);
@@ -165,7 +165,7 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    // What a proof tells is a sentence with the names in it.
+    // The text of a proof fault is a full sentence that contains the names.
     const bool isNamed = finding.subject.name.empty() || finding.kind == FindingKind::ProofFault;
     std::string text = isNamed ? "" : readableName(finding.subject.name) + ": ";
     text += description(finding);
@@ -192,7 +192,7 @@ std::string_view name(FindingKind kind) {
 
 namespace {
 
-constexpr int kCheckVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kCheckVersion = 1;  // increase it when a field changes its meaning or is removed
 
 std::string_view unitName(Figure::Unit unit) {
     switch (unit) {

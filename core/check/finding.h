@@ -12,38 +12,37 @@
 
 namespace toile {
 
-/// How much a finding matters to somebody with scissors in the hand.
+/// How severe a finding is for somebody who is about to cut.
 enum class Severity {
-    Fault,  ///< to be put right before the cloth is cut
-    Doubt,  ///< to be looked at: right or wrong, the person knows
+    Fault,  ///< fix it before the cloth is cut
+    Doubt,  ///< check it: only the user knows whether it is right
     Note,   ///< good to know
 };
 
-/// What was found. In the order in which a person would put it right: what hides the rest comes
-/// first.
+/// Kinds of findings, in the order in which to fix them: a finding that hides others comes first.
 enum class FindingKind {
-    NotFlattened,       ///< the pattern is not made, or older than the last change
+    NotFlattened,       ///< there is no pattern, or it is older than the last change
     NotFlat,            ///< a piece could not be flattened
     OutlineCrosses,     ///< a flat outline crosses itself
     FlippedTriangles,   ///< cloth is flipped in the pattern
-    ProofFault,         ///< what is to be sewn together is no such pattern (core/prove/proof.h)
-    InsideOut,          ///< the faces of a file look inwards (core/diagnose/doubt.h)
-    StrainBeyondCloth,  ///< no fabric takes the strain,
-    ManyScraps,         ///< there are more scraps than pieces,
+    ProofFault,         ///< the pieces to sew do not form a pattern (core/prove/proof.h)
+    InsideOut,          ///< the faces of a file point inwards (core/diagnose/doubt.h)
+    StrainBeyondCloth,  ///< no fabric can take the strain
+    ManyScraps,         ///< there are more scraps than pieces
     LongCuts,           ///< cuts found by Toile are longer than the outline
-    SeamLengths,        ///< two flat sides of a seam do not fit, the ease taken out
-    StrainWarp,         ///< strain beyond the fabric's limits along the grain,
-    StrainWeft,         ///< across it,
-    StrainBias,         ///< at 45 degrees to it
-    SewnGap,            ///< sewn back together, it sits far from the design
-    SeamKink,           ///< lines that run on into each other over a seam make a corner there
-    NotSymmetric,       ///< a piece is to be cut by half, and is not drawn as a mirror image
+    SeamLengths,        ///< two flat sides of a seam differ by more than the ease
+    StrainWarp,         ///< strain beyond the fabric's limits along the grain
+    StrainWeft,         ///< likewise across the grain
+    StrainBias,         ///< likewise at 45 degrees to the grain
+    SewnGap,            ///< sewn back together, the pattern sits far from the design
+    SeamKink,           ///< lines that should continue over a seam make a corner there
+    NotSymmetric,       ///< a piece to cut by half is not drawn as a mirror image
     NoFacing,           ///< a facing has no room along its edge
-    WiderThanCloth,     ///< a piece fits its cloth in no turn that is allowed
-    PiecesOverlap,      ///< two pieces lie on each other on the sheet
-    UnlikelySize,       ///< no garment is as small or as large
+    WiderThanCloth,     ///< a piece does not fit its cloth at any allowed turn
+    PiecesOverlap,      ///< two pieces overlap on the sheet
+    UnlikelySize,       ///< smaller or larger than any garment
     UnitInDoubt,        ///< the file's unit was guessed, and another is as likely
-    UpAxisInDoubt,      ///< likewise the axis that points up
+    UpAxisInDoubt,      ///< likewise the up axis
     GrainMissing,       ///< the grain is unset
     ReferenceNote,      ///< what reading the reference pattern left out or put right
     Message,            ///< what reading, cutting or flattening had to say: `Finding::error`
@@ -52,7 +51,7 @@ enum class FindingKind {
 /// One past the last kind; kinds are contiguous from 0.
 inline constexpr int kFindingKindCount = static_cast<int>(FindingKind::Message) + 1;
 
-/// A number of a finding, and how it is to be written.
+/// A number of a finding, with the unit to write it in.
 struct Figure {
     enum class Unit {
         Length,   ///< mm
@@ -83,15 +82,15 @@ struct FindingPlace {
 struct Finding {
     FindingKind kind = FindingKind::Message;
     Severity severity = Severity::Note;
-    Subject subject{};  ///< the piece, the seam or the file; None with both names where two pieces
-    /// Indices into the garment's pieces: one, two that lie on each other, or none.
+    Subject subject{};  ///< the piece, seam or file; None with both names for two pieces
+    /// Indices into the garment's pieces: one, two that overlap, or none.
     std::vector<int> pieces{};
     int seam = -1;                        ///< index into the garment's seams, or -1
-    std::optional<FindingPlace> place{};  ///< on the first piece: of the worst
-    /// What was measured, the telling number first; `findingWords` say where each goes.
+    std::optional<FindingPlace> place{};  ///< the worst place, on the first piece
+    /// The measured numbers, the most important first; `findingWords` places them in the text.
     std::vector<Figure> figures{};
-    Wording reason{};  ///< why something was guessed or is in doubt; the fabric's name; or empty
-    std::optional<Error> error{};  ///< that says it all: of NotFlat, OutlineCrosses and Message
+    Wording reason{};  ///< why something is guessed or in doubt; or the fabric's name; or empty
+    std::optional<Error> error{};  ///< full text of NotFlat, OutlineCrosses and Message
 };
 
 /// Stable kebab-case name, for example "seam-lengths".
@@ -99,27 +98,27 @@ std::string_view name(FindingKind kind);
 /// "fault", "doubt", "note".
 std::string_view name(Severity severity);
 
-/// How a kind of finding is told. %1, %2 ... stand for the figures in their order, %0 for the
-/// reason. The window translates these words and writes the numbers in the person's units.
+/// The wording of a kind of finding. %1, %2 ... are the figures in order, %0 is the reason. The
+/// window translates these words and writes the numbers in the user's units.
 struct FindingWords {
     const char* name;      ///< kebab-case, as in the report
-    const char* title;     ///< of several findings of the kind: "Seams that do not match"
-    const char* describe;  ///< what is the matter; empty where the finding's error says it
-    const char* advice;    ///< what to try; likewise
+    const char* title;     ///< for several findings of the kind: "Seams that do not match"
+    const char* describe;  ///< the problem; empty if the finding's error describes it
+    const char* advice;    ///< how to solve it; likewise
 };
 
 const FindingWords& findingWords(FindingKind kind);
 
-/// What is the matter, with places for the figures as in `describe`: a tube is called so and not by
-/// what its error names. Empty where the error says it.
+/// The problem, with places for the figures as in `describe`; empty if the error describes it. A
+/// tube has its own wording instead of that of its error.
 const char* patternOf(const Finding& finding);
 
-/// What was found, without the place and without what to try: "the flat sides of the seam differ
-/// by 3.20 mm ...". English, millimetres.
+/// The finding without its place and without advice: "the flat sides of the seam differ by 3.20 mm
+/// ...". English, millimetres.
 std::string description(const Finding& finding);
-/// What to try, as a sentence without a full stop; empty where nothing is needed.
+/// The advice, as a sentence without a full stop; empty if nothing is needed.
 std::string adviceFor(const Finding& finding);
-/// One sentence for a person, like those of errors: where, what, what to try.
+/// One sentence for the user, like those of errors: place, problem, advice.
 std::string sentence(const Finding& finding);
 
 }  // namespace toile

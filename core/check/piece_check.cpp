@@ -46,7 +46,7 @@ void checkOutline(const PieceToCut& checked, FindingList& found) {
                      countWording(crossingCount, "crossing")};
     for (const Error& note : result.flat->notes) {
         if (note.code == ErrorCode::OutlineCrosses) {
-            finding.error = note;  // it knows the cut that helps
+            finding.error = note;  // it names the cut that helps
         }
     }
     found.add(std::move(finding), static_cast<double>(crossingCount));
@@ -130,7 +130,7 @@ void checkPiece(const PieceToCut& piece, FindingList& found) {
 
 namespace {
 
-/// Unit length, or zero where there is no direction.
+/// Unit length, or zero if `v` has no direction.
 Eigen::Vector3d unit(const Eigen::Vector3d& v) {
     const double length = v.norm();
     return length > 0 ? Eigen::Vector3d(v / length) : Eigen::Vector3d::Zero();
@@ -196,7 +196,7 @@ public:
 
     StrainExcess result() const {
         StrainExcess excess = worst_;
-        // Cloth that has collapsed has no area, and is beyond all the same.
+        // Collapsed cloth has no area, but its strain exceeds the limit all the same.
         excess.share = total_ > 0                               ? beyond_ / total_
                        : worst_.severity > StrainBounds::kSlack ? 1
                                                                 : 0;

@@ -21,43 +21,42 @@ struct PieceToCut {
     const Fabric& fabric;    ///< that of its material
 };
 
-/// Parts of a piece's area beyond the fabric's limits along one direction: from the first on it is
-/// a doubt, from the second on a fault where a person has typed the limits; a rule of thumb makes
-/// none. Less is a matter of single triangles.
+/// Shares of a piece's area beyond the fabric's limits along one direction. The first makes a
+/// doubt. The second makes a fault if the user typed the limits; rules of thumb make none. Smaller
+/// shares are single triangles.
 inline constexpr double kStrainDoubtShare = 0.01, kStrainFaultShare = 0.05;
 
-/// What there is to say of the piece alone: not flat, outline, flips, strain, grain, and the notes
-/// of its flattening. Cost: linear in the triangles, n log n in an outline that crosses itself.
-/// Pure.
+/// Checks the piece alone: flatness, outline, flips, strain, grain, and the notes of its
+/// flattening. Cost: linear in the triangles, n log n in an outline that crosses itself. Pure.
 void checkPiece(const PieceToCut& piece, FindingList& found);
 
 /// Places of a flat piece, Q in mm. Cost: linear in the triangles (for the normal). Pure.
 
 FindingPlace placeAtVertex(const Piece& piece, const Points2& Q, int vertex);
-/// In its middle.
+/// In the middle of the triangle.
 FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face);
-/// On the edge of the outline that starts at boundary[edge], where `flat` lies on it.
+/// At the point `flat` on the outline edge that starts at boundary[edge].
 FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,
                             const Eigen::RowVector2d& flat);
 
 /// How far a flat piece goes beyond what a fabric allows along one direction.
 struct StrainExcess {
-    double share = 0;     ///< of the flat area that lies beyond, in [0, 1]
-    int face = -1;        ///< the worst triangle, or -1 where nothing is strained
+    double share = 0;     ///< of the flat area beyond the limit, in [0, 1]
+    int face = -1;        ///< the worst triangle, or -1 if nothing is strained
     double strain = 0;    ///< there: 0.02 = the cloth must stretch by 2 %
-    double limit = 0;     ///< of that sign
-    double severity = 0;  ///< strain / limit there: more than 1 is beyond
+    double limit = 0;     ///< for strain of that sign
+    double severity = 0;  ///< strain / limit there: more than 1 is beyond the limit
 };
 
 struct StrainExcesses {
     StrainExcess warp, weft, bias;
 };
 
-/// Each triangle by itself, as the window's colour bar and fabric panel count them. On the bias the
-/// worse of both diagonals counts; a triangle that is flipped is beyond any limit.
+/// Judges each triangle separately, like the window's colour bar and fabric panel. On the bias the
+/// worse diagonal counts; a flipped triangle exceeds any limit.
 /// @param Q      #V x 2, mm
 /// @param grain  direction of the warp, radians from the x axis of Q
-/// Cost: linear, the metric tensors. Pure.
+/// Cost: linear (metric tensors). Pure.
 StrainExcesses strainExcesses(const MeshArrays& mesh, const Points2& Q, const Fabric& fabric,
                               double grain);
 

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// The piece's flat result; null where it has none, or one of another shape.
+/// The piece's flat result; null if it has none or one of another shape.
 const PieceResult* flatResult(const CutPlan& plan, int piece) {
     const auto i = static_cast<std::size_t>(piece);
     const PieceResult* result =
@@ -20,11 +20,11 @@ const PieceResult* flatResult(const CutPlan& plan, int piece) {
 }
 
 Severity severityOf(ProofFaultKind kind) {
-    // A method with a free outline changes lengths on both sides alike, and that can be sewn.
+    // A method with a free outline changes both sides alike, so the seam can still be sewn.
     return kind == ProofFaultKind::LengthDiffers ? Severity::Doubt : Severity::Fault;
 }
 
-/// Whether another finding says it already.
+/// Whether another finding already reports it.
 bool isToldElsewhere(const CutPlan& plan, const ProofFault& fault) {
     if (fault.kind == ProofFaultKind::NotThere) {
         return std::ranges::none_of(fault.pieces, [&](int piece) {
@@ -61,7 +61,7 @@ void checkFaults(const CutPlan& plan, FindingList& found) {
     }
 }
 
-/// A gap that was measured before the cloth had come to rest may be far too small.
+/// A gap measured before the cloth came to rest may be far too small.
 void checkRest(FindingList& found) {
     Finding finding;
     finding.kind = FindingKind::ProofFault;

@@ -5,11 +5,11 @@
 
 namespace toile {
 
-/// What the pattern, sewn back together, says of itself: a mean gap that is doubtful, and what was
-/// wrong before anything was sewn. A seam that slips is told once, by its lengths (`SeamLengths`),
-/// and a piece that is not flat, or crosses itself, by its own finding. A plan without a proof, or
-/// with that of another number of pieces, has nothing to say. Precondition: there is a garment.
-/// Cost: that of measuring the seams that slip. Pure.
+/// Adds the findings of the proof (the pattern sewn back together): a doubtful mean gap, and faults
+/// found before sewing. A seam that slips is reported once, by its lengths (`SeamLengths`). A piece
+/// that is not flat, or crosses itself, has its own finding. Adds nothing if the plan has no proof,
+/// or one with another number of pieces. Precondition: there is a garment. Cost: that of measuring
+/// the seams that slip. Pure.
 void checkProof(const CutPlan& plan, FindingList& found);
 
 }  // namespace toile

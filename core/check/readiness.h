@@ -12,16 +12,16 @@ namespace toile {
 
 /// Whether the cloth may be cut.
 enum class Verdict {
-    NotFlattened,  ///< there is no pattern of the garment as it is now
+    NotFlattened,  ///< the garment in its present state has no pattern
     Faults,
-    Doubts,  ///< no faults, but something to look at
+    Doubts,  ///< no faults, but something to check
     Ready,
 };
 
-/// What was found, the faults first, then by kind, the worst of a kind first.
+/// All findings: the faults first, then by kind, the worst of a kind first.
 struct Readiness {
     std::vector<Finding> findings{};
-    std::vector<ClothNeed> cloth{};  ///< of what is flat; none where there is no pattern
+    std::vector<ClothNeed> cloth{};  ///< of flat pieces; empty without a pattern
 
     int count(Severity severity) const;
     Verdict verdict() const;
@@ -32,14 +32,14 @@ std::string_view name(Verdict verdict);
 /// "Ready to cut", "2 faults, 1 doubt", "No faults, 3 doubts", "Not flattened yet".
 std::string verdictText(const Readiness& readiness);
 
-/// Gathers findings and brings them in order.
+/// Collects findings and sorts them.
 class FindingList {
 public:
-    /// @param badness  orders those of one severity and kind, the worst first
+    /// @param badness  orders findings of one severity and kind, the worst first
     void add(Finding finding, double badness = 0);
-    /// What an error or a note says: a fault or a note, as its code has it.
+    /// Adds an error or a note; its code decides whether it is a fault or a note.
     void add(const Error& error, std::vector<int> pieces);
-    /// All of them, once: the list is empty then. Those alike stay in the order they came in.
+    /// Takes all findings and leaves the list empty. Equal ones keep the order they were added in.
     Readiness inOrder();
 
 private:

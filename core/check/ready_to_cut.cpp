@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// The piece's result, also one by other options; null where it is of another shape.
+    /// The piece's result, of any options; null if it is of another shape.
     const PieceResult* resultOf(int piece) const {
         const auto i = static_cast<std::size_t>(piece);
         const PieceResult* result = i < plan_.results.size() ? plan_.results[i].get() : nullptr;
@@ -93,7 +93,7 @@ private:
                 found_.add(finding);
             }
             for (const Error& problem : file->problems) {
-                if (problem.code != ErrorCode::UnitGuessed) {  // said above
+                if (problem.code != ErrorCode::UnitGuessed) {  // reported above
                     found_.add(problem, piecesOf(problem.subject));
                 }
             }
@@ -108,7 +108,7 @@ private:
         }
     }
 
-    /// The piece itself, or what became of it when it was joined or cut.
+    /// The piece itself, or its parts after it was joined or cut.
     std::vector<int> piecesOf(const Subject& subject) const {
         std::vector<int> pieces;
         const PieceId id = subject.pieceId();
@@ -140,7 +140,7 @@ private:
         }
     }
 
-    /// Are there results, and of the present options?
+    /// Checks that there are results, and that they are of the present options.
     void checkPresence() {
         int missing = 0;
         for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
@@ -264,7 +264,7 @@ private:
     void checkHalves() {
         std::vector<DrawnMirror> mirrors = drawnMirrors(plan_.results);
         mirrors.resize(garment_.pieces.size());  // a window may have results of some pieces only
-        if (isOfGarment(plan_.pattern.get())) {  // knows the cutting lines too
+        if (isOfGarment(plan_.pattern.get())) {  // it also considers the cutting lines
             std::ranges::transform(plan_.pattern->pieces, mirrors.begin(), &PatternPiece::mirror);
         }
         for (std::size_t i = 0; i < garment_.pieces.size(); ++i) {
@@ -302,7 +302,7 @@ private:
         return pattern && pattern->pieces.size() == garment_.pieces.size();
     }
 
-    /// What is cut of a piece, in its own coordinates: with allowances where they are known.
+    /// The line that is cut, in the piece's coordinates: with allowances if they are known.
     Points2 cutOutline(std::size_t piece, const PieceResult& result) const {
         const bool isKnown =
             isOfGarment(plan_.pattern.get()) && plan_.pattern->pieces[piece].outline.rows() > 0;
@@ -310,7 +310,7 @@ private:
                        : Points2(result.flat->Q(result.piece->boundary, Eigen::all));
     }
 
-    /// What cannot be laid on its cloth, and how much of each is wanted.
+    /// Checks that the pieces fit their cloth. @return how much of each cloth is needed
     std::vector<ClothNeed> checkCloth() {
         if (!isOfGarment(plan_.pattern.get())) {
             return {};
@@ -338,7 +338,7 @@ private:
             const PieceResult* result = resultOf(static_cast<int>(i));
             const auto placement = settingsOf(static_cast<int>(i)).placement;
             if (!result || !result->flat || !placement) {
-                continue;  // what has no place gets one beside the others
+                continue;  // not placed yet: it will be placed beside the others
             }
             outlines[i] = placedLine(cutOutline(i, *result), *placement);
         }

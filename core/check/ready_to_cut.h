@@ -18,20 +18,20 @@ namespace toile {
 
 struct Proof;
 
-/// What is looked through before cloth is cut. All of it immutable and shared, so that a copy for
-/// another thread costs nothing.
+/// What `readyToCut` checks. All members are immutable and shared, so a copy for another thread is
+/// cheap.
 struct CutPlan {
-    std::shared_ptr<const Garment> garment{};  ///< null: nothing is open
-    PieceResults results{};                    ///< one per piece, or null, or left out
-    FlattenOptions options{};                  ///< as the pieces are to be flattened
-    LineSettings lines{};                      ///< and as their outlines are to be drawn
+    std::shared_ptr<const Garment> garment{};  ///< null: no garment is open
+    PieceResults results{};                    ///< one per piece, or null; or empty
+    FlattenOptions options{};                  ///< with which the pieces are to be flattened
+    LineSettings lines{};                      ///< with which the outlines are to be drawn
     Fabric fabric = fabricPresets().front();
     MaterialList materials{};                  ///< of pieces that are cut from another fabric
-    std::shared_ptr<const Pattern> pattern{};  ///< of all that; or null
-    std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or left out
-    PieceLabels labels{};                      ///< what findings call the pieces; or left out
-    ClothRules rules{};                        ///< how they may lie on their cloth
-    /// The pattern sewn back together: of this garment and these results, as they are; or null.
+    std::shared_ptr<const Pattern> pattern{};  ///< of all the above; or null
+    std::vector<PieceSettings> settings{};     ///< one per piece, without anchors; or empty
+    PieceLabels labels{};                      ///< names of pieces in findings; or empty
+    ClothRules rules{};                        ///< how pieces may lie on their cloth
+    /// The pattern sewn back together, of exactly this garment and these results; or null.
     std::shared_ptr<const Proof> proof{};
     std::string referenceName{};            ///< of the file that the pieces are compared with
     std::vector<Wording> referenceNotes{};  ///< what reading it left out or put right
@@ -40,21 +40,21 @@ struct CutPlan {
     bool operator==(const CutPlan&) const = default;
 };
 
-/// Kinks at the ends of seams are named from here on, radians; smaller ones designers leave too.
+/// Kinks at the ends of seams are reported from this angle, radians; designers leave smaller ones.
 inline constexpr double kTellingKink = 0.08726646259971647;  ///< 5 degrees
 
-/// A garment is larger than a doll's and smaller than a tent; largest extent, mm.
+/// Largest extent of a garment, mm: larger than a doll's and smaller than a tent.
 inline constexpr double kSmallestGarment = 10, kLargestGarment = 10000;
 
-/// Looks through everything that a pattern maker would before cutting; docs/ready-to-cut.md names
-/// each check and its rule. Seams are judged as the ledger does (core/seam/seam_measure.h). A piece
-/// whose result is of another shape than it has now is passed by.
-/// Cost: linear in the triangles, a tenth of a second for a million; outlines n log n where
-/// they cross or lie near each other. Pure, thread-safe.
-/// @param progress  looked at between the checks of pieces; cancelled, the findings are incomplete
+/// Checks everything that a pattern maker would before cutting; docs/ready-to-cut.md lists each
+/// check and its rule. Seams are judged like in the ledger (core/seam/seam_measure.h). A piece
+/// whose result is of another shape is skipped.
+/// Cost: linear in the triangles, a tenth of a second for a million; n log n for outlines that
+/// cross or lie near each other. Pure, thread-safe.
+/// @param progress  polled between pieces; if it is cancelled, the findings are incomplete
 Readiness readyToCut(const CutPlan& plan, const Progress& progress = Progress());
 
-/// The verdict and all findings as JSON (docs/ready-to-cut.md). @param readiness  of that garment
+/// The verdict and all findings as JSON (docs/ready-to-cut.md). @param readiness  of this garment
 std::string writeReadiness(const Garment& garment, const Readiness& readiness);
 
 }  // namespace toile
