@@ -20,13 +20,13 @@
 namespace toile {
 namespace {
 
-/// Of the time, about; the rest is finding the seams.
+/// Approximate shares of the time; finding the seams takes the rest.
 constexpr double kJoiningShare = 0.1;
 constexpr double kCuttingShare = 0.6;
 
-/// The cut that a piece needs lest its flat outline cross itself, or be moved apart at the cost of
-/// strain that no cloth takes. The outline of `curvature` takes a fraction of the time and crosses
-/// itself first.
+/// The cut that a piece needs because its flat outline crosses itself, or can only be moved apart
+/// with more strain than any cloth takes. `Method::Curvature` is much faster, and its outline is
+/// the first to cross itself, so it is tried first.
 std::vector<int> cutOfCrossings(const Piece& piece, const Progress& progress) {
     const auto quick = flatten(piece, {Method::Curvature}, progress);
     if (!quick || quick->crossings.empty()) {
@@ -43,7 +43,7 @@ std::vector<int> cutOfCrossings(const Piece& piece, const Progress& progress) {
     return cut && !progress.isCancelled() ? cut->path : std::vector<int>{};
 }
 
-/// What is proposed for each piece, as these options have it.
+/// Proposes the automatic cuts of each piece according to the options.
 CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     if (options.cutStyle == CutStyle::Topology) {
         return {.partCrossing = cutOfCrossings};
@@ -65,14 +65,14 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
         made.nameOf = std::move(advice.nameOf);
         return made;
     };
-    // Millionths of a strain are all that tells one from the other.
+    // The number encodes all options, the strain in steps of one millionth.
     const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
     const int way =
         8 + 4 * static_cast<int>(enough) + (isForForms ? 2 : 0) + (asked.isFrontSwapped ? 1 : 0);
     return {propose, cutOfCrossings, way, asked.enoughStrain.has_value()};
 }
 
-/// A hole is no fault, but most methods change the length of its rim, and that is to be said.
+/// Notes holes: they are no fault, but most methods change the length of their rims.
 void noteHoles(Garment& garment) {
     for (const auto& piece : garment.pieces) {
         if (!piece->holes.empty()) {

@@ -14,18 +14,18 @@
 namespace toile {
 namespace {
 
-/// False for errors that the same piece need not have another time, and where nothing was tried.
+/// False for errors that may not recur for the same piece, and for pieces that were left out.
 bool isLasting(const PieceResult& result) {
     return !result.error || (result.error->code != ErrorCode::Cancelled &&
                              result.error->code != ErrorCode::OutOfMemory && !isLeftOut(result));
 }
 
-/// True where a result is of these options and lengths.
+/// True if a result is of these options and lengths.
 bool isOf(const PieceResult& result, const FlattenOptions& options, const OutlineTargets& targets) {
     return result.options == options && result.targets == targets;
 }
 
-/// Where the seams run, in numbers.
+/// The positions of the seams as numbers, for comparison.
 std::vector<double> placesOf(const SeamGraph& graph) {
     std::vector<double> places;
     for (const Seam& seam : graph.seams) {
@@ -135,7 +135,7 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
     PieceResults results(garment.pieces.size());
     std::vector<KeptPointer> kept(garment.pieces.size());
     std::vector<PieceTask> tasks;
-    std::vector<std::size_t> place;  // of each task
+    std::vector<std::size_t> place;  // piece index of each task
     std::vector<char> isWithin(garment.pieces.size(), 0);
     std::size_t bytes = 0;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
@@ -206,7 +206,7 @@ PieceResults GarmentFlattener::settleExactly(PieceResults results, Progress& pro
          first = std::ranges::find_if(results, warm)) {
         const FlattenOptions options = (*first)->options;
         std::vector<PieceTask> tasks;
-        std::vector<std::size_t> place;  // of each task
+        std::vector<std::size_t> place;  // piece index of each task
         for (std::size_t p = 0; p < results.size(); ++p) {
             if (warm(results[p]) && results[p]->options == options) {
                 tasks.push_back({results[p]->piece, PieceFlattener(), results[p]->targets});

@@ -15,59 +15,58 @@
 
 namespace toile {
 
-/// Says that a piece is begun. @param done, count  so many are flat by then, of so many
-/// Called on the workers, one call after the other, also by one that a cancel leaves behind: it
-/// owns what it uses.
+/// Called when a piece is begun. @param done, count  pieces that are flat by then, of how many
+/// Called on the workers, one call at a time, also by workers left behind after a cancel: it must
+/// own everything it uses.
 using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
 
-/// `flattenGarment` for a garment that is being edited: what the last call found is kept, and only
-/// what has changed since is solved again, from what it was.
+/// `flattenGarment` for a garment that is being edited: keeps the results of the last call and
+/// solves only changed pieces again, starting from their last solution.
 ///
 /// A piece that is the same pointer as before, with the same options, gets the same result by
-/// pointer. A changed piece goes on from what it was before (`predecessors`; flatten.h says
-/// what the result promises after an edit); two pieces that were one both go on from it. Another
-/// method begins anew.
+/// pointer. A changed piece starts from its predecessor (`predecessors`; flatten.h documents the
+/// result after an edit); both parts of a cut piece start from it. Another method starts from
+/// scratch.
 ///
-/// What is found so fast is to be looked at (`FlatPiece::warm`); `settle` puts in its place what
-/// `flattenGarment` finds, which follows from the piece and the options alone.
+/// These fast results are for viewing (`FlatPiece::warm`). `settle` replaces them by those of
+/// `flattenGarment`, which depend on the piece and the options alone.
 ///
-/// The mirror plane is kept as long as the garment as divided is the same, whatever is cut or
-/// joined, and what follows from it as long as pieces and seams are.
+/// The mirror plane is kept while the division of the garment stays the same, whatever is cut or
+/// joined. The rest of the symmetry is kept while pieces and seams stay the same.
 ///
-/// Thread-safe. Calls may overlap: each begins with what was kept when it began, and the one that
-/// ends last is kept. After a cancel the finished pieces are kept, and of the others what was
-/// before; a worker left behind changes nothing here.
+/// Thread-safe. Calls may overlap: each starts from the state at its beginning, and the state of
+/// the call that ends last is kept. After a cancel, finished pieces are kept, and the others keep
+/// their earlier state; workers left behind change nothing here.
 class GarmentFlattener {
 public:
-    /// @param mostBytes  kept of all pieces together, meshes and results aside, by an estimate
-    ///                   (`PieceFlattener::expectedBytes`). In the garment's order pieces that
-    ///                   would go beyond are flattened as `flattenGarment` does, and nothing is
-    ///                   kept of them but their results. While a call is on its way what was kept
-    ///                   before stays too.
+    /// @param mostBytes  limit for all pieces together, meshes and results aside, by an estimate
+    ///                   (`PieceFlattener::expectedBytes`). In the garment's order, pieces beyond
+    ///                   the limit are flattened as `flattenGarment` does, and only their results
+    ///                   are kept. During a call the earlier state is kept too.
     explicit GarmentFlattener(std::size_t mostBytes = std::size_t{1} << 30U)
         : mostBytes_(mostBytes) {}
 
-    /// As `flattenGarment`, and the same bytes whatever the number of threads, given the same calls
-    /// before.
-    /// @param known    of some of these pieces, by whomever: what is of these options is handed on
-    /// @param onPiece  is told of each piece that is solved
+    /// Like `flattenGarment`; the same earlier calls give the same bytes with any number of
+    /// threads.
+    /// @param known    results of some of these pieces: those with the same options are reused
+    /// @param onPiece  called for each piece that is solved
     PieceResults flatten(const Garment& garment, const FlattenOptions& options, Progress& progress,
                          int threads = 0, const PieceResults& known = {},
                          const LineSettings& lines = {}, const OnPiece& onPiece = {});
-    /// The results with those that are warm solved anew, by the same options, and drawn by the same
-    /// lines, to the same bytes as `flattenGarment`. Cancelled, it leaves the rest as it was.
+    /// Solves warm results from scratch with the same options, and draws them with the same lines,
+    /// to the same bytes as `flattenGarment`. After a cancel the rest stays unchanged.
     PieceResults settle(const Garment& garment, PieceResults results, Progress& progress,
                         int threads = 0, const LineSettings& lines = {});
 
-    /// What the lines are mirrored by; null where they ask for none, where the garment has none, or
-    /// after a cancel.
+    /// The symmetry that mirrors the lines; null if `lines` does not mirror, if the garment has no
+    /// symmetry, or after a cancel.
     std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSettings& lines,
                                                const Progress& progress = {});
 
-    /// Begins anew.
+    /// Forgets everything that is kept.
     void reset();
 
-    /// About what is kept now, meshes and results aside.
+    /// Approximate size of the kept state, meshes and results aside.
     std::size_t keptBytes() const;
 
 private:
@@ -78,7 +77,7 @@ private:
 
     using KeptPointer = std::shared_ptr<const Kept>;
 
-    /// The symmetry of a garment, and all that it follows from; the plane from `uncut` alone.
+    /// The symmetry of a garment, and the data it depends on; the plane depends on `uncut` alone.
     struct KeptSymmetry {
         std::vector<std::shared_ptr<const Piece>> uncut;
         std::optional<MirrorPlane> plane;

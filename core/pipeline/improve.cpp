@@ -16,25 +16,25 @@
 namespace toile {
 namespace {
 
-/// Of a round's time, about.
+/// Approximate share of a round's time.
 constexpr double kShareOfFlattening = 0.2;
 
-/// Of moves that leave folds alone, mm.
+/// Smoothing length of moves that leave folds alone, mm.
 constexpr double kSmoothing = 25;
 
-/// How far a round goes.
+/// How far a round moves the design.
 struct Stride {
     double share = 1;
     bool isSmooth = false;
 };
 
-/// What comes after one that made it worse, the next of these.
+/// After a round that made the fit worse, the next of these is used.
 constexpr Stride kStrides[] = {{1, false}, {1, true}, {0.5, true}};
 
-/// What a round whose cloth has not come to rest is said to have gained.
+/// Gain recorded for a round whose cloth has not come to rest.
 constexpr double kUnsettled = -1;
 
-/// What was found of a piece's virtual form, as the piece's own.
+/// The result of a piece's virtual form as a result of the piece itself.
 std::shared_ptr<const PieceResult> asOf(const std::shared_ptr<const Piece>& piece,
                                         const PieceResult& found) {
     auto result = std::make_shared<PieceResult>(found);
@@ -54,7 +54,7 @@ std::shared_ptr<const PieceResult> asOf(const std::shared_ptr<const Piece>& piec
     return result;
 }
 
-/// Lengths of an improved pattern are others than the design's on purpose.
+/// Improved patterns differ from the design's lengths on purpose, so drop those faults.
 std::shared_ptr<const Proof> withoutLengths(Proof proof) {
     std::erase_if(proof.faults, [](const ProofFault& fault) {
         return fault.kind == ProofFaultKind::LengthDiffers;
@@ -78,7 +78,7 @@ public:
 
     Result<Tried> asItIs(const Progress& progress) const { return proved(start_, progress); }
 
-    /// The pattern of a virtual design: where the vertices of its pieces are.
+    /// The pattern of a virtual design. @param positions  of the vertices of its pieces
     Result<Tried> of(const std::vector<Points3>& positions, const Progress& progress) const {
         auto flat =
             flattened(movedGarment(garment_, positions), Progress(progress, kShareOfFlattening));
@@ -92,7 +92,7 @@ public:
         return tried;
     }
 
-    /// A virtual design moved against what was sewn.
+    /// A virtual design moved against the displacement of the sewn cloth.
     std::vector<Points3> movedAgainst(std::vector<Points3> positions, const Proof& proof,
                                       const Stride& stride) const {
         std::vector<Points3> moves;
@@ -128,7 +128,7 @@ private:
         const auto symmetry = symmetryOf(moved, order_.lines, progress);
         const auto targets = outlineTargets(moved, order_.lines, symmetry.get());
         std::vector<PieceTask> tasks;
-        std::vector<std::size_t> place;  // of each task
+        std::vector<std::size_t> place;  // piece index of each task
         for (std::size_t p = 0; p < moved.pieces.size(); ++p) {
             if (isFlat(p)) {
                 tasks.push_back({moved.pieces[p], {}, targets[p]});
@@ -203,7 +203,7 @@ Result<Improved> improvePattern(const Garment& garment, const PieceResults& resu
             return improved;
         }
         const double before = improved.proof->gap.mean;
-        // Cloth whose steps ran out lies near where it began, on the design: that is no gain.
+        // Cloth whose steps ran out is still near its start, the design: that is no gain.
         const bool isWorse = improved.proof->hasSettled && !tried->proof->hasSettled;
         const double change = before > 0 ? 1 - tried->proof->gap.mean / before : 0;
         const double gain = isWorse ? std::min(change, kUnsettled) : change;

@@ -26,8 +26,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the time, about, that reading takes; and of the rest that dividing takes before joins, cuts
-/// and seams.
+/// Approximate shares: of reading in the total time, and of dividing in the rest, before joins,
+/// cuts and seams.
 constexpr double kReadingShare = 0.35, kDividingShare = 0.55;
 
 double largestExtentOf(const PolygonSoup& soup) {
@@ -40,9 +40,9 @@ double largestExtentOf(const PolygonSoup& soup) {
     return box.isEmpty() ? 0 : box.sizes().maxCoeff();
 }
 
-/// Why a garment of this size is unlikely, with a unit that the user has not stated; nothing if the
-/// size is usual: 100 to 2300 mm, or the range of what the name of the file says. A doll's dress
-/// cannot be told from a dress in the wrong unit.
+/// Why a garment of this size is unlikely in a guessed unit; nothing if the size is usual: 100 to
+/// 2300 mm, or the range that the file's name suggests. A doll's dress cannot be distinguished from
+/// a dress in the wrong unit.
 /// @param largestExtent  mm
 std::optional<Wording> sizeDoubt(double largestExtent, std::string_view fileName) {
     static constexpr double kHead[2] = {80, 800}, kBody[2] = {450, 2500}, kTent[2] = {1000, 30'000};
@@ -113,15 +113,15 @@ void noteUnusedVertices(SourceFile& file) {
     }
 }
 
-/// Within which vertices are to be joined, mm, as `weldSoup` takes it.
+/// Distance within which to join vertices, mm, as for `weldSoup`.
 std::optional<double> weldDistance(const LoadOptions& options) {
     return options.preparing.as == FileKind::Soup ? std::optional(options.preparing.weldDistance)
            : options.weld                         ? std::optional(0.0)
                                                   : std::nullopt;
 }
 
-/// The first note that something of the file was left out or read otherwise than written, and
-/// nobody has said that it should be.
+/// The first note that something of the file was left out or changed on reading although the
+/// options do not ask for it.
 const Error* firstChange(const SourceFile& file, const LoadOptions& options) {
     const Preparation& said = options.preparing;
     const bool isReadingStated =
@@ -137,13 +137,13 @@ const Error* firstChange(const SourceFile& file, const LoadOptions& options) {
     return found == file.problems.end() ? nullptr : &*found;
 }
 
-/// Everything about one file up to its pieces.
+/// One file with everything up to its pieces.
 struct TakenFile {
     std::shared_ptr<SourceFile> file;
     std::vector<std::shared_ptr<Piece>> pieces;
 };
 
-/// All pieces as one mesh, each with vertices of its own.
+/// A single mesh of all pieces, without shared vertices.
 MeshArrays joinedMesh(const std::vector<std::shared_ptr<Piece>>& pieces) {
     Eigen::Index vertices = 0, faces = 0;
     for (const auto& piece : pieces) {
@@ -245,8 +245,7 @@ std::vector<std::string> prefixes(const ReadFiles& files) {
     return stems;
 }
 
-/// True where the same files are to be divided in the same way; joins, cuts and ease come after
-/// that.
+/// True if the same files are to be divided in the same way; joins, cuts and ease come later.
 bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
     before.loading.seams = inputs.loading.seams;
     before.loading.seamSettings = inputs.loading.seamSettings;

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// Ratios that differ by less than this part are the same.
+/// Ratios that differ by less are equal.
 constexpr double kSameRatio = 1e-12;
 
 bool hasBothSides(const Seam& seam) {

@@ -6,14 +6,13 @@
 #include "core/garment/garment.h"
 #include "core/mesh/mesh_arrays.h"
 
-// For the sources of this folder only.
+// Internal header of this folder.
 namespace toile {
 
-/// The garment with its vertices elsewhere: the same pieces by name, id and triangles, sewn at the
-/// same places of the same edges. Sides of seams that are longer than each other by another part
-/// than before are to be drawn by that of before (`Seam::drawn`), so that what was equally long
-/// stays so.
-/// @param positions  per piece: one per vertex, mm; none: it stays
+/// The garment with its vertices moved: the same pieces by name, id and triangles, sewn at the same
+/// places of the same edges. If a move changes the length ratio of a seam's sides, the seam is
+/// drawn with the ratio from before (`Seam::drawn`), so that equally long sides stay equal.
+/// @param positions  per piece: one per vertex, mm; empty: the piece stays
 /// Cost: linear. Pure.
 Garment movedGarment(const Garment& garment, const std::vector<Points3>& positions);
 

@@ -26,12 +26,11 @@
 namespace toile {
 namespace {
 
-/// Between two looks at the caller's progress while the workers are busy.
+/// Interval between two polls of the caller's progress while the workers are busy.
 constexpr std::chrono::milliseconds kLookEvery{5};
-/// Of a piece's time, about; the rest is measuring.
+/// Approximate share of a piece's time; measuring takes the rest.
 constexpr double kFlatteningShare = 0.95;
-/// What the caller sees at most until all is done: the tally of the pieces' parts may round to 1
-/// before.
+/// Upper limit of the reported progress until all is done: rounded parts may add up to 1 earlier.
 constexpr double kNearlyDone = 0.999;
 
 std::uint64_t fingerprintOf(const Points2& Q) {
@@ -55,7 +54,7 @@ DoneTask cancelledTask(const PieceTask& task, const FlattenOptions& options) {
     return {std::move(result)};
 }
 
-/// The flat piece, with its figures.
+/// Stores the flat piece with its figures.
 void take(PieceResult& result, FlatPiece flat) {
     result.quality = measure(*result.piece, flat.Q);
     measureOutline(*result.piece, flat, result.targets, *result.quality);
@@ -79,7 +78,7 @@ void flattenInto(PieceResult& result, std::optional<PieceFlattener>& flattener,
     }
 }
 
-/// The line, and the interior inside it.
+/// Draws the line and solves the interior inside it.
 Result<FlatPiece> drawn(const Piece& piece, const PieceResult& exact, const OutlinePlan& plan,
                         const Progress& progress) {
     auto line = drawnOutline(piece, *exact.flat, plan, progress);
@@ -110,7 +109,7 @@ void drawInto(PieceResult& result, const Progress& progress) {
         take(result, std::move(*flat));
     } else if (flat.error().code == ErrorCode::Cancelled) {
         result.error = flat.error();
-    } else {  // what is exact can be cut and sewn all the same
+    } else {  // the exact piece can still be cut and sewn
         FlatPiece exact = *result.exact->flat;
         exact.notes.push_back(
             Error{ErrorCode::LineNotDrawn, subjectOf(*result.piece), flat.error().detail});
@@ -131,7 +130,7 @@ DoneTask doOne(const PieceTask& task, const FlattenOptions& options, const Progr
         if (progress.isCancelled()) {
             return cancelledTask(task, options);
         }
-    } catch (const std::bad_alloc&) {  // one piece too large must not end the others' thread
+    } catch (const std::bad_alloc&) {  // a piece that is too large must not stop the other pieces
         result->flat.reset();
         result->quality.reset();
         result->error = Error{ErrorCode::OutOfMemory, subjectOf(*task.piece)};
@@ -141,8 +140,8 @@ DoneTask doOne(const PieceTask& task, const FlattenOptions& options, const Progr
     return {std::move(result), std::move(flattener)};
 }
 
-/// The work and all it needs, owned by the caller and the workers together: whoever leaves last
-/// clears it away.
+/// The work and all its data, owned by the caller and the workers together; the last owner frees
+/// it.
 class Work {
 public:
     Work(std::vector<PieceTask> tasks, const FlattenOptions& options, OnPiece onPiece)
@@ -151,8 +150,8 @@ public:
           onPiece_(std::move(onPiece)),
           order_(tasks_.size()),
           done_(tasks_.size()) {
-        // Largest first, so that no thread is left alone with a big piece at the end. Each result
-        // goes to its own place: the order of work leaves no trace.
+        // Largest first, so that no thread is left alone with a big piece at the end. The order
+        // does not affect results: each has its own slot.
         std::iota(order_.begin(), order_.end(), std::size_t{0});
         std::stable_sort(order_.begin(), order_.end(),
                          [this](std::size_t a, std::size_t b) { return size(a) > size(b); });
@@ -161,7 +160,7 @@ public:
         }
     }
 
-    /// What a worker does: one piece after the other, until there is none or all are cancelled.
+    /// A worker's loop: takes tasks until all are taken or cancelled.
     void run() {
         try {
             for (std::size_t k = next_++; k < order_.size() && !progress_.isCancelled();
@@ -175,15 +174,15 @@ public:
                 ++finished_;
                 changed_.notify_one();
             }
-        } catch (...) {  // a bug: the caller's to report, on the caller's thread
+        } catch (...) {  // a bug: rethrown on the caller's thread
             const std::lock_guard lock(mutex_);
             failure_ = std::current_exception();
             changed_.notify_one();
         }
     }
 
-    /// Waits for the workers and passes on what they report.
-    /// @return false where the caller has cancelled: they are told, and may still be busy
+    /// Waits for the workers and passes their reports on.
+    /// @return false if the caller has cancelled: the workers know, and may still be busy
     bool wait(const Progress& progress) {
         std::unique_lock lock(mutex_);
         while (finished_ < tasks_.size() && !failure_) {
@@ -201,7 +200,7 @@ public:
         return true;
     }
 
-    /// Those done; where the work was cancelled the others say so.
+    /// The finished tasks; unfinished ones of a cancelled run carry Cancelled.
     std::vector<DoneTask> done() {
         std::vector<DoneTask> done;
         {
@@ -234,10 +233,10 @@ private:
     const OnPiece onPiece_;
     std::vector<std::size_t> order_;
     double total_ = 0;
-    Progress progress_;  ///< the workers' own: the caller's may be gone when they look
+    Progress progress_;  ///< the workers' own: the caller's may be destroyed while they run
     std::atomic<std::size_t> next_{0};
 
-    std::mutex mutex_;  ///< of what follows
+    std::mutex mutex_;  ///< guards the members below
     std::condition_variable changed_;
     std::vector<DoneTask> done_;
     std::size_t finished_ = 0;
@@ -246,11 +245,11 @@ private:
 
 using Workers = std::vector<std::future<void>>;
 
-/// Workers that a cancel left behind: a factorisation cannot be stopped, only left to itself. They
-/// own what they use, end soon, and are waited for at the program's end.
+/// Workers left behind by a cancel, because a factorisation cannot be interrupted. They own their
+/// data, end soon, and are joined at the end of the program.
 class LeftBehind {
 public:
-    /// Never destroyed: what is left behind outlives the statics of this file.
+    /// Never destroyed, because the workers outlive the statics of this file.
     static LeftBehind& workers() {
         static auto* const all = new LeftBehind;
         return *all;
@@ -260,11 +259,11 @@ public:
         const std::lock_guard lock(mutex_);
         std::erase_if(workers_, hasEnded);
         std::ranges::move(more, std::back_inserter(workers_));
-        // What is asked for last runs first: before the end of statics made since the work began.
+        // Handlers run in reverse order: this one runs before newer statics are destroyed.
         std::atexit([] { workers().wait(); });
     }
 
-    /// How many are still busy: they take cores and memory from what comes after.
+    /// How many are still busy and use cores and memory.
     int count() {
         const std::lock_guard lock(mutex_);
         std::erase_if(workers_, hasEnded);
@@ -289,9 +288,9 @@ int coreCount() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Waits while those left behind have all the cores, and their memory: else cancelling again and
-/// again would pile up work.
-/// @return false where the caller has cancelled
+/// Waits while workers left behind use all cores. Otherwise repeated cancelling would pile up work
+/// and memory.
+/// @return false if the caller has cancelled
 bool waitForACore(const Progress& progress) {
     while (!progress.isCancelled() && LeftBehind::workers().count() >= coreCount()) {
         std::this_thread::sleep_for(kLookEvery);
@@ -320,7 +319,7 @@ std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions&
             }
         } catch (const std::system_error&) {  // the system has no more threads
             if (workers.empty()) {
-                work->run();  // then here, and a cancel comes too late
+                work->run();  // so run it here; cancelling is not possible then
             }
         }
     }

@@ -10,33 +10,33 @@
 #include "core/flatten/flatten.h"
 #include "core/pipeline/garment_flattener.h"
 
-// For the sources of this folder only.
+// Internal header of this folder.
 namespace toile {
 
-/// One piece to flatten, and what is kept of its last flattening, if anything is to be kept; or one
-/// that is flat, to draw its outline.
+/// One piece to flatten, with the kept state of its last flattening if it is to be kept; or a flat
+/// piece whose outline is to be drawn.
 struct PieceTask {
     std::shared_ptr<const Piece> piece;
     std::optional<PieceFlattener> flattener{};
     OutlineTargets targets{};
-    /// Null: to flatten. Else the result to draw, by a plan.
+    /// Null: flatten the piece. Else the result to draw by a plan.
     std::shared_ptr<const PieceResult> exact{};
     std::shared_ptr<const OutlinePlan> plan{};
 };
 
 struct DoneTask {
     std::shared_ptr<const PieceResult> result;
-    std::optional<PieceFlattener> flattener{};  ///< as the flattening left it
+    std::optional<PieceFlattener> flattener{};  ///< state after the flattening
 };
 
-/// Flattens, or draws, and measures the pieces side by side, as `flattenGarment` promises. A drawn
-/// outline that cannot be leaves the exact one, with a note why.
+/// Flattens or draws the pieces in parallel and measures them, as `flattenGarment` documents. If an
+/// outline cannot be drawn, the exact one stays, with a note.
 /// @return one per task, in order; after a cancel the unfinished ones carry ErrorCode::Cancelled
 ///         and no flattener
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
                              Progress& progress, int threads, OnPiece onPiece = {});
 
-/// How many workers are busy that a cancel has left behind: never more than the machine has cores.
+/// Number of workers left behind by a cancel that are still busy; at most the number of cores.
 int workersLeftBehind();
 
 }  // namespace toile

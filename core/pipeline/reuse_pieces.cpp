@@ -7,7 +7,7 @@
 namespace toile {
 namespace {
 
-/// Whether all that a piece holds is as it was.
+/// Whether all members of a piece are unchanged.
 bool isAsBefore(const Piece& now, const Piece& before) {
     const auto same = [](const auto& a, const auto& b) -> bool {
         return a.rows() == b.rows() && a == b;

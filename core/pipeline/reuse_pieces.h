@@ -6,11 +6,11 @@
 
 #include "core/garment/garment.h"
 
-// For the sources of this folder only.
+// Internal header of this folder.
 namespace toile {
 
-/// Puts the pieces of an earlier garment in the place of those that came out the same, so that what
-/// is known of them (their parts, flat points) stays. Cost: linear in the meshes.
+/// Replaces pieces by equal ones of an earlier garment, so that data known about them (parts, flat
+/// points) stays valid. Cost: linear in the meshes.
 void reusePieces(std::vector<std::shared_ptr<const Piece>>& pieces, const Garment& before);
 
 }  // namespace toile

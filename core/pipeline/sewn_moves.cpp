@@ -9,10 +9,10 @@
 namespace toile {
 namespace {
 
-/// Nearer to a vertex than this part of the edge a place is the vertex.
+/// A place nearer to a vertex than this part of the edge counts as the vertex.
 constexpr double kIsVertex = 1e-6;
-/// A pass of smoothing leaves half of each move, and adds half of the mean of its neighbours: the
-/// deviation's square grows by about this part of the edge's.
+/// A pass of smoothing averages each move with the mean of its neighbours: the squared deviation
+/// grows by about this part of the squared edge length.
 constexpr double kPerPass = 0.25;
 constexpr double kMostPasses = 400;
 
@@ -24,7 +24,7 @@ int vertexCount(const std::vector<Points3>& moves) {
     return static_cast<int>(count);
 }
 
-/// Half of each and half of the mean about it, within a piece.
+/// The average of each move and the mean of its neighbours, within a piece.
 Points3 blurred(const Points3& moves, const Triangles& F) {
     Points3 sums = Points3::Zero(moves.rows(), 3);
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(moves.rows());

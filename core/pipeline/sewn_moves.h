@@ -8,26 +8,26 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"
 
-// For the sources of this folder only.
+// Internal header of this folder.
 namespace toile {
 
-/// Moves of a garment's vertices that are the same where pieces are sewn to each other: vertices
-/// that lie on each other along seams get the mean of their moves, and one that has no vertex
-/// across from it the mean of its own and of that between the two across.
+/// Moves of a garment's vertices that agree along seams: vertices that coincide on a seam get the
+/// mean of their moves; a vertex without a counterpart gets the mean of its own move and the one
+/// interpolated between the two vertices across.
 class SewnMoves {
 public:
-    /// @param moves  per piece: one per vertex, mm; none: it has none and is sewn to nothing
+    /// @param moves  per piece: one per vertex, mm; empty: the piece does not move and is not sewn
     /// Keeps a reference to the garment. Cost: linear in the outlines.
     SewnMoves(const Garment& garment, std::vector<Points3> moves);
 
     const std::vector<Points3>& moves() const { return moves_; }
-    /// Without what is finer than a length: each the mean of those about it, weighted as by a bell
-    /// curve of this deviation, mm, but of ten mean edges at most, over seams too. Cost: linear in
-    /// the triangles, times (length / edge)².
+    /// Smooths the moves: each becomes the mean of those around it, weighted by a Gaussian of this
+    /// deviation, mm, but ten mean edges at most, also across seams. Cost: linear in the triangles,
+    /// times (length / edge)².
     void smooth(double length);
 
 private:
-    /// A place of an outline: a vertex, or between two.
+    /// A place of an outline: a vertex, or a point between two.
     struct Place {
         int piece, tail, head;
         double share;
@@ -43,7 +43,7 @@ private:
     std::vector<int> first_;  ///< per piece: the number of its first vertex
     geometry::DisjointSets groups_;
     std::vector<int> sizes_;                        ///< of groups, by root
-    std::vector<std::pair<Place, Place>> between_;  ///< a vertex, and what it lies on
+    std::vector<std::pair<Place, Place>> between_;  ///< a vertex, and the place it lies on
 };
 
 }  // namespace toile

@@ -11,13 +11,12 @@
 
 namespace toile {
 
-/// Of the cuts that are advised, so many of the first are solved to be shown beside what is
-/// foretold.
+/// So many of the first advised cuts are solved, to compare with the estimate.
 constexpr std::size_t kSolvedAhead = 5;
 
-/// What strain there really is with the first `count` of the cuts that were advised: they and the
-/// piece's own are made, the shortest open what is still closed, and all parts are flattened.
-/// @errors  of the first part that does not become flat; Cancelled
+/// The actual strain with the first `count` advised cuts: makes them and the piece's own cuts,
+/// opens closed parts by the shortest cuts, and flattens all parts.
+/// @errors  of the first part that cannot be flattened; Cancelled
 /// Cost: that of flattening the piece. Re-entrant.
 Result<StrainFigures> solvedStrain(const std::shared_ptr<const Piece>& piece,
                                    const std::vector<UserCut>& own, const CutAdvice& advice,
