@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-/// Not more than may be kept, evenly over the list.
+/// At most kMaxAnchors of the anchors, evenly spread over the list.
 std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
     const auto count = anchors.size();
     const auto most = static_cast<std::size_t>(kMaxAnchors);
@@ -23,7 +23,7 @@ std::vector<Anchor> thinned(std::vector<Anchor> anchors) {
     return some;
 }
 
-/// Where vertices of the piece were when the one before it was flat.
+/// Anchors of the piece: positions of its vertices in the flat piece before it.
 std::vector<Anchor> anchorsOf(const Piece& piece, const Piece& before, const PieceResult* result,
                               const PieceSettings& settings) {
     const std::vector<Anchor>& anchorsBefore = settings.anchors;

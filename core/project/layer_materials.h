@@ -9,23 +9,23 @@
 
 namespace toile {
 
-/// Of how many layers a file consists (FileReading::layerOfFace); 1 of most. Linear.
+/// Number of layers of a file (FileReading::layerOfFace), mostly 1. Linear.
 int layerCount(const FileReading& reading);
 
-/// Per piece: the layer that it is of, from the outermost, 0; empty where no file has several.
+/// Per piece: its layer, counted from the outermost, 0; empty if no file has several layers.
 /// Linear. Pure.
 std::vector<int> layersOf(const Garment& garment);
 
-/// Per piece: what it is cut from as long as nobody has said it. Inner layers are cut from a
-/// material each, in words for a person: "Lining", or "Layer 2" where there are more; the others
-/// from the garment's own fabric, empty. Linear. Pure.
+/// Per piece: the default material. Each inner layer has its own material, named for the user:
+/// "Lining", or "Layer 2" if there are more. Other pieces use the garment's fabric (empty). Linear.
+/// Pure.
 std::vector<Wording> usualMaterials(const Garment& garment);
 
-/// What is said of the pieces of a garment of which nobody has said anything. Linear. Pure.
+/// Default settings for the pieces of a garment. Linear. Pure.
 std::vector<PieceSettings> usualSettings(const Garment& garment);
 
-/// The materials that some pieces name, and those that have a fabric of their own; new ones begin
-/// as the garment's fabric. @param used  names, also empty ones  Cost: of used times known. Pure.
+/// The materials used by pieces, and others whose fabric differs from the garment's; new ones start
+/// with the garment's fabric. @param used  names or empty  Cost: used times known. Pure.
 MaterialList materialsInUse(MaterialList known, const std::vector<std::string>& used,
                             const Fabric& own);
 

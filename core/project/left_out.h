@@ -9,14 +9,14 @@
 
 namespace toile {
 
-/// The results as a person wants them: pieces that are left out are not flat (`isLeftOut`), and so
-/// in no pattern, file or figure. What is no more left out is null where it has no other result.
-/// @param results   one per piece of the garment, null where there is none
-/// @param settings  one per piece, or none  Cost: none to speak of. Pure.
+/// The results with excluded pieces marked as not flat (`isLeftOut`), so that they are in no
+/// pattern, file or figure. A piece that is included again is null if it has no other result.
+/// @param results   one per piece of the garment, null if there is none
+/// @param settings  one per piece, or empty  Cost: negligible. Pure.
 PieceResults withoutLeftOut(PieceResults results, const Garment& garment,
                             const std::vector<PieceSettings>& settings);
 
-/// The area of a piece as it is worn, mm2: by it small parts, such as buttons, are known.
+/// The area of a piece in 3D, mm2, by which small parts such as buttons are recognised.
 double wornArea(const Piece& piece);
 
 }  // namespace toile

@@ -18,18 +18,18 @@
 
 namespace toile::project_fields {
 
-/// What a project file says of laying the pieces on cloth; included in one file.
+/// Fields of a project file for markers (layouts on cloth); included in one file.
 
 inline constexpr double kMostOfCloth = 1e6;      ///< mm
-inline constexpr double kFarthestOnCloth = 1e7;  ///< mm, either way along and across
+inline constexpr double kFarthestOnCloth = 1e7;  ///< mm, along and across, in both directions
 inline constexpr double kMostTurn = 6.283185307179586;
 inline constexpr int kWorstGrade = 1000;
-inline constexpr int kMostGarments = 200;  ///< as the window has it
+inline constexpr int kMostGarments = 200;  ///< same limit as in the window
 
 inline constexpr Word<TurnRule> kTurnRuleWords[] = {
     {TurnRule::HalfTurns, "halfTurns"}, {TurnRule::OneWay, "oneWay"}, {TurnRule::Free, "free"}};
 
-/// Points as pairs of numbers, three at least.
+/// Points as pairs of numbers, at least three.
 template <class Fields, class Line>
 void closedLine(Fields& at, const char* key, Line& line) {
     at.need(key);
@@ -76,7 +76,7 @@ inline constexpr auto kHide = [](auto& at, auto& hide) {
     }
 };
 
-/// Hides are shared: the file has each by itself.
+/// Hides are shared in memory, but the file stores each separately.
 template <class Fields, class Hides>
 void hideList(Fields& at, Hides& hides) {
     if constexpr (Fields::kReads) {
@@ -101,7 +101,7 @@ inline constexpr auto kRepeat = [](auto& at, auto& repeat) {
     at.point("origin", repeat.origin, kMostOfCloth);
 };
 
-/// Names of seams, by which the repeat goes on.
+/// Names of seams across which the repeat is matched.
 template <class Fields, class Names>
 void nameList(Fields& at, const char* key, Names& names) {
     if constexpr (Fields::kReads) {
@@ -117,7 +117,7 @@ void nameList(Fields& at, const char* key, Names& names) {
     }
 }
 
-/// The worst grade that a piece may have.
+/// The worst grade allowed for a piece.
 using GradeOfPiece = std::pair<std::string, int>;
 
 inline constexpr auto kGrade = [](auto& at, auto& grade) {
@@ -146,7 +146,7 @@ inline constexpr auto kKeptCopy = [](auto& at, auto& kept) {
     at.need("offset");
     at.point("offset", kept.placement.offset, kFarthestOnCloth);
     at.field("turn", kept.placement.turn);
-    if constexpr (std::decay_t<decltype(at)>::kReads) {  // any number is a direction
+    if constexpr (std::decay_t<decltype(at)>::kReads) {  // any number is a valid direction
         kept.placement.turn = wrappedAngle(kept.placement.turn);
     }
     at.field("mirrored", kept.placement.mirrored);

@@ -15,7 +15,7 @@ bool hasName(const PieceLabels& labels, const Piece& piece) {
     return known != labels.end() && !known->second.name.empty();
 }
 
-/// One name per piece, each only once, whatever the labels say: they may be of another version.
+/// One name per piece, made unique because the labels may be of another version.
 std::vector<std::string> namesOf(const PieceLabels& labels, const Garment& garment) {
     UniqueNames names;
     for (const auto& piece : garment.pieces) {
@@ -115,7 +115,7 @@ Garment named(Garment garment, const PieceLabels& labels) {
     for (AppliedCut& cut : garment.cuts) {
         const auto found = nameOfOwn.find(cut.piece);
         if (found != nameOfOwn.end()) {
-            if (cut.name.starts_with(cut.piece)) {  // of a cut that Toile has made
+            if (cut.name.starts_with(cut.piece)) {  // a cut named by Toile
                 cut.name = found->second + cut.name.substr(cut.piece.size());
             }
             cut.piece = found->second;

@@ -9,26 +9,26 @@
 
 namespace toile {
 
-/// What a person calls pieces, wherever pieces and seams are named. No two pieces of a garment are
-/// called the same, so that files can be read by their names.
+/// Names that the user gives to pieces, used wherever pieces and seams are named. Names within a
+/// garment are unique, so that files can refer to pieces by name.
 
-inline constexpr std::size_t kMaxPieceName = 60;  ///< letters of a name that a person gives
+inline constexpr std::size_t kMaxPieceName = 60;  ///< letters of a user-given name
 
-/// The labels with another name for a piece; with a number where another piece of the garment is
-/// called so.
-/// @param name  blanks around it do not count; none, or the piece's own: its own again
+/// The labels with a new name for a piece; a number is appended if another piece of the garment has
+/// that name.
+/// @param name  surrounding blanks are ignored; empty or the piece's own: resets the name
 PieceLabels withName(PieceLabels labels, const Garment& garment, int piece, std::string name);
 
-/// What a seam is called: as the garment has it, with the names that its pieces were given.
+/// The name of a seam, with the names that the user gave its pieces.
 std::string nameOf(const PieceLabels& labels, const Garment& garment, const Seam& seam);
 
-/// The garment with the names that a person has given: what files and tables are made of. Pieces
-/// that nobody renamed are the same pointers; all ids stay.
+/// The garment with the user's names, for files and tables. Pieces without a new name keep their
+/// pointers; all ids stay.
 /// Cost: a copy of each renamed piece. Pure.
 Garment named(Garment garment, const PieceLabels& labels);
 
 /// Results for the garment's pieces under other names (`named`).
-/// @param results  one per piece of the garment, null where there is none
+/// @param results  one per piece of the garment, null if there is none
 PieceResults resultsFor(const Garment& named, PieceResults results);
 
 }  // namespace toile

@@ -7,13 +7,13 @@
 namespace toile {
 namespace {
 
-/// The label's colour; negative where there is none.
+/// The label's colour; negative if it has none.
 int colourOf(const PieceLabels& labels, PieceId id) {
     const auto known = labels.find(id);
     return known == labels.end() ? -1 : known->second.colour;
 }
 
-/// Another shade of a colour, that is not among these yet.
+/// Another shade of a colour that is not in `taken` yet, and adds it there.
 int takeShade(int colour, std::set<int>& taken) {
     do {
         colour += kHueCount;
@@ -21,7 +21,7 @@ int takeShade(int colour, std::set<int>& taken) {
     return colour;
 }
 
-/// "skirt 2" for the part "front 2" of a piece that a person calls "skirt"; else empty.
+/// "skirt 2" for the part "front 2" of a piece that the user named "skirt"; else empty.
 std::string inheritedName(const PieceLabels& labels, const Piece& whole, const Piece& part) {
     const std::string& said = nameOf(labels, whole);
     return said != whole.name && part.name.starts_with(whole.name)

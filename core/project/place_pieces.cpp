@@ -18,10 +18,10 @@
 namespace toile {
 namespace {
 
-constexpr double kPartGapShare = 0.5;  // of that between pieces, between parts of one piece
-constexpr double kGrownAlike = 0.01;   // a unit is far from another
-constexpr double kStays = 1;           // mm: so far a cut part may get from its place
-constexpr double kChanged = 0.1;       // mm: less is no other shape
+constexpr double kPartGapShare = 0.5;  // part of the gap between pieces, between parts of one piece
+constexpr double kGrownAlike = 0.01;   // units differ by far more
+constexpr double kStays = 1;           // mm: how far a cut part may move from its place
+constexpr double kChanged = 0.1;       // mm: smaller changes do not count as another shape
 
 Eigen::AlignedBox2d boxOf(const Points2& points) {
     return outlineBox(points, Placement{});
@@ -58,7 +58,7 @@ public:
 
 private:
     bool isFlat(std::size_t i) const { return results_[i] && results_[i]->flat; }
-    /// Whether what has been said is about these very flat points.
+    /// Whether the settings refer to exactly these flat points.
     bool isAboutThese(std::size_t i) const {
         return isFlat(i) && settings_[i].flat != 0 && settings_[i].flat == results_[i]->fingerprint;
     }
@@ -71,7 +71,7 @@ private:
     }
     bool isPlaced(std::size_t i) const { return isFlat(i) && settings_[i].placement; }
 
-    /// A wider allowance is another shape too; nobody knows how wide it was.
+    /// A wider allowance also changes the shape, and the earlier width is unknown.
     bool mayHaveGrown(std::size_t i) const {
         return pattern_ && pattern_->hasAllowance && !settings_[i].placedByHand;
     }
@@ -92,10 +92,10 @@ private:
                 largest = std::max(largest, boxOf(outlineOf(i)).sizes().maxCoeff());
             }
         }
-        return gapBetweenPieces(largest);  // as the first layout has it
+        return gapBetweenPieces(largest);  // as in the first layout
     }
 
-    /// Where all pieces have grown alike the garment was read in another unit, and the sheet grows
+    /// If all pieces have grown alike, the garment was read in another unit, and the sheet grows
     /// with them.
     void followUnit() {
         std::optional<double> least, most;
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// The parts of each piece that was cut, flat for the first time since.
+    /// The parts of each cut piece that are flat for the first time since the cut.
     std::vector<std::vector<std::size_t>> partsOfOne() const {
         std::map<PieceId, std::vector<std::size_t>> byUncut;
         for (std::size_t i = 0; i < settings_.size(); ++i) {
@@ -137,7 +137,7 @@ private:
         return cut;
     }
 
-    /// Lays the piece where it lay. @return whether its shape has changed
+    /// Puts the piece back in its place. @return whether its shape has changed
     bool fit(std::size_t i, const std::optional<FlatMotion>& motion, bool isPart) {
         PieceSettings& settings = settings_[i];
         settings.partOf = {};
@@ -184,7 +184,7 @@ private:
         std::ranges::stable_sort(parts, std::greater<>(), [this](std::size_t part) {
             return std::abs(geometry::signedAreaOf(outlines_[part]));
         });
-        std::vector<Points2> later;  // those that have no place yet are in nobody's way
+        std::vector<Points2> later;  // parts not placed yet obstruct no other part
         later.reserve(parts.size());
         for (const std::size_t part : parts) {
             later.push_back(std::exchange(outlines_[part], Points2(0, 2)));
@@ -207,7 +207,7 @@ private:
             if (!stillLie || (!changed[one] && !changed[other]) || (stays[one] && stays[other])) {
                 continue;
             }
-            // Rather the one that is as it was; of two alike the smaller one.
+            // Move the unchanged one; if both or none changed, the smaller one.
             bool first = std::abs(geometry::signedAreaOf(outlines_[one])) <
                          std::abs(geometry::signedAreaOf(outlines_[other]));
             if (changed[one] != changed[other]) {
@@ -234,7 +234,7 @@ private:
         outlines_[i].rowwise() += move.transpose();
     }
 
-    /// Where no piece has a place yet: all in rows.
+    /// For the first layout, when no piece has a place: all in rows.
     void placeInRows() {
         std::vector<Eigen::AlignedBox2d> boxes(settings_.size());
         for (std::size_t i = 0; i < settings_.size(); ++i) {
@@ -262,7 +262,7 @@ private:
             return;
         }
         const double between = gap();
-        // Downwards in a column to the right of everything, then in another.
+        // Downwards in a column to the right of all pieces, then in the next column.
         Eigen::Vector2d corner(taken.max().x() + between, taken.max().y());
         double columnRight = corner.x();
         for (std::size_t i = 0; i < settings_.size(); ++i) {
@@ -285,7 +285,7 @@ private:
     const PieceResults& results_;
     const Pattern* pattern_;
     std::vector<double> clothWidths_;  ///< one per piece
-    std::vector<Points2> outlines_;    ///< where pieces lie; empty where they do not
+    std::vector<Points2> outlines_;    ///< of placed pieces; empty for others
 };
 
 }  // namespace

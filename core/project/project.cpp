@@ -22,7 +22,7 @@ bool isThere(const fs::path& path) {
     return !path.empty() && fs::exists(path, failed) && !fs::is_directory(path, failed);
 }
 
-/// By either path: `path` is then the one where it is.
+/// Looks at both paths and leaves the one that exists in `path`.
 bool isFound(fs::path& path, fs::path& elsewhere) {
     if (isThere(path)) {
         return true;
@@ -34,7 +34,7 @@ bool isFound(fs::path& path, fs::path& elsewhere) {
     return true;
 }
 
-/// Finds the project's piece that a piece of the garment is.
+/// Finds the project's entry for a piece of the garment.
 class ProjectIndex {
 public:
     explicit ProjectIndex(const Project& project) {
@@ -47,7 +47,7 @@ public:
         }
     }
 
-    /// Null where the project does not know it.
+    /// Null if the project does not know the piece.
     const ProjectPiece* find(const Piece& piece) const {
         if (const auto known = byId_.find(piece.id); known != byId_.end()) {
             return known->second;
@@ -61,10 +61,10 @@ private:
     std::map<std::string_view, const ProjectPiece*> byName_;  ///< those without ids
 };
 
-/// The anchors by the piece's present numbers. Where the file has other numbers now, which is seen
-/// where a vertex of the outline lies elsewhere, those that are not found by their place go.
+/// Maps the anchors to the piece's present vertex numbers. If the file was renumbered (an outline
+/// vertex lies elsewhere), anchors that are not found by position are dropped.
 std::vector<Anchor> foundAgain(std::vector<Anchor> anchors, const Piece& piece) {
-    std::map<std::array<double, 3>, int> outline;  // -1 where two lie on each other
+    std::map<std::array<double, 3>, int> outline;  // -1 if two coincide
     for (std::size_t i = 0; i < piece.boundary.size() && !anchors.empty(); ++i) {
         const int v = piece.boundary[i];
         const auto at = outline.emplace(

@@ -15,11 +15,11 @@
 
 namespace toile::project_fields {
 
-/// What a project file says of each thing; included in one file.
+/// Fields of a project file, one function per type; included in one file.
 
 inline constexpr double kMaxStrain = 10;
 inline constexpr int kMaxColour = 1000000;
-inline constexpr double kMaxTurns = 2;   ///< round a line that is closed
+inline constexpr double kMaxTurns = 2;   ///< around a closed line
 inline constexpr double kMaxTurn = 1e6;  ///< radians: beyond, the sine of a double is no direction
 
 inline constexpr auto kScanSteps = [](auto& at, auto& steps) {
@@ -267,7 +267,7 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
         in.point("offset", placement.offset, kFarthestOnSheet);
         in.field("turn", placement.turn, -kMaxTurn, kMaxTurn);
         in.field("mirrored", placement.mirrored);
-        in.unlessSaid(settings.placedByHand, true);  // older files do not say
+        in.unlessSaid(settings.placedByHand, true);  // not in older files
         in.field("byHand", settings.placedByHand);
     });
     at.field("grain", settings.grain, -kMaxTurn, kMaxTurn);
@@ -294,7 +294,7 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
     }
 };
 
-/// A piece, and how a person tells it from others.
+/// A piece with its label.
 using LabelOfPiece = std::pair<PieceId, PieceLabel>;
 
 inline constexpr auto kLabel = [](auto& at, auto& label) {
@@ -325,7 +325,7 @@ inline constexpr auto kView = [](auto& at, auto& view) {
     layer("labels", view.labels);
 };
 
-/// Cuts, joins and ease as a seams file has them, and what has been said of seams.
+/// Cuts, joins and ease as in a seams file, and settings of seams.
 inline constexpr auto kSeams = [](auto& at, auto& loading) {
     if constexpr (std::decay_t<decltype(at)>::kReads) {
         readSeams(at.fields(), loading.seams, 1, true);
@@ -333,7 +333,7 @@ inline constexpr auto kSeams = [](auto& at, auto& loading) {
         at.field("unit", loading.seams.unit);
         at.json()["cuts"] = cutsJson(loading.seams, true);
         at.json()["joins"] = joinsJson(loading.seams);
-        if (!loading.seams.ease.empty()) {  // by names that no garment has been held to yet
+        if (!loading.seams.ease.empty()) {  // by names not yet matched with a garment
             at.json()["ease"] = easeJson(loading.seams, 1);
         }
     }
@@ -342,7 +342,7 @@ inline constexpr auto kSeams = [](auto& at, auto& loading) {
     }
 };
 
-/// All but the files, which depend on where the project lies.
+/// All fields but the files, which depend on the location of the project.
 template <class Fields, class SomeProject>
 void describe(Fields& at, SomeProject& project, std::vector<LabelOfPiece>& labels,
               std::vector<MarkerOfMaterial>& markers) {

@@ -17,11 +17,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kFormat = "toile-project";
-/// Empty where it is not there.
+/// Empty if the key is missing.
 fs::path readPath(JsonFields& fields, std::string_view key) {
     std::string text;
     fields.read(key, text);
-    if (text.find('\0') != std::string::npos) {  // the system would take what stands before it
+    if (text.find('\0') != std::string::npos) {  // the system would use the part before it
         fields.fail(key, "is no path");
     }
     return std::u8string(text.begin(), text.end());
@@ -90,7 +90,7 @@ OrderedJson proofJson(const ProofPlan& plan, const fs::path& folder) {
     return json;
 }
 
-/// Of a document of the present version.
+/// Reads a document of the present version.
 Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults& faults) {
     Project project;
     JsonFields fields(json, "", faults);
@@ -117,7 +117,7 @@ Project readCurrent(const JsonDocument& json, const fs::path& folder, JsonFaults
     return project;
 }
 
-/// The version that a document states; what is wrong with it is a fault.
+/// The version stated by a document; reports a fault if it is invalid.
 int versionOf(const JsonDocument& json, JsonFaults& faults) {
     JsonFaults here;
     int version = 0;
@@ -238,7 +238,7 @@ void listPieces(JsonDocument& document) {
             continue;
         }
         piece["name"] = item.key();
-        // It only tells which pieces were one: any number that is the same for them will do.
+        // The id only groups the parts of one piece: any number they share will do.
         if (const auto whole = piece.find("partOf"); whole != piece.end() && whole->is_string()) {
             *whole = idText(hashOf({contentHash(whole->get<std::string>())}));
         }

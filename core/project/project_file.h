@@ -14,54 +14,54 @@
 
 namespace toile {
 
-/// A project as read, and what the person should know of that.
+/// A project as read, with notes for the user.
 struct ReadProject {
     Project project;
     Problems notes{};        ///< UnknownKey
     std::uint64_t hash = 0;  ///< contentHash of the file's bytes
 };
 
-/// The ending of project files.
+/// File name extension of projects.
 inline constexpr std::string_view kProjectEnding = ".toile";
 bool isProjectFile(const std::filesystem::path& path);
 
 /// Reads a project file; the meshes are not touched (`locateMeshes`).
-/// Errors: FileUnreadable; MalformedProject, naming the key and what is wrong; NewerProject.
+/// Errors: FileUnreadable; MalformedProject, naming the key and the fault; NewerProject.
 Result<ReadProject> readProject(const std::filesystem::path& path);
 /// The same for a text in memory. Any text gives a project or an error. Linear. Pure.
 /// @param name    of the file, for messages
-/// @param folder  absolute: what relative paths are relative to
+/// @param folder  absolute: base of relative paths
 Result<ReadProject> parseProject(std::string_view text, const std::string& name,
                                  const std::filesystem::path& folder);
 
-/// The file's text: reads back to the same project, every number to the last bit. Same project,
-/// same bytes. Precondition: numbers are finite.
-/// @param folder  absolute: what the file will lie in. Empty: paths are absolute only. Pure.
+/// The file's text, which reads back to the same project to the last bit of every number. Same
+/// project, same bytes. Precondition: numbers are finite.
+/// @param folder  absolute: the folder of the file. Empty: write absolute paths only. Pure.
 std::string projectText(const Project& project, const std::filesystem::path& folder);
-/// Writes it beside the old one, which stays whole if anything goes wrong: the contentHash of what
-/// was written. Errors: FileUnwritable.
+/// Writes the file (`writeFile`: the old one stays whole on failure) and returns the contentHash of
+/// the written bytes. Errors: FileUnwritable.
 Result<std::uint64_t> writeProject(const std::filesystem::path& path, const Project& project);
 
-/// The version of the project format that is written, and up to which files are read.
+/// The version of the project format that is written, and the newest that can be read.
 inline constexpr int kProjectVersion = 3;
 
-/// Makes a document of one version into one of the next, as far as it is what it should be: what is
-/// wrong in it is found when it is read.
+/// Converts a document of one version to the next, as far as it is valid; faults are reported when
+/// it is read.
 struct ProjectUpgrade {
     int from;
     void (*apply)(JsonDocument& document);
 };
 
-/// Version 1 knew pieces by name: `pieces` was an object, `partOf` a name.
+/// Version 1 identified pieces by name: `pieces` was an object, `partOf` a name.
 void listPieces(JsonDocument& document);
 
-/// Version 2 knew exact outlines only: nothing had been said of lines.
+/// Version 2 knew exact outlines only and had no settings of lines.
 void sayNothingOfLines(JsonDocument& document);
 
-/// One for each version before the present one.
+/// One upgrade for each earlier version.
 inline constexpr ProjectUpgrade kProjectUpgrades[] = {{1, listPieces}, {2, sayNothingOfLines}};
 
-/// Applies, one after the other, the upgrades from `version` on; each says its new "version".
+/// Applies the upgrades from `version` on in order; each sets the new "version".
 inline void upgradeProject(JsonDocument& document, int version,
                            std::span<const ProjectUpgrade> upgrades) {
     for (;; ++version) {

@@ -6,7 +6,7 @@
 
 namespace toile::project_fields {
 
-/// What a project file says of proving the pattern; included in one file.
+/// Fields of a project file for the proof; included in one file.
 
 inline constexpr auto kStiffness = [](auto& at, auto& stated) {
     at.field("warp", stated.warp, kLeastStretch, kMostStretch);
@@ -16,8 +16,8 @@ inline constexpr auto kStiffness = [](auto& at, auto& stated) {
     at.field("weight", stated.weight, 0, kMostClothWeight);
 };
 
-/// What is not as it is where nobody has said anything; but the body's file, which depends on where
-/// the project lies, and the threads, which are the machine's.
+/// Writes values that differ from the defaults, except the body's file, which depends on the
+/// location of the project, and the threads, which depend on the machine.
 inline constexpr auto kProof = [](auto& at, auto& plan) {
     const ProofPlan usual;
     auto& settings = plan.settings;

@@ -22,7 +22,7 @@ bool canBeTrusted(const std::vector<Anchor>& anchors, Eigen::Index vertices) {
     });
 }
 
-/// Where the anchors are in Q, and where they were.
+/// Present positions of the anchors in Q, and their earlier ones.
 std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const Points2& Q) {
     Points2 now(anchors.size(), 2), then(anchors.size(), 2);
     for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -32,7 +32,7 @@ std::pair<Points2, Points2> pointsOf(const std::vector<Anchor>& anchors, const P
     return {std::move(now), std::move(then)};
 }
 
-/// Whether a motion is none, for a piece that reaches so far from the origin.
+/// Whether a motion is negligible for a piece of this radius about the origin.
 bool staysThere(const RigidMotion& oldOfNew, double radius) {
     return std::abs(oldOfNew.turn) * radius + oldOfNew.offset.norm() <= kUnmoved;
 }
@@ -40,10 +40,10 @@ bool staysThere(const RigidMotion& oldOfNew, double radius) {
 struct Fit {
     RigidMotion motion{};
     double residual = 0;
-    double radius = 0;  ///< of the anchors about their middle
+    double radius = 0;  ///< of the anchors about their mean
 };
 
-/// None where the anchors cannot be trusted.
+/// Empty if the anchors cannot be trusted.
 std::optional<Fit> fitOf(const std::vector<Anchor>& anchors, const Points2& Q) {
     if (anchors.empty() || !canBeTrusted(anchors, Q.rows())) {
         return std::nullopt;
@@ -86,7 +86,7 @@ PieceSettings movedSettings(PieceSettings settings, const RigidMotion& oldOfNew,
     if (settings.placement) {
         Placement& place = *settings.placement;
         place.offset += place.linear() * oldOfNew.offset;
-        // Turning before a reflection is turning the other way after it.
+        // A turn before a reflection equals the opposite turn after it.
         place.turn += place.mirrored ? -oldOfNew.turn : oldOfNew.turn;
     }
     if (settings.grain) {
@@ -150,7 +150,7 @@ std::vector<Anchor> outlineAnchors(const std::vector<int>& outline, const Points
     const std::vector<double> arc = geometry::arcOf(boundaryLengths2d(Q, outline));
     const auto count = std::min(outline.size(), std::size_t{kOutlineAnchors});
     std::vector<Anchor> anchors;
-    std::size_t at = 0;  // never back, and none twice
+    std::size_t at = 0;  // strictly increasing
     for (std::size_t k = 0; k < count; ++k) {
         const double wanted = arc.back() * static_cast<double>(k) / static_cast<double>(count);
         while (outline.size() - at > count - k && arc[at] < wanted) {
