@@ -12,21 +12,20 @@
 
 namespace toile {
 
-/// What a person adds to the outlines of a pattern, or says of what is added: kept, like
-/// `SegmentSettings`, by stretches of rims and cuts, or by places on the garment, never by flat
-/// coordinates.
+/// User settings for additions to the outlines of a pattern. Like `SegmentSettings` they refer to
+/// stretches of rims and cuts, or to places on the garment, never to flat coordinates.
 
 /// The leg over which a closed dart is laid.
 enum class DartLay { First, Second };
 
-/// What they are called in project files.
+/// Their names in project files.
 inline constexpr Word<DartLay> kDartLayWords[] = {{DartLay::First, "first"},
                                                   {DartLay::Second, "second"}};
 
-/// What a person has said of a dart.
+/// Settings of a dart.
 struct DartSettings {
     SeamPlace seam;  ///< its two legs
-    /// Between the legs at the mouth, mm; none: as the cloth lies flat.
+    /// Distance of the legs at the mouth, mm; empty: as the cloth lies flat.
     std::optional<double> intake{};
     std::optional<DartLay> lay{};  ///< none: by convention (`findDarts`)
 
@@ -41,7 +40,7 @@ inline constexpr double kMinIntake = 0.1, kMaxIntake = 1000;
 /// A strip along the outline of one piece that is copied as a piece of its own: the facing of a
 /// neckline, the lining of a waistband.
 struct Facing {
-    std::string name{};                ///< empty: by that of its piece
+    std::string name{};                ///< empty: named after its piece
     std::vector<LineStretch> edges{};  ///< of neighbouring segments, along the outline
     double width = 50;                 ///< mm, from the outline inwards
 
@@ -51,21 +50,21 @@ struct Facing {
 /// Limits of the width of facings and extensions, mm.
 inline constexpr double kMinStrip = 1, kMaxStrip = 1000;
 
-/// What is drawn within the cloth: style lines, pocket places, quilting; one point alone is a drill
+/// A line drawn within the cloth: style line, pocket place, quilting; a single point is a drill
 /// point.
 struct InternalLine {
     std::string name{};
-    /// Near the surface, in axes and unit of the garment's first file, one or more.
+    /// One or more, near the surface, in axes and unit of the garment's first file.
     std::vector<Eigen::Vector3d> points{};
-    bool closed = false;  ///< back to the first of three points or more
+    bool closed = false;  ///< leads back to the first of three or more points
 
     bool operator==(const InternalLine&) const = default;
 };
 
-/// What stands on the labels of all pieces.
+/// Texts on the labels of all pieces.
 struct LabelTexts {
     std::string size{};
-    std::string date{};  ///< as it is to be read
+    std::string date{};  ///< as it is printed
 
     bool operator==(const LabelTexts&) const = default;
 };

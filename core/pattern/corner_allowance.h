@@ -9,32 +9,31 @@
 
 namespace toile {
 
-/// How the cutting line goes round a corner of the seam line. The stretch that ends there is the
-/// first, the one that begins there the second: widths a and b, unit directions u and v along the
-/// seam line, m and n out of the piece at right angles to them, t the turn from u to v. Places are
-/// from the corner V on.
+/// How the cutting line goes round a corner of the seam line. The first stretch ends there and the
+/// second one starts: widths a and b, unit directions u and v along the seam line, m and n out of
+/// the piece at right angles to them, t the turn from u to v. Places are relative to the corner V.
 ///
-///     a m ────── X        X = a m + u (b - a cos t) / sin t: where both cutting lines meet
-///      │ first   │        R = u b / sin t: where the first seam line, prolonged, meets the
+///     a m ────── X        X = a m + u (b - a cos t) / sin t: intersection of the cutting lines
+///      │ first   │        R = u b / sin t: intersection of the first seam line, prolonged, with
 ///   ─u─V╌╌╌╌╌╌╌╌╌R            second cutting line
 ///      │ second
 ///      v
 ///
-/// - Mitre: to X; one farther from V than kMitreLimit times the greater width is cut off there,
-///   at right angles to VX.
-/// - Square: cut off as soon as that, the greater width from V. Blunt.
-/// - RightAngleFirst: the first one's allowance is prolonged to R, and ends there at right angles
-///   to its seam line. RightAngleSecond: the other way round, as below.
-/// - MirrorFirst: it is prolonged or cut back to end in the line that is the second cutting line
-///   mirrored in the first seam line, through R and a m + u (b + a cos t) / sin t: folded up along
-///   its seam line, the first allowance lies on the piece edge to edge. For hems.
-/// - Stepped: the narrower width goes round with a mitre; the wider one ends at right angles to its
-///   own seam line, in V.
+/// - Mitre: to X; if X is farther from V than kMitreLimit times the greater width, the mitre is cut
+///   off there, at right angles to VX.
+/// - Square: cut off at the greater width from V. Blunt.
+/// - RightAngleFirst: the first allowance is prolonged to R, and ends there at right angles to its
+///   seam line. RightAngleSecond: the other way round, as below.
+/// - MirrorFirst: the first allowance is prolonged or cut back to end on the second cutting line
+///   mirrored in the first seam line, through R and a m + u (b + a cos t) / sin t. Folded up along
+///   its seam line, it then matches the piece edge to edge. For hems.
+/// - Stepped: the narrower width goes round with a mitre; the wider one ends at V, at right angles
+///   to its own seam line.
 ///
-/// Where b < a cos t, or a < b cos t, X lies beside a seam line, where nothing is to be cut off:
-/// mitre and square are stepped. So are two widths that meet without a turn, whatever the rule.
-/// Right angles and mirrors of no width, or that would reach farther than the limit, are mitres. At
-/// a concave corner all are alike: the allowances overlap, and the outer line of both is cut.
+/// If b < a cos t, or a < b cos t, X lies beside a seam line and must not be cut off: mitre and
+/// square become stepped. So do two widths that meet without a turn, under any rule. Right angles
+/// and mirrors without width, or beyond the limit, become mitres. At a concave corner all rules are
+/// alike: the allowances overlap, and their common outer line is cut.
 enum class CornerRule {
     Mitre,
     Square,
@@ -45,7 +44,7 @@ enum class CornerRule {
     Stepped,
 };
 
-/// What they are called in project files.
+/// Their names in project files.
 inline constexpr Word<CornerRule> kCornerRuleWords[] = {
     {CornerRule::Mitre, "mitre"},
     {CornerRule::Square, "square"},
@@ -55,29 +54,29 @@ inline constexpr Word<CornerRule> kCornerRuleWords[] = {
     {CornerRule::MirrorSecond, "mirror-second"},
     {CornerRule::Stepped, "stepped"}};
 
-/// Times the greater width: a mitre is cut off below an angle of 39 degrees.
+/// Times the greater width: a mitre is cut off at angles below 39 degrees.
 inline constexpr double kMitreLimit = 3;
 
-/// mm: parts of an allowance that lie on each other by less may be parted by rounding.
+/// mm: rounding may separate parts of an allowance that overlap by less.
 inline constexpr double kAllowanceOverlap = 5e-5;
 
 /// An edge of the seam line, as seen from one of its ends.
 struct AllowanceSide {
-    Eigen::Vector2d onward;   ///< the way on beyond that end, of length 1
-    Eigen::Vector2d outward;  ///< out of the piece, of length 1
+    Eigen::Vector2d onward;   ///< direction away from that end, unit length
+    Eigen::Vector2d outward;  ///< out of the piece, unit length
     double width = 0;         ///< mm
     double length = 0;        ///< of the edge, mm
 };
 
-/// How two allowances meet at a corner; places as seen from it.
+/// The join of two allowances at a corner; places are relative to the corner.
 struct CornerJoin {
-    /// From the first cutting line to the second, by way of the corner where the allowances do not
-    /// meet or would lie on each other.
+    /// From the first cutting line to the second; through the corner if the allowances do not meet
+    /// or would overlap.
     std::vector<Eigen::Vector2d> path;
-    bool stepsFirst = false;   ///< the path begins with the end of the first allowance
-    bool stepsSecond = false;  ///< and ends with the beginning of the second
-    /// Of the allowance that is cut back, what lies in this parallelogram goes, as far as it
-    /// belongs to edges within `reach` of the corner along the seam line.
+    bool stepsFirst = false;   ///< the path starts with the end of the first allowance
+    bool stepsSecond = false;  ///< and ends with the start of the second
+    /// Parallelogram that is removed from the allowance that is cut back, as far as it belongs to
+    /// edges within `reach` of the corner along the seam line.
     std::vector<Eigen::Vector2d> cut{};
     double reach = 0;
     bool cutsFirst = false;

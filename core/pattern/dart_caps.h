@@ -9,18 +9,17 @@
 
 namespace toile {
 
-/// mm: darts that open by no more, which rounding leaves, do not open.
+/// mm: darts that open by no more than this are closed; the rest is rounding.
 inline constexpr double kNoIntake = 1e-6;
 
-/// The mirror image of a point in a line. @param along  of length 1
+/// The mirror image of a point in a line. @param along  unit length
 inline Eigen::Vector2d mirroredIn(const Eigen::Vector2d& from, const Eigen::Vector2d& along,
                                   const Eigen::Vector2d& point) {
     const Eigen::Vector2d rest = point - from;
     return from + 2 * along.dot(rest) * along - rest;
 }
 
-/// Gives the darts of a piece, which are complete otherwise, their caps and the ends of their folds
-/// (`findDarts` says how).
+/// Adds caps and the ends of folds to the otherwise complete darts of a piece (see `findDarts`).
 void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
                  std::vector<PieceDart>& darts);
 

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// Where a dart is on the outline of its piece. Arc lengths in 3D, mm: `from` at the mouth and
+/// Position of a dart on the outline of its piece. Arc lengths in 3D, mm: `from` at the mouth,
 /// within the first turn, over the tip to the mouth again.
 struct DartPlace {
     int piece = -1;
@@ -20,20 +20,20 @@ struct DartPlace {
     double secondLeg() const { return to - tip; }
 };
 
-/// Of a seam of kind Dart with both sides on one outline, one of which ends where the other begins.
+/// For a seam of kind Dart with both sides on one outline, one ending where the other starts.
 /// @param seam  index into the graph  Cost: the piece's outline. Pure.
 std::optional<DartPlace> dartPlace(const Garment& garment, int seam);
 
-/// Between straight legs of these lengths: the intake of an angle at the tip, radians in [0, pi],
-/// and the angle of an intake within reach.
+/// For straight legs of these lengths: the intake of an angle at the tip, radians in [0, pi], and
+/// the angle of an intake within reach.
 double intakeOf(const DartPlace& dart, double angle);
 double angleOf(const DartPlace& dart, double intake);
 
-/// What a person has said of darts, by seam; of seams that are no darts now nothing. The last of
-/// several counts.  Cost: seams times settings. Pure.
+/// Settings of darts, by seam; ignores seams that are no longer darts. The last of several settings
+/// counts.  Cost: seams times settings. Pure.
 std::map<int, DartSettings> saidOfDarts(const SeamGraph& graph, const LineSettings& settings);
 
-/// A dart that opens by as much as a person has typed.
+/// A dart whose intake the user has set.
 struct TypedDart : DartPlace {
     double intake = 0;  ///< mm
 
@@ -43,11 +43,11 @@ struct TypedDart : DartPlace {
     }
 };
 
-/// Per piece, by `from`; of two of which one lies within the other the first.  Pure.
+/// Per piece, sorted by `from`; of two nested ones, only the first.  Pure.
 std::vector<std::vector<TypedDart>> typedDarts(const Garment& garment,
                                                const LineSettings& settings);
 
-/// Whether a place on an outline that is so long lies within a dart, its mouth left out.
+/// Whether a place on an outline of this perimeter lies within a dart, excluding its mouth.
 bool isWithin(const DartPlace& dart, double perimeter, double at);
 
 }  // namespace toile

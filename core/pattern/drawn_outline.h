@@ -30,14 +30,14 @@ inline constexpr double kWrinkledRoughness = 0.032;
 /// counts for both; corners that mirror each other turn, and are trued, by the mean of the two.
 /// @param exact     one per piece, as solved
 /// @param symmetry  null: nothing is mirrored
-/// @return one per piece; null where the exact outline is to stay
+/// @return one per piece; null if the exact outline is to stay
 /// Cost: that of `findSegments` and `planMirrors`. Pure.
 std::vector<std::shared_ptr<const OutlinePlan>> planOutlines(const Garment& garment,
                                                              const PieceResults& exact,
                                                              const LineSettings& settings,
                                                              const Symmetry* symmetry);
 
-/// The line by a plan, laid over the exact outline.
+/// Draws the line by a plan and lays it over the exact outline.
 /// Errors: those of `fairOutline` and `mirroredFor`.  Cost: that of `fairOutline`. Pure.
 Result<FlatLine> drawnOutline(const Piece& piece, const FlatPiece& exact, const OutlinePlan& plan,
                               const Progress& progress);

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// An outline with two measures along it: where it is in 3D, and its length in the plane.
+/// An outline with two measures along it: arc length in 3D and length in the plane.
 class ExactOutline {
 public:
     explicit ExactOutline(const OutlineReference& reference)
@@ -21,10 +21,10 @@ public:
     const geometry::Line& flat() const { return flat_; }
     const geometry::Line& byArc() const { return byArc_; }
 
-    /// The length in the plane up to a place in 3D, over any number of turns; and back.
+    /// Converts an arc length in 3D to a length in the plane, over any number of turns; and back.
     double flatAt(double arc) const { return byArc_.placeOn(flat_, arc); }
     double arcAt(double flat) const { return flat_.placeOn(byArc_, flat); }
-    /// What it turns by at a vertex: of the full turns that cannot be told apart, as in 3D.
+    /// Turn at a vertex; ambiguous by full turns, which are chosen as in 3D.
     double turnAt(int k) const {
         return turnIn3d_[k] + std::remainder(flat_.turnAt(k) - turnIn3d_[k], 2 * std::numbers::pi);
     }

@@ -8,22 +8,22 @@
 
 namespace toile {
 
-/// True where most of a segment's place is part of a facing.
+/// True if most of a segment is part of a facing.
 bool isFaced(const LineStretch& place, const Facing& facing);
 
-/// Copies of strips along the outlines of pieces, to be cut as pieces of their own: all of a piece
-/// that is within the width of a run of neighbouring segments, which the strip repeats point by
-/// point, so that it can be sewn to them. Its other edges are parts of the outlines beside the run,
-/// with their allowances, and the inner edge, parallel to the run, with none.
-/// - Where the outline is parted, each run has its own strip; one that is a whole outline has none,
+/// Copies of strips along the outlines of pieces, to be cut as separate pieces: the area of a piece
+/// within the width of a run of neighbouring segments. The strip repeats the run point by point, so
+/// that it can be sewn to it. Its other edges are parts of the outline beside the run, with their
+/// allowances, and the inner edge, parallel to the run, without allowance.
+/// - If the outline is divided, each run has its own strip. A run around a whole outline has none,
 ///   nor has one whose ends would meet.
-/// - Holes and darts within the strip are left out; it is cut as its piece is, never as a half.
-/// @param pattern  its pieces, whole
-/// @return by facing and piece; without outline where no strip has room
-/// Cost: none without facings; else n log n in the outlines with some. Pure.
+/// - Holes and darts within the strip are left out; it is cut like its piece, never as a half.
+/// @param pattern  with whole pieces
+/// @return by facing and piece; without outline if a strip has no room
+/// Cost: none without facings; else n log n in the outlines that have some. Pure.
 std::vector<FacingPiece> facingsOf(const Pattern& pattern, const std::vector<Facing>& facings);
 
-/// The outline of a strip but for the run that it is sewn to: from the run's end to its start.
+/// The outline of a strip without the run that it is sewn to: from the run's end to its start.
 Points2 innerEdge(const PatternPiece& strip);
 
 }  // namespace toile

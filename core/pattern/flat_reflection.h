@@ -7,13 +7,12 @@
 
 namespace toile {
 
-/// The reflection that lays a flat piece best over the flat piece that mirrors it, or over itself,
-/// in the least-squares sense. It starts from vertices and the points nearest to their mirror
-/// images on the garment; as cloth hangs these are often centimetres beside what they mirror, so
-/// from there outline and outline are laid over each other by turns, each with the nearest places
-/// of the other. Where the two are drawn as exact mirror images (`MirroredOutline`) it is that of
-/// the drawn lines. For the two in the other order it is the inverse, and of a piece with itself a
-/// reflection in a line.
+/// The reflection that best lays a flat piece over its mirrored flat piece, or over itself, in the
+/// least-squares sense. It starts from vertices and the points nearest to their mirror images on
+/// the garment. Because cloth hangs, these are often off by centimetres, so the outlines are then
+/// laid over each other alternately, each with the nearest places of the other. If the two are
+/// drawn as exact mirror images (`MirroredOutline`), it is the reflection of the drawn lines.
+/// Swapping the pieces gives the inverse; a piece with itself gives a reflection in a line.
 /// Precondition: both are flat.
 /// Cost: linear in the two, O(log #F) for each of at most 800 vertices, and 40 rounds of 400 times
 /// the outlines' edges: some hundredths of a second. Pure.

@@ -13,14 +13,13 @@ struct Chord {
     Eigen::Vector2d from, to;
 };
 
-/// Where a grain line goes: along the middle of the largest slender box in its direction that has
-/// room on the free cloth, up to 300 mm long; of equals nearest to the middle of the piece. So it
-/// keeps away from all lines by about a twentieth of its length. Nothing where no line has room.
+/// Position of a grain line: along the middle of the largest slender box in its direction that fits
+/// in the free cloth, up to 300 mm long; of equal boxes the one nearest to the middle of the piece.
+/// It keeps a distance of about a twentieth of its length from all lines. Nothing if no line fits.
 /// @param angle  of the line, radians  Cost: that of boxPole. Pure.
 std::optional<Chord> grainLine(const FreeCloth& cloth, double angle);
 
-/// The line as a pen draws it: from end to end with the two strokes of an arrow head at `to`, as
-/// one open path, mm.
+/// The line with the two strokes of an arrow head at `to`, as a single open path for a pen, mm.
 Points2 arrowPath(const Chord& line);
 
 }  // namespace toile

@@ -5,11 +5,11 @@
 
 namespace toile {
 
-/// What a drawing's layer holds; each writer knows its name and colour for it.
+/// Content of a drawing's layer; each writer defines its name and colour.
 enum class LayerKind { Cut, Sew, Notches, Internal, Marks, Grain, Text, Check };
 
-/// Every kind, in the order in which layers are written. Those of the seam line, the notches, what
-/// is inside and the grain are left out where nothing is on them.
+/// Every kind, in the order in which layers are written. Seam line, notches, internal lines and
+/// grain are left out if they are empty.
 inline constexpr std::array kLayerKinds{LayerKind::Cut,      LayerKind::Sew,   LayerKind::Notches,
                                         LayerKind::Internal, LayerKind::Marks, LayerKind::Grain,
                                         LayerKind::Text,     LayerKind::Check};
