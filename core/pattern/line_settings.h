@@ -22,47 +22,47 @@ struct Fairing {
     bool operator==(const Fairing&) const = default;
 };
 
-/// Limits of both, and of the length of a segment, mm.
+/// Limits of both values, and of the length of a segment, mm.
 inline constexpr double kMinFairTolerance = 0.05, kMaxFairTolerance = 20;
 inline constexpr double kMinSmoothing = 2, kMaxSmoothing = 500;
 inline constexpr double kMinSegmentLength = 0.01, kMaxSegmentLength = 1e6;
 
-/// How much cloth is left beyond the seam lines, mm: round folds of the cloth none.
+/// Width of cloth beyond the seam lines, mm; none at folds of the cloth.
 struct AllowanceWidths {
     double seam = 10;
-    double hem = 30;  ///< of free edges
+    double hem = 30;  ///< for free edges
 
     bool operator==(const AllowanceWidths&) const = default;
 };
 
-/// Of the width of an allowance, mm.
+/// Limit of the width of an allowance, mm.
 inline constexpr double kMaxAllowance = 500;
 
-/// What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Mean
-/// and First give all mirrored seams a common length (common_lengths.h).
+/// How to draw pieces that would be mirror images of each other if the cloth hung alike. Mean and
+/// First give all mirrored seams a common length (common_lengths.h).
 enum class Mirror {
-    None,   ///< every piece is what it is
+    None,   ///< every piece keeps its own lines
     Close,  ///< as Mean, but only pieces whose seams differ little (`withinTolerance`)
     Mean,   ///< both become mirror images of their mean
-    First,  ///< the one on the side to which the plane's normal points is mirrored onto the other
+    First,  ///< the piece on the side of the plane's normal is mirrored onto the other
 };
 
-/// What they are called in project files.
+/// Their names in project files.
 inline constexpr Word<Mirror> kMirrorWords[] = {{Mirror::None, "none"},
                                                 {Mirror::Close, "close"},
                                                 {Mirror::Mean, "mean"},
                                                 {Mirror::First, "first"}};
 
-/// By what the direction of the warp is found.
+/// How the direction of the warp is found.
 enum class GrainRule {
-    /// As the garment hangs: up its height, on the mean over the piece. Where that cancels out, as
-    /// on a sleeve held out sideways, along the tube if the piece is sewn to itself, else the way
-    /// that height changes most.
+    /// As the garment hangs: upwards, averaged over the piece. If that cancels out, as on a sleeve
+    /// held out sideways, along the tube if the piece is sewn to itself, else in the direction of
+    /// greatest change of height.
     Vertical,
-    /// Up the reference panel, as the designer laid it; Vertical where the piece has none.
+    /// Up the reference panel, as the designer laid it; Vertical if the piece has none.
     Reference,
-    /// Vertical, or at 90 or 45 degrees to it where the cloth then suffers less by a fifth; no odd
-    /// angles, which no pattern maker would cut at.
+    /// Vertical, or at 90 or 45 degrees to it if that strains the cloth less by a fifth; no odd
+    /// angles, which no pattern maker would use.
     LeastStrain,
 };
 
@@ -70,18 +70,18 @@ inline constexpr Word<GrainRule> kGrainRuleWords[] = {{GrainRule::Vertical, "ver
                                                       {GrainRule::Reference, "reference"},
                                                       {GrainRule::LeastStrain, "least-strain"}};
 
-/// What a person has said of a segment, or of the part of one that was there then.
+/// Settings of a segment, or of the part of a segment that existed when they were made.
 struct SegmentSettings {
-    LineStretch place;  ///< of the segment, on its own piece's side
-    /// In the pattern, mm, of all of `place` and of what is sewn to it; none: as in 3D.
+    LineStretch place;  ///< of the segment, on the side of its own piece
+    /// Length in the pattern of all of `place` and of the edge sewn to it, mm; empty: as in 3D.
     std::optional<double> length{};
-    std::optional<double> tolerance{};  ///< as Fairing::tolerance; none: the garment's
-    bool straight = false;              ///< drawn as one straight line
-    /// Width of the allowance beside it, on its own piece; none: by its kind (AllowanceWidths).
+    std::optional<double> tolerance{};  ///< as Fairing::tolerance; empty: the garment's
+    bool straight = false;              ///< drawn as a straight line
+    /// Width of the adjacent allowance, on its own piece; empty: by its kind (AllowanceWidths).
     std::optional<double> allowance{};
-    /// How allowances meet where it begins; none: mitred, or mirrored at the end of a hem.
+    /// How allowances meet where it starts; empty: mitred, or mirrored at the end of a hem.
     std::optional<CornerRule> corner{};
-    /// A free edge is drawn out parallel by so much, mm: a button stand, a turn-up.
+    /// Width by which a free edge is extended in parallel, mm: a button stand, a turn-up.
     std::optional<double> extension{};
 
     bool operator==(const SegmentSettings&) const = default;
@@ -91,40 +91,40 @@ struct SegmentSettings {
     }
 };
 
-/// A turn point that a person has added or taken away: a place on a line, as a share of it.
+/// A turn point that the user added or removed: a place on a line, as a share of its length.
 struct TurnPointSettings {
     LineId line;
     double at = 0;
-    bool reversed = false;  ///< of the side of the line that runs against it
-    bool turns = true;      ///< false: the outline has a corner there, which is none
+    bool reversed = false;  ///< on the side of the line that runs against it
+    bool turns = true;      ///< false: a corner of the outline that is not a turn point
 
     bool operator==(const TurnPointSettings&) const = default;
 };
 
-/// Whether the kink at an end of a seam is taken out.
+/// Whether the kink at an end of a seam is removed.
 struct SeamEndSettings {
     SeamPlace seam;
-    bool atEnd = false;  ///< where the seam's left side ends; false: where it starts
+    bool atEnd = false;  ///< at the end of the seam's left side; false: at its start
     bool trued = true;
 
     bool operator==(const SeamEndSettings&) const = default;
 };
 
-/// Everything a person has decided about the lines of the pattern. As it is here nothing is
-/// changed or added: every outline is the exact one, and cut along.
+/// All settings of the pattern's lines. The defaults change and add nothing: every outline is the
+/// exact one, and is the cutting line.
 struct LineSettings {
     std::optional<Fairing> fairing{};
-    /// Kinks at ends of seams up to this are taken out (trueing.h), radians; 0: none but those
-    /// said below.
+    /// Kinks at ends of seams up to this are removed (trueing.h), radians; 0: only those listed in
+    /// `seamEnds`.
     double trueBelow = 0;
-    /// Pieces that are symmetric in themselves are made so by all but None.
+    /// All but None also make pieces symmetric that are symmetric in themselves.
     Mirror mirror = Mirror::None;
     std::vector<SegmentSettings> segments{};
     std::vector<TurnPointSettings> turnPoints{};
     std::vector<SeamEndSettings> seamEnds{};
-    std::optional<AllowanceWidths> allowance{};  ///< none: no piece has any
-    std::optional<NotchRules> notches{};         ///< none: there are none
-    std::optional<GrainRule> grain{};  ///< of pieces whose grain nobody has stated; none: unset
+    std::optional<AllowanceWidths> allowance{};  ///< empty: no piece has any
+    std::optional<NotchRules> notches{};         ///< empty: there are none
+    std::optional<GrainRule> grain{};            ///< for pieces without a set grain; empty: unset
     std::vector<DartSettings> darts{};
     std::vector<Facing> facings{};
     std::vector<InternalLine> internalLines{};
@@ -133,10 +133,10 @@ struct LineSettings {
     bool operator==(const LineSettings&) const = default;
 };
 
-/// The limit up to which trueing is proposed: larger ones may be meant. Radians.
+/// Limit up to which trueing is proposed, radians; larger kinks may be intended.
 inline constexpr double kProposedTrueing = 0.17453292519943295;
 
-/// A pattern to cut and sew: what nothing has been said of as it is usual.
+/// A pattern to cut and sew: adds the usual values for everything that is not set.
 inline LineSettings withPattern(LineSettings lines) {
     lines.fairing = lines.fairing.value_or(Fairing{});
     lines.trueBelow = std::max(lines.trueBelow, kProposedTrueing);

@@ -16,15 +16,15 @@ namespace toile {
 /// A place on a seam line in the plane, mm.
 struct NotchSpot {
     Eigen::Vector2d point{0, 0};
-    Eigen::Vector2d outward{0, 0};  ///< unit, square to the line, away from the cloth
+    Eigen::Vector2d outward{0, 0};  ///< unit, at right angles to the line, away from the cloth
 };
 
-/// The direction of a drawn line at a place is that of the chord so far to either side, mm.
+/// The direction of a drawn line at a place is that of the chord this far to either side, mm.
 inline constexpr double kHalfChord = 1;
 
-/// The spot at a place on a drawn outline or rim, which has the cloth on its left.
-/// @param line  measured as `place` is  Precondition: longer than two half chords.  Cost:
-/// logarithmic. Pure.
+/// The spot at a place on a drawn outline or rim that has the cloth on its left.
+/// @param line  in the units of `place`  Precondition: longer than two half chords.
+/// Cost: logarithmic. Pure.
 NotchSpot notchSpot(const geometry::Line& line, double place);
 
 /// Measures of a notch as drawn, mm.
@@ -34,7 +34,7 @@ struct NotchSize {
     double spacing = 8;  ///< between the two of a double notch
 };
 
-/// A notch on the cutting line, square to the seam line: open polylines, #n x 2, one for each
+/// A notch on the cutting line, at right angles to the seam line: open polylines, #n x 2, one per
 /// stroke. It is no deeper than half the allowance; without allowance it goes into the cloth.
 /// - Slit: from the cutting line inwards.
 /// - V: two corners on the cutting line, the tip inwards.
@@ -46,15 +46,15 @@ struct NotchSize {
 std::vector<Points2> notchStrokes(const NotchSpot& spot, double allowance, NotchForm form,
                                   int count, const NotchSize& size = {});
 
-/// The line that places of notches are measured on: the rim of a hole, or the outline (-1). Of a
-/// half pattern it is the outline of the whole piece, so that a notch near the fold is square to
-/// the line that is there when the cloth is unfolded.  Cost: linear. Pure.
+/// The line on which places of notches are measured: the rim of a hole, or the outline (-1). For a
+/// half pattern it is the outline of the whole piece, so that a notch near the fold is at right
+/// angles to the line of the unfolded cloth.  Cost: linear. Pure.
 geometry::Line notchLine(const PatternPiece& piece, int hole);
 
-/// The strokes of each notch of a piece, in its own coordinates. Of a half pattern only what lies
+/// The strokes of each notch of a piece, in its own coordinates. For a half pattern only the parts
 /// on its side of the fold.
-/// @param pattern  the depth is taken from it
-/// @param form     none: that of the pattern  Cost: linear in the lines, and per notch. Pure.
+/// @param pattern  source of the depth
+/// @param form     empty: that of the pattern  Cost: linear in the lines, and per notch. Pure.
 std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const PatternPiece& piece,
                                              std::optional<NotchForm> form = {});
 

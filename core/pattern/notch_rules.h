@@ -8,25 +8,24 @@
 #include "core/pattern/segments.h"
 #include "core/seam/outline.h"
 
-// For the sources of this folder only.
+// Internal header of this folder.
 namespace toile {
 
-/// Where notches go by themselves, seam by seam. They have a share, a count, a reason and sides.
+/// Places of automatic notches, seam by seam. They have a share, a count, a reason and sides.
 class NotchPlaces {
 public:
-    /// What is given stays while this lives.
+    /// The arguments must outlive this.
     NotchPlaces(const Garment& garment, const seam::Outlines& outlines,
                 const std::vector<OutlineSegments>& segments);
 
-    /// Those that nothing else decides: ends that no corner marks, ease, the start of a closed
-    /// seam.
+    /// Fixed notches: at ends that no corner marks, at ease, at the start of a closed seam.
     std::vector<Notch> fixed(int seam) const;
-    /// With balance notches in one of the ways there are, but for those too near to another: 0 is
-    /// the usual one for a seam so long.
+    /// Adds balance notches in one of the possible ways, except those too near to another notch; 0
+    /// is the usual way for the seam's length.
     std::vector<Notch> balanced(int seam, std::vector<Notch> notches, int way) const;
     static int ways();
 
-    /// Whether two seams of one piece could be taken for each other by length and notches.
+    /// Whether two seams of a piece could be confused by their length and notches.
     bool canBeConfused(int one, const std::vector<Notch>& notches, int other,
                        const std::vector<Notch>& others) const;
 
@@ -45,7 +44,7 @@ private:
     const seam::Outlines& outlines_;
     const std::vector<OutlineSegments>& segments_;
     std::vector<std::vector<int>> seamsOf_;
-    double backwards_ = 0;  ///< seams with less z than this lie towards the back
+    double backwards_ = 0;  ///< seams with less z than this are towards the back
 };
 
 }  // namespace toile

@@ -9,10 +9,10 @@
 
 namespace toile {
 
-/// What a notch is cut or drawn as (notch_mark.h).
+/// The shape of a notch (notch_mark.h).
 enum class NotchForm { Slit, V, T, Castle };
 
-/// What they are called in project files.
+/// Their names in project files.
 inline constexpr Word<NotchForm> kNotchFormWords[] = {{NotchForm::Slit, "slit"},
                                                       {NotchForm::V, "v"},
                                                       {NotchForm::T, "t"},
@@ -23,7 +23,7 @@ enum class NotchReason {
     SeamEnd,     ///< the seam ends where an outline runs on without a corner
     SleeveHead,  ///< the same at the top of a sleeve
     EaseStart,   ///< drawn ease starts or ends
-    Balance,     ///< parts of a seam: its middle, quarters or thirds
+    Balance,     ///< divides a seam: its middle, quarters or thirds
     ByHand,
 };
 
@@ -33,14 +33,14 @@ inline constexpr Word<NotchReason> kNotchReasonWords[] = {{NotchReason::SeamEnd,
                                                           {NotchReason::Balance, "balance"},
                                                           {NotchReason::ByHand, "by hand"}};
 
-/// A notch that a person has added or taken away: a place on either line of a seam, as a share of
-/// it, so that it stays wherever the seam is cut. One that is dragged is taken away and added.
+/// A notch that the user added or removed: a place on either line of a seam, as a share of it, so
+/// that it stays wherever the seam is cut. Dragging a notch removes and adds one.
 struct NotchSettings {
     LineId line;
     double at = 0;
-    bool reversed = false;       ///< of the side of the line that runs against it
-    bool isThere = true;         ///< false: the one next to the place is taken away
-    std::optional<int> count{};  ///< 1 or 2; none: by convention (Notch::count)
+    bool reversed = false;       ///< on the side of the line that runs against it
+    bool isThere = true;         ///< false: the notch nearest to the place is removed
+    std::optional<int> count{};  ///< 1 or 2; empty: by convention (Notch::count)
 
     bool operator==(const NotchSettings&) const = default;
 };
@@ -48,9 +48,9 @@ struct NotchSettings {
 /// Limits of the depth of notches, mm.
 inline constexpr double kMinNotchDepth = 1, kMaxNotchDepth = 30;
 
-/// Everything a person has decided about notches.
+/// All settings of notches.
 struct NotchRules {
-    bool automatic = true;  ///< false: only those said below
+    bool automatic = true;  ///< false: only `notches`
     NotchForm form = NotchForm::Slit;
     double depth = 5;  ///< from the cutting line inwards, mm
     std::vector<NotchSettings> notches{};

@@ -8,13 +8,13 @@
 
 namespace toile {
 
-/// The outline that a line is drawn near: closed, in the plane, with the place of each of its
+/// The outline near which a line is drawn: closed, in the plane, with the place of each of its
 /// points on the outline in 3D.
 struct OutlineReference {
-    Points2 points{};           ///< #n x 2, mm, anti-clockwise; the first is the outline's vertex 0
-    std::vector<double> arc{};  ///< #n + 1, mm, from 0 on: arc length in 3D, over one turn
-    /// #n, radians: what the cloth turns by there, so that full turns can be told apart; 0 where
-    /// the outline in 3D has no vertex.
+    Points2 points{};           ///< #n x 2, mm, anti-clockwise; starts at the outline's vertex 0
+    std::vector<double> arc{};  ///< #n + 1, mm, starting at 0: arc length in 3D, over one turn
+    /// #n, radians: turn of the cloth at each point, to resolve full turns; 0 if the outline in 3D
+    /// has no vertex there.
     std::vector<double> turn{};
 
     bool operator==(const OutlineReference& other) const {
@@ -25,13 +25,13 @@ struct OutlineReference {
 /// Arc lengths in 3D of the outline's vertices, and the perimeter.  Cost: linear. Pure.
 std::vector<double> outlineArc(const Piece& piece);
 
-/// The outline as it was solved.  Cost: that of the angles in 3D. Pure.
+/// The outline as solved.  Cost: that of the angles in 3D. Pure.
 OutlineReference referenceOf(const Piece& piece, const FlatPiece& exact);
 
-/// Laid over another, by the rigid motion that brings the points nearest to the others.
+/// The points moved by the rigid motion that fits them best to others.
 /// @param points, onto  #n x 2
 Points2 laidOver(const Points2& points, const Points2& onto);
-/// The same for a line that stands for the outline in 3D of a reference.
+/// The same for a line that represents the 3D outline of a reference.
 void layOver(FlatLine& line, const OutlineReference& onto);
 
 }  // namespace toile

@@ -9,10 +9,10 @@
 
 namespace toile {
 
-/// One segment of a piece's seam line as curves, from end to end, found when they are asked for.
-/// Where the outline stands for a curve (`isFine`) those of `fitCurves`, with a joint where it has
-/// a corner that is no turn point; else its straight edges. As long as the segment is in the plane,
-/// to kCurveLengthTolerance.
+/// One segment of a piece's seam line as curves, from end to end, computed on demand. If the
+/// outline represents a curve (`isFine`), those of `fitCurves`, with a joint at corners that are no
+/// turn points; else its straight edges. Their length is that of the segment in the plane, to
+/// kCurveLengthTolerance.
 /// @param outline  the piece's  @param segment  one of the piece's
 /// Cost: linear in the segment, and that of `fitCurves`. Pure.
 std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const geometry::Line& outline,

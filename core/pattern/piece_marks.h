@@ -13,8 +13,8 @@
 
 namespace toile {
 
-/// What a drawing and its sheets of paper say, in the language of whoever reads it. "%1" and "%2"
-/// stand for numbers.
+/// Texts of a drawing and its printed sheets, in the reader's language. "%1" and "%2" stand for
+/// numbers.
 struct DrawingWords {
     std::string noAllowance = "seam line, no allowance";
     std::string mirrored = "mirrored: wrong side of the fabric up";
@@ -32,70 +32,68 @@ struct DrawingWords {
         "the halves make whole diamonds.";
 };
 
-/// What stands on a label beside the name and how often the piece is cut; what is empty or 0 is not
-/// written.
+/// Contents of a label besides the name and the cutting note; empty or 0 is not written.
 struct LabelFacts {
     int number = 0;  ///< PatternPiece::number
-    int count = 0;   ///< of the pieces that are drawn (`drawnCount`)
+    int count = 0;   ///< of drawn pieces (`drawnCount`)
     std::string size{}, material{}, date{};
     bool hasAllowance = false;  ///< else the label says that the line is the seam line,
-    bool isDrawnOut = false;    ///< unless edges of it are drawn out
+    bool isDrawnOut = false;    ///< unless it has extensions
 };
 
-/// What stands on a piece that is not cut once as it is: "cut 3", "cut 2 pairs" where each of them
-/// is cut mirrored too, or is drawn for its image as well, "cut 1 on fold". Empty for a single
-/// piece.
+/// Cutting note of a piece: "cut 3"; "cut 2 pairs" if each copy is also cut mirrored, or represents
+/// its image; "cut 1 on fold". Empty for a single piece.
 std::string cuttingNote(const Cutting& cutting, const DrawingWords& words = {},
                         CutAs cutAs = CutAs::Whole);
 
-/// The label of a piece, line by line: its name, number, size and material, how often it is cut,
-/// whether an allowance is included, the date and, where it is mirrored, that the wrong side is up.
+/// The label of a piece, line by line: its name, number, size and material, its cutting note,
+/// whether an allowance is included, the date and, if it is mirrored, that the wrong side is up.
 std::vector<std::string> labelLines(const std::string& name, const Cutting& cutting, bool mirrored,
                                     const DrawingWords& words, CutAs cutAs = CutAs::Whole,
                                     const LabelFacts& facts = {});
 
-/// Of a text that a person has typed for labels, characters; the rest is left out.
+/// Longest user text on labels, characters; the rest is cut off.
 inline constexpr std::size_t kMaxLabelText = 40;
 
-/// What a person has stated; of a pattern with allowances all that is known.
+/// The user's texts; for a pattern with allowances all known facts.
 LabelFacts factsOf(const Pattern& pattern, const PatternPiece& piece);
 
 /// How many pieces and facings of a pattern have an outline: the "12" of "piece 3 of 12".
 int drawnCount(const Pattern& pattern);
 
-/// What is drawn on a piece as it lies, in files and on screen alike: in sheet directions, about
-/// the placement's offset.
+/// The marks drawn on a placed piece, in files and on screen alike: in sheet directions, relative
+/// to the placement's offset.
 struct PieceMarks {
     LabelPlace label{};
     std::vector<std::string> lines{};  ///< of the label
-    std::optional<Chord> grain{};      ///< none where no line has room
+    std::optional<Chord> grain{};      ///< empty if no line fits
     std::vector<SeamMark> seams{};
 };
 
-/// What is drawn on the cloth beside seam marks, label and grain line: notches, internal lines
-/// and, where the pattern has allowances, the marks of darts.
+/// Lines on the cloth besides seam marks, label and grain line: notches, internal lines and, if the
+/// pattern has allowances, the marks of darts.
 std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& piece);
 
 /// Places the marks of the seams (`seamMarks`), then the label (`placeLabel`) and the grain line
-/// (`grainLine`) beside each other where these leave room. Lines of a label for which there is none
-/// are broken in two (`brokenLines`) where it then fits. A piece of less than 1 cm² has neither
-/// label nor grain line.
-/// @param piece      that is flat  @param grain  direction of the warp, radians, on the piece
-/// @param obstacles  `drawnOnCloth`, on the piece; the mark of a fold is known
-/// Cost: that of the four. Pure.
+/// (`grainLine`) side by side in the remaining room. If a label does not fit, its lines are broken
+/// in two (`brokenLines`) if that helps. A piece of less than 1 cm² has neither label nor grain
+/// line.
+/// @param piece      a flat piece  @param grain  warp direction, radians, on the piece
+/// @param obstacles  `drawnOnCloth`, on the piece; the mark of a fold is added
+/// Cost: that of these four. Pure.
 PieceMarks placeMarks(const PatternPiece& piece, const Placement& placement,
                       const std::vector<std::string>& lines, double grain,
                       const std::vector<Points2>& obstacles = {});
 
-/// The sign of a half pattern: a bracket with two arrow heads on the edge that lies on the fold, as
-/// one open path, and words beside it. In sheet directions, about the placement's offset.
+/// The fold mark of a half pattern: a bracket with two arrow heads on the fold edge, as a single
+/// open path, and words next to it. In sheet directions, relative to the placement's offset.
 struct FoldMark {
     Points2 path;
     LabelPlace place;  ///< of the words' middle
     double angle = 0;  ///< of the words, radians, never upside down
 };
 
-/// @param piece  that is cut on the fold  Cost: constant. Pure.
+/// @param piece  cut on the fold  Cost: constant. Pure.
 FoldMark foldMark(const PatternPiece& piece, const Placement& placement, const std::string& words);
 
 }  // namespace toile

@@ -8,12 +8,12 @@
 
 namespace toile {
 
-/// The outline with what the plan wants straight as straight lines, and its darts as triangles of
-/// their two legs, straight, and the intake that was typed: the boundary problem with each of them
-/// as one edge, laid over the outline as it was. Every length along it is kept, and the ends of
-/// a run take half each of what it turned by. As it was where the plan wants neither.
-/// @return vertices and ends of runs; the first is vertex 0
-/// Errors: LineNotDrawn where legs do not reach across an intake; those of `solveBoundary`.
+/// The outline with the plan's straight stretches as straight lines, and its darts as triangles of
+/// their two straight legs and the set intake: solves the boundary problem with each of these as a
+/// single edge, and lays it over the original outline. Every length along it is kept, and each end
+/// of a run takes half of the run's turn. Unchanged if the plan has neither.
+/// @return vertices and ends of runs; the first point is vertex 0
+/// Errors: LineNotDrawn if legs do not reach across an intake; those of `solveBoundary`.
 /// Cost: a boundary problem. Pure.
 Result<OutlineReference> reshapedOutline(const OutlineReference& reference, const OutlinePlan& plan,
                                          const Progress& progress);

@@ -8,20 +8,20 @@
 
 namespace toile {
 
-/// A seam of the pattern at a place of its walk: the piece of the right side laid on that of the
-/// left, as it is rolled along.
+/// A seam of the pattern at a place of its walk: the right side's piece rolled along the left
+/// side's.
 struct RolledPlace {
-    SeamMatch at{};          ///< arc lengths in 3D on either outline, mm
-    Placement motion{};      ///< of the right piece's flat coordinates into the left one's; proper
+    SeamMatch at{};          ///< arc lengths in 3D on both outlines, mm
+    Placement motion{};      ///< from the right piece's flat coordinates to the left one's; proper
     WalkedLengths walked{};  ///< from the start
 };
 
 /// The walk of a seam as an animation. Pattern makers lay one piece with its seam line on the
-/// other's and roll it along: at every share of the seam the two places that are sewn to each other
-/// lie on each other, and the lines touch there. Their directions are those of chords
-/// (`kHalfChord`) that end where the seam does, so that the motion is as continuous as the lines
-/// are, over their corners too. Pieces of one winding have their cloths on opposite sides of the
-/// line; where a seam joins a piece to itself a second copy of it is rolled. Immutable.
+/// other's and roll it along: at every share of the seam the two places that are sewn together
+/// coincide, and the lines touch there. Their directions are those of chords (`kHalfChord`) that
+/// end where the seam does, so that the motion is as continuous as the lines are, over their
+/// corners too. Pieces of equal winding have their cloth on opposite sides of the line; if a seam
+/// joins a piece to itself, a second copy is rolled. Immutable.
 class SeamRoll {
 public:
     /// @param loops  as drawn  Precondition: the seam has matches, and both its sides are flat.
@@ -35,7 +35,7 @@ public:
     const DrawnLoop& right() const { return right_; }
 
 private:
-    /// Direction in the plane in which a side runs at a place, radians.
+    /// Direction of a side in the plane at a place, radians.
     double directionAt(const SeamSide& side, const DrawnLoop& loop, double arc) const;
 
     Seam seam_;

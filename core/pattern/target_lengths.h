@@ -10,17 +10,17 @@
 
 namespace toile {
 
-/// True where the ease of some seam is drawn.
+/// True if the ease of some seam is drawn.
 bool drawsEase(const Garment& garment);
 
-/// Lengths that the edges of the outlines are to have in the pattern, mm, where that is not their
-/// length in 3D: common ones for seams that mirror each other; as typed for segments, on both sides
-/// of the seam that one is part of; and for the longer side of seams whose ease is drawn. Lengths
-/// change evenly along what they are said of; of two that were said of one place the later counts.
-/// What is typed or drawn of one of two mirrored seams alone does not count for the other. Rims of
-/// holes keep their lengths, and so does what is sewn to them.
+/// Target lengths of the outline edges in the pattern, mm, if they differ from the lengths in 3D:
+/// common lengths for seams that mirror each other; set lengths of segments, on both sides of their
+/// seam; and for the longer side of seams with drawn ease. Lengths change evenly along the stretch
+/// they apply to; of two settings for the same place the later counts. Lengths or ease of one of
+/// two mirrored seams do not apply to the other. Rims of holes keep their lengths, and so do edges
+/// sewn to them.
 /// @param symmetry  null: nothing is mirrored
-/// @return one per piece  Cost: outlines, times what is said of each. Pure.
+/// @return one per piece  Cost: outlines, times the settings of each. Pure.
 std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSettings& settings,
                                            const Symmetry* symmetry = nullptr);
 

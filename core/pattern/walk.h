@@ -12,36 +12,36 @@
 
 namespace toile {
 
-/// How far a seam has been walked: lengths in the pattern, mm.
+/// Walked lengths of a seam in the pattern, mm.
 struct WalkedLengths {
     double left = 0, right = 0;
     double ease = 0;  ///< by how much the left one is meant to be longer
 
-    /// What nobody wants.
+    /// The unintended difference.
     double error() const { return left - right - ease; }
 };
 
-/// From the start of a seam to a place on it. Its ease (`easeOf`) lies where the outlines are to
-/// have it (`PieceResult::targets`; else as in 3D), and what they do not have is spread evenly
-/// along the seam.
+/// From the start of a seam to a place on it. Its ease (`easeOf`) lies where the outlines' targets
+/// put it (`PieceResult::targets`; else as in 3D); the rest of the ease is spread evenly along the
+/// seam.
 /// @param left, right  the loops of its two sides, as drawn  Precondition: the seam has matches.
 /// Cost: logarithmic. Pure.
 WalkedLengths walkedTo(const Seam& seam, const DrawnLoop& left, const DrawnLoop& right,
                        const SeamMatch& place);
 
-/// A place at which the two sides of a seam are laid on each other: its start, a notch or its end;
-/// and the way there from the station before, 0 at the start.
+/// A place at which the two sides of a seam are aligned: its start, a notch or its end; and the
+/// lengths from the station before, 0 at the start.
 struct WalkStation : WalkedLengths {
-    SeamMatch at{};                ///< arc lengths in 3D on either outline
-    int notch = -1;                ///< of those of the seam; -1: an end without one
-    std::optional<double> kink{};  ///< at an end, as drawn, where it has one (`findSeamEnds`)
+    SeamMatch at{};                ///< arc lengths in 3D on both outlines
+    int notch = -1;                ///< index into the seam's notches; -1: an end without one
+    std::optional<double> kink{};  ///< at an end, as drawn, if it has one (`findSeamEnds`)
 };
 
 struct SeamWalk {
     int seam = -1;                        ///< index into the graph
-    std::vector<WalkStation> stations{};  ///< from its start to its end, two at least
+    std::vector<WalkStation> stations{};  ///< from its start to its end, at least two
 
-    double largestError() const;  ///< of its stations, as an amount
+    double largestError() const;  ///< absolute value
 };
 
 /// Errors up to this are rounding, mm.
@@ -60,8 +60,8 @@ struct WalkedGarment {
     std::vector<SeamWalk> walks;              ///< by seam
 };
 
-/// The same with the notches of these settings, or the usual ones where they have none.
-/// @param lines  by which the results were drawn  @param symmetry  likewise; null: by none
+/// The same with the notches of these settings, or the usual ones if they have none.
+/// @param lines  with which the results were drawn  @param symmetry  likewise; null: none
 /// Cost: that of `findSegments`, `findNotches` and `walkSeams`. Pure.
 WalkedGarment walkGarment(const Garment& garment, const PieceResults& results,
                           const LineSettings& lines, const Symmetry* symmetry);
