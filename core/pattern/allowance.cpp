@@ -16,17 +16,17 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 using Eigen::Vector2d;
 
-constexpr double kGrid = 2e-6;       // mm: of the whole numbers that Clipper works with
+constexpr double kGrid = 2e-6;       // mm: integer unit of the Clipper library
 constexpr double kCurveLimit = 1.2;  // of mitres within a stretch
 
 /// An edge of the seam line with its allowance.
 struct SeamEdge {
     Vector2d from;
-    Vector2d along = Vector2d::Zero();  ///< of length 1
+    Vector2d along = Vector2d::Zero();  ///< unit length
     double length = 0, width = 0;
     int stretch = 0;
-    bool begins = false;     ///< its stretch
-    bool isCutBack = false;  ///< by the corner at one of the stretch's ends, or near it
+    bool begins = false;     ///< a stretch starts here
+    bool isCutBack = false;  ///< by the corner at an end of the stretch, or near it
 
     Vector2d outward() const { return -geometry::leftOf(along); }
     Vector2d offset() const { return width * outward(); }
@@ -34,13 +34,13 @@ struct SeamEdge {
     AllowanceSide atStart() const { return {-along, outward(), width, length}; }
 };
 
-/// The edges that have a length.
+/// The edges of non-zero length.
 std::vector<SeamEdge> seamEdges(const Points2& line,
                                 const std::vector<AllowanceStretch>& stretches) {
     std::vector<SeamEdge> edges;
     edges.reserve(static_cast<std::size_t>(line.rows()));
     const int count = static_cast<int>(stretches.size());
-    int next = 0;  // the stretch that begins next
+    int next = 0;  // the stretch that starts next
     for (int k = 0; k < line.rows(); ++k) {
         const Vector2d at = line.row(k);
         const bool begins = next < count && stretches[next].first == k;
@@ -66,7 +66,7 @@ std::vector<SeamEdge> seamEdges(const Points2& line,
     return edges;
 }
 
-/// The plane in whole numbers.
+/// The plane in integer coordinates.
 class Grid {
 public:
     explicit Grid(const Points2& line)
@@ -89,7 +89,7 @@ private:
     Vector2d centre_;
 };
 
-/// Of two sets of closed lines, which cover all that they go round.
+/// Clips closed lines; an area is covered if any line winds around it.
 Paths clipped(ClipperLib::ClipType type, const Paths& subjects, const Paths& clips) {
     ClipperLib::Clipper clipper;
     clipper.AddPaths(subjects, ClipperLib::ptSubject, true);
@@ -99,8 +99,8 @@ Paths clipped(ClipperLib::ClipType type, const Paths& subjects, const Paths& cli
     return result;
 }
 
-/// The piece with its allowances as closed lines that go round it, round parts of it several times
-/// and always anti-clockwise.
+/// The piece with its allowances as closed lines, always anti-clockwise, which may go round some
+/// parts several times.
 class Allowances {
 public:
     Allowances(std::vector<SeamEdge> edges, const std::vector<AllowanceStretch>& stretches,
@@ -115,8 +115,8 @@ public:
         }
     }
 
-    /// A line round everything that is not cut back, and round what is left of the other
-    /// allowances. Parts overlap or have the same points, or rounding would leave slits between.
+    /// A line around everything that is not cut back, and lines around the rest of the other
+    /// allowances. Parts overlap or share points, because rounding would otherwise leave slits.
     Paths lines() const {
         Paths lines{lineAround([](const SeamEdge& /*edge*/) { return false; }),
                     lineAround([](const SeamEdge& edge) { return !edge.isCutBack; })};
@@ -143,7 +143,7 @@ private:
                               corner ? kMitreLimit : kCurveLimit);
     }
 
-    /// Notes what the corner at the beginning of edge k cuts back.
+    /// Records the area that the corner at the start of edge k cuts back.
     void cutBack(int k, const CornerJoin& join) {
         const int step = join.cutsFirst ? -1 : 1;
         int at = wrap(join.cutsFirst ? k - 1 : k);
@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// Round the piece and the allowances of some edges.
+    /// A line around the piece and the allowances of some edges.
     template <class HasAllowance>
     Path lineAround(const HasAllowance& has) const {
         Path path;
@@ -175,7 +175,7 @@ private:
         return path;
     }
 
-    /// The join where edge k begins, by way of the corner where an allowance is left out.
+    /// The join at the start of edge k, through the corner if an allowance is left out.
     void addJoin(int k, bool withFirst, bool withSecond, Path& path) const {
         const SeamEdge &first = edge(k - 1), &second = edge(k);
         const CornerJoin& join = joins_[k];
@@ -189,7 +189,7 @@ private:
         const Vector2d corner = Vector2d::Zero();
         const Vector2d firstEnd = first.offset() + kAllowanceOverlap * first.along;
         const Vector2d secondEnd = second.offset() - kAllowanceOverlap * second.along;
-        // Allowances that lie on each other, or are to be cut, are whole, each without the other.
+        // Allowances that overlap, or are to be cut, are complete, each without the other.
         const bool overlapping = geometry::cross(first.along, second.along) < 1e-6;
         const bool apart = overlapping && withFirst != withSecond;
         const bool endsFirst = withFirst && (cutsFirst || apart);
@@ -211,7 +211,7 @@ private:
 
     std::vector<SeamEdge> edges_;
     const Grid& grid_;
-    std::vector<CornerJoin> joins_;  ///< at the beginning of each edge
+    std::vector<CornerJoin> joins_;  ///< at the start of each edge
     std::vector<Paths> cuts_;        ///< of each stretch
 };
 
@@ -221,7 +221,7 @@ Points2 cuttingLine(const Points2& seamLine, const std::vector<AllowanceStretch>
     const Grid grid(seamLine);
     const Allowances allowances(seamEdges(seamLine, stretches), stretches, grid);
     Paths lines = clipped(ClipperLib::ctUnion, allowances.lines(), {});
-    // Again: of crossings rounded to the grid, lines may cross anew, by less than a step.
+    // Again: crossings rounded to the grid may make lines cross once more, by less than a step.
     lines = clipped(ClipperLib::ctUnion, lines, {});
     const auto outer = std::max_element(
         lines.begin(), lines.end(),

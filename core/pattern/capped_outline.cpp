@@ -9,9 +9,9 @@
 namespace toile {
 namespace {
 
-constexpr double kNoStretch = 1e-6;  // mm: so much is left over by rounding
+constexpr double kNoStretch = 1e-6;  // mm: shorter remainders are rounding
 
-/// What the capped line is made of, one after the other: parts of segments, and caps.
+/// A part of a segment, or a cap; the capped line is a sequence of these.
 struct LineItem {
     Points2 points;
     int segment = -1;                ///< of a part
@@ -45,7 +45,7 @@ void addParts(const PatternPiece& piece, const geometry::Line& outline, double f
     }
 }
 
-/// A cap belongs to the part beyond the leg that it is laid over.
+/// A cap belongs to the part beyond the leg over which it is laid.
 void setOwners(std::vector<LineItem>& items) {
     const std::size_t n = items.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -95,7 +95,7 @@ CappedOutline cappedOutline(const PatternPiece& piece, const std::vector<PieceDa
             capped.stretches.push_back(
                 {static_cast<int>(points.size()), items[item.owner].segment});
         }
-        // The last point is the first of the next item; next to either a point is one with it.
+        // The last point is the first of the next item. Skip points that coincide with a neighbour.
         const Eigen::Index last = item.points.rows() - 1;
         points.emplace_back(item.points.row(0));
         for (Eigen::Index i = 1; i < last; ++i) {

@@ -12,14 +12,14 @@ namespace {
 using Eigen::Vector2d;
 using Places = std::vector<Vector2d>;
 
-/// Two sides of a corner with what their formulas have in common.
+/// Two sides of a corner with the common terms of their formulas.
 struct Sides {
     const AllowanceSide &first, &second;
     double sine = first.onward.dot(second.outward);     ///< of the turn
     double cosine = first.outward.dot(second.outward);  ///< of the turn
 
     double widest() const { return std::max(first.width, second.width); }
-    /// 1 - cosine, with all digits for small turns.
+    /// 1 - cosine, without cancellation for small turns.
     double versine() const { return cosine > 0 ? sine * sine / (1 + cosine) : 1 - cosine; }
 };
 
@@ -27,15 +27,15 @@ Vector2d offset(const AllowanceSide& side) {
     return side.width * side.outward;
 }
 
-/// Where the cutting line of a side is `reach` from the corner, in the direction `tip`.
+/// The point of a side's cutting line that is `reach` from the corner in direction `tip`.
 Vector2d cutOff(const AllowanceSide& side, const Vector2d& tip, double reach) {
     const double along = side.onward.dot(tip), across = side.outward.dot(tip);
     const double beyond = reach > side.width ? (reach - side.width) / along : 0;
     return offset(side) + (beyond + side.width * along / (1 + across)) * side.onward;
 }
 
-/// To where the two cutting lines meet; none where that lies beside one of the edges, or, at a
-/// concave corner, where one allowance ends beside the other or they meet far from it.
+/// The intersection of the two cutting lines; nothing if it lies beside one of the edges, or, at a
+/// concave corner, if an allowance ends at the other's side or they meet far from the corner.
 std::optional<Places> mitre(const Sides& s, double limit) {
     const double a = s.first.width, b = s.second.width;
     const double x = b - a + a * s.versine(), y = a - b + b * s.versine();  // times the sine
@@ -79,7 +79,7 @@ CornerJoin stepped(const Sides& s) {
     return join;
 }
 
-/// The first allowance ends in a line through R; none where that is too far, or there is none.
+/// Ends the first allowance in a line through R; nothing if R is too far, or does not exist.
 std::optional<CornerJoin> endFirst(const Sides& s, bool mirrored) {
     const double most = kMitreLimit * s.widest() * s.sine;
     const double end = s.second.width + (mirrored ? s.first.width * s.cosine : 0);
@@ -89,11 +89,11 @@ std::optional<CornerJoin> endFirst(const Sides& s, bool mirrored) {
     const Vector2d root = s.second.width / s.sine * s.first.onward;
     const Vector2d tip = offset(s.first) + end / s.sine * s.first.onward;
     CornerJoin join{{tip, root}};
-    if (s.cosine > 0) {  // the second allowance begins before the root
+    if (s.cosine > 0) {  // the second allowance starts before the root
         join.path.insert(join.path.end(), {Vector2d::Zero(), offset(s.second)});
     }
     if (end < 0) {
-        // More than what a straight allowance reaches beyond, for one that bends.
+        // More than the excess of a straight allowance, to cover curved ones.
         join.reach = -2 * end / s.sine;
         const Vector2d side = 1.5 * (tip - root), beyond = join.reach * s.first.onward;
         join.cut = {root, root + side, root + side + beyond, root + beyond};

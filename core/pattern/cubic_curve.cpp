@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kLengthParts = 8;
-// Gauss' rule with five places, on [-1, 1].
+// Gauss' rule with five nodes, on [-1, 1].
 constexpr double kPlaces[] = {0, 0.5384693101056831, 0.9061798459386640};
 constexpr double kWeights[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
 

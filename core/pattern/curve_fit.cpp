@@ -20,15 +20,15 @@ constexpr double kStraight = 1e-3;      // mm from the chord
 constexpr double kStraightTurn = 1e-9;  // radians, at a joint
 constexpr int kFitIterations = 12;
 constexpr double kFitDone = 1e-9;         // of the length: change of a handle
-constexpr double kLengthWeight = 100;     // of the length beside the distances
-constexpr double kDamping = 1e-9;         // towards handles of a third, where all fit alike
+constexpr double kLengthWeight = 100;     // of the length relative to the distances
+constexpr double kDamping = 1e-9;         // towards handles of a third, if all fit alike
 constexpr double kShortestHandle = 0.02;  // of the length
 constexpr int kMaxHalvings = 30;
-constexpr double kAllowed = 0.9;      // of the tolerances: they are tried at places only
+constexpr double kAllowed = 0.9;      // of the tolerances, because only samples are tested
 constexpr double kSagAllowed = 1.25;  // where the line bends more tightly than its steps show
 constexpr double kBetween[] = {0.25, 0.5, 0.75};
 
-/// One curve between two points of the line, with a parameter for each point between.
+/// Fits one curve between two points of the line, with a parameter for each point between.
 class SpanFit {
 public:
     SpanFit(const FinePolyline& line, int from, int to)
@@ -52,7 +52,7 @@ private:
                 end - handles[1] * line_.tangent(to_), end};
     }
 
-    /// Straight from end to end, and in the direction of the line at both.
+    /// Straight from end to end, with the line's direction at both ends.
     bool isStraight() const {
         const Vector2d start = line_.point(from_), chord = line_.point(to_) - start;
         const Vector2d normal = geometry::leftOf(chord.normalized());
@@ -67,7 +67,7 @@ private:
         return turn < (isWhole ? 8 * kStraight / length_ : kStraightTurn);
     }
 
-    /// Between neighbours: however the tangents turn, short handles come near to the chord.
+    /// Fallback for two neighbouring points: short handles stay near the chord for any tangents.
     std::optional<CubicCurve> shortest() const {
         Vector2d handles = Vector2d::Constant(length_ / 3);
         for (int k = 0; k < kMaxHalvings && !isGood(curve(handles)); ++k) {
@@ -94,7 +94,7 @@ private:
         return isGood(found) ? std::optional(found) : std::nullopt;
     }
 
-    /// The Gauss-Newton step of distances and length.
+    /// The Gauss-Newton step for distances and length.
     Vector2d improvement(const Vector2d& handles) const {
         const CubicCurve now = curve(handles);
         Eigen::Matrix2d normal = kDamping * Eigen::Matrix2d::Identity();
@@ -117,7 +117,7 @@ private:
         return normal.inverse() * right;
     }
 
-    /// Moves each point's parameter to where the curve is nearest to it.
+    /// Moves each point's parameter to the nearest place of the curve.
     void project(const CubicCurve& now) {
         for (int k = from_ + 1; k < to_; ++k) {
             double& t = places_[k - from_];
@@ -154,8 +154,8 @@ private:
     std::vector<double> places_;
 };
 
-/// How many steps one curve reaches from here, to a sixteenth. From above: among short curves there
-/// are some that have no room for the shortening of a tight bend, where longer ones have.
+/// Number of steps that one curve can span from here, to a sixteenth. Searches from above, because
+/// some short curves cannot shorten a tight bend enough, while longer ones can.
 int reachOf(const FinePolyline& line, int from, CubicCurve& curve) {
     const auto fits = [&](int steps) {
         const auto fitted = SpanFit(line, from, from + steps).fitted();
@@ -175,7 +175,7 @@ int reachOf(const FinePolyline& line, int from, CubicCurve& curve) {
     return reach;
 }
 
-/// So many curves of one number of steps; none where one of them does not fit.
+/// Curves that share the steps evenly; empty if one of them does not fit.
 std::vector<CubicCurve> evenly(const FinePolyline& line, int curves) {
     std::vector<CubicCurve> chain;
     const int steps = line.count() - 1;

@@ -15,20 +15,20 @@ using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using geometry::cross;
 
-constexpr double kCapTrim = 1e-6;  // of an edge: caps touch the outline at the mouth
+constexpr double kCapTrim = 1e-6;  // part of an edge: caps touch the outline at the mouth
 
 Vector2d foldWay(const PieceDart& dart) {
     return Eigen::Rotation2Dd(0.5 * dart.angle) * (dart.mouth.from - dart.tip).normalized();
 }
 
-/// What the cap of one dart is made of, seen from the leg that it is laid over.
+/// Computes the cap of a dart, in coordinates of the leg over which it is laid.
 class CapMaker {
 public:
     CapMaker(const PatternPiece& piece, const geometry::Line& outline,
              const std::vector<PieceDart>& darts, const PieceDart& dart)
         : piece_(piece), outline_(outline), darts_(darts), dart_(dart) {}
 
-    /// With its middle row on the fold; empty where the line beyond the leg does not lead there.
+    /// The middle row is on the fold; empty if the line beyond the leg does not reach the fold.
     Points2 shaped() const {
         std::vector<Vector2d> half = mirroredLine();
         const std::optional<Vector2d> end = cutAtFold(half);
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    /// How long the line beyond the leg is: to the next corner or dart.
+    /// Length of the line beyond the leg, to the next corner or dart.
     double lengthBeyond() const {
         const double at = overFirst_ ? dart_.from : dart_.to;
         const auto wayTo = [&](double place) {
@@ -69,7 +69,7 @@ private:
         }
         for (const PatternSegment& segment : piece_.segments) {
             const double way = wayTo(segment.from);
-            if (segment.isCorner && way > kNoIntake) {  // the mouth itself is one
+            if (segment.isCorner && way > kNoIntake) {  // the mouth itself is a corner
                 length = std::min(length, way);
             }
         }
@@ -96,13 +96,13 @@ private:
         return mirrored;
     }
 
-    /// How far a point is from the fold, positive on the side of the leg.
+    /// Signed distance of a point from the fold, positive on the side of the leg.
     double aside(const Vector2d& p) const {
         return (overFirst_ ? -1 : 1) * cross(fold_, p - dart_.tip);
     }
 
-    /// Ends the line before the fold, which its prolongation may be needed to reach.
-    /// @return where it meets the fold; nothing where it turns away, or has no length
+    /// Ends the line at the fold and prolongs it if necessary.
+    /// @return its intersection with the fold; nothing if it turns away, or has no length
     std::optional<Vector2d> cutAtFold(std::vector<Vector2d>& line) const {
         std::size_t k = 1;
         while (k < line.size() && aside(line[k]) > 0) {
@@ -154,7 +154,7 @@ bool linesCross(const Points2& open, const Points2& other, bool isClosed) {
     return false;
 }
 
-/// A cap without the ends that it has in common with the outline.
+/// A cap without its ends, which lie on the outline.
 Points2 capInside(const Points2& cap) {
     Points2 inside = cap;
     const Eigen::Index n = cap.rows();
@@ -165,7 +165,7 @@ Points2 capInside(const Points2& cap) {
     return inside;
 }
 
-/// Both ends of the mouth joined, and where the fold meets that.
+/// Sets a straight cap across the mouth, and the fold's end on it.
 void capStraight(PieceDart& dart) {
     const Chord& mouth = dart.mouth;
     dart.cap.resize(2, 2);
@@ -179,7 +179,7 @@ void capStraight(PieceDart& dart) {
     dart.fold.to = mouth.from + share * (mouth.to - mouth.from);
 }
 
-/// Takes the next simpler cap that has room: by the line beyond, straight, none.
+/// Chooses the first cap that has room: shaped by the line beyond, straight, none.
 class CapChoice {
 public:
     CapChoice(const PatternPiece& piece, PieceDart& dart, Points2 shaped)
@@ -232,7 +232,7 @@ void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
             choices.emplace_back(piece, dart, CapMaker(piece, outline, darts, dart).shaped());
         }
     }
-    // Of two that cross both become simpler, whichever comes first.
+    // Simplify both of two crossing caps, so that the order does not matter.
     for (std::vector<bool> crosses(choices.size(), true);
          std::ranges::find(crosses, true) != crosses.end();) {
         crosses.assign(choices.size(), false);

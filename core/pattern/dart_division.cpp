@@ -13,12 +13,12 @@
 namespace toile {
 namespace {
 
-constexpr double kCutAtTip = 0.01;  // mm: a cut begins there
-constexpr double kAhead = 1e-6;     // mm: edges at the tip itself are not met
+constexpr double kCutAtTip = 0.01;  // mm: a cut starts there
+constexpr double kAhead = 1e-6;     // mm: excludes edges at the tip itself
 
-/// Where a ray first meets a closed line.
+/// First intersection of a ray with a closed line.
 struct RayHit {
-    double way = 0;  ///< mm; 0: nowhere
+    double way = 0;  ///< mm; 0: none
     int edge = -1;
     double share = 0;
 };
@@ -49,7 +49,7 @@ bool isOnRim(const SurfaceLinks& links, const SurfacePoint& point) {
                : links.facesOf(on).size() == 1 && on.kind == Carrier::Kind::Edge;
 }
 
-/// Where a cut ends within the piece that it is made in.
+/// The ends of a cut inside the piece that it is made in.
 std::vector<Eigen::Vector3d> tipsOf(const SurfaceLinks& links, const NearestSurface& nearest,
                                     const UserCut& cut) {
     std::vector<Eigen::Vector3d> tips;
@@ -64,7 +64,7 @@ std::vector<Eigen::Vector3d> tipsOf(const SurfaceLinks& links, const NearestSurf
     return tips;
 }
 
-/// Of the cuts of a piece, the path that begins at a tip of one of these.
+/// The path among a piece's cuts that starts at a tip of one of these darts.
 std::optional<CutId> cutFromTip(const CutRecord& record, const std::vector<CutId>& darts) {
     const SurfaceLinks links(record.whole->mesh, record.whole->table);
     const NearestSurface nearest(record.whole->mesh);
@@ -73,7 +73,7 @@ std::optional<CutId> cutFromTip(const CutRecord& record, const std::vector<CutId
             continue;
         }
         for (const Eigen::Vector3d& tip : tipsOf(links, nearest, dart)) {
-            // Of two that begin there the later one leads on.
+            // If two start there, the later one continues the dart.
             const auto found = std::ranges::find_if(
                 record.asked.rbegin(), record.asked.rend(), [&](const UserCut& cut) {
                     return cut.kind == UserCut::Kind::Path && cut.id != dart.id &&

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr double kOneTip = 0.01;  // mm: from where one side ends to where the other begins
+constexpr double kOneTip = 0.01;  // mm: between the end of one side and the start of the other
 constexpr double kInDart = 1e-6;  // mm
 
 double inFirstTurn(double at, double perimeter) {

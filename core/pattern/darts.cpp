@@ -20,13 +20,13 @@ namespace {
 using Eigen::Vector2d;
 using geometry::cross;
 
-constexpr double kSameTip = 0.01;   // mm: from where one side ends to where the other begins
+constexpr double kSameTip = 0.01;   // mm: between the end of one side and the start of the other
 constexpr double kAtMiddle = 1e-3;  // mm: a dart that passes the middle nearer points at it
 constexpr int kDrillPoints = 24;    // of its circle
 constexpr double kTipCross = 5;     // mm: length of a stroke
 constexpr double kDrillOfLeg = 1.0 / 3, kDrillOfFold = 0.5;
 
-/// The angle at the tip, counted along the legs, so that one above 180 degrees is no crossing.
+/// The angle at the tip, summed along the legs, so that more than 180 degrees is no crossing.
 double openingAngle(const Points2& legs, const Vector2d& tip, Eigen::Index firstOfSecond) {
     double angle = 0;
     std::optional<Vector2d> before;
@@ -50,7 +50,7 @@ double openingAngle(const Points2& legs, const Vector2d& tip, Eigen::Index first
     return angle;
 }
 
-/// The middle of the area; of a half pattern that of the whole piece.
+/// Centroid of the area; for a half pattern that of the whole piece.
 Vector2d middleOf(const PatternPiece& piece) {
     const Points2& line = piece.outline;
     const Vector2d origin = line.row(0);
@@ -71,18 +71,18 @@ Vector2d middleOf(const PatternPiece& piece) {
     return 0.5 * (middle + mirroredIn(fold.from, (fold.to - fold.from).normalized(), middle));
 }
 
-/// By convention.
+/// Lay by convention.
 DartLay usualLay(const PieceDart& dart, double grain, const Vector2d& middle) {
     const Vector2d base = 0.5 * (dart.mouth.from + dart.mouth.to);
     const Vector2d way = (dart.tip - base).normalized();
     const Vector2d up(std::cos(grain), std::sin(grain));
-    // The first leg is on the left of the way to the tip.
+    // The first leg is on the left when looking towards the tip.
     const bool isUpright = std::abs(way.dot(up)) >= std::abs(cross(way, up));
     const double left = isUpright ? cross(way, middle - base) : -cross(way, up);
     return left > -kAtMiddle ? DartLay::First : DartLay::Second;
 }
 
-/// The darts but for their caps.
+/// The darts without their caps.
 std::vector<PieceDart> openDarts(const PatternPiece& piece, const geometry::Line& outline) {
     const Vector2d middle = middleOf(piece);
     std::vector<PieceDart> darts;

@@ -15,11 +15,11 @@
 namespace toile {
 namespace {
 
-/// Turn points are mirror images of each other up to this, mm.
+/// Turn points this near to mirrored places are mirror images, mm.
 constexpr double kSameTurnPoint = 1e-2;
 
-/// The results with outlines that are mirror images, so that corners are found on these; what lies
-/// inside is as it was.
+/// The results with mirrored outlines, on which corners are searched for; the interior stays
+/// unchanged.
 PieceResults withMirroredOutlines(PieceResults results, const std::vector<MirrorPlan>& mirrors) {
     for (std::size_t p = 0; p < results.size(); ++p) {
         if (mirrors[p].lead < 0) {
@@ -87,8 +87,8 @@ void makeChangesEqual(const std::vector<MirroredPoint>& points,
     }
 }
 
-/// Of a piece that is symmetric in itself, darts that mirror each other both open by what is said
-/// of the first.
+/// For a piece that is symmetric in itself: adds the mirror images of darts; if both of a pair are
+/// set, the first one's intake counts.
 std::vector<TypedDart> withImages(const std::vector<TypedDart>& darts, const MirrorPlaces& places) {
     const double turn = places.rising.back() - places.rising.front();
     std::vector<TypedDart> all;
@@ -120,7 +120,7 @@ Result<FlatLine> reshapedLine(const OutlineReference& reference, const OutlinePl
     return reshaped ? Result<FlatLine>(lineOf(*reshaped)) : reshaped.error();
 }
 
-/// How far a line strays from the outline that it is drawn near.
+/// Largest distance of a line from the outline near which it is drawn.
 double strayOf(const FlatLine& line, const OutlineReference& outline) {
     const auto exact = geometry::Line::closed(outline.points, outline.arc);
     double farthest = 0;

@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-/// mm: so far a point of the outline may be found from where it was.
+/// mm: tolerance for finding points of the outline again.
 constexpr double kSamePoint = 1e-4;
 
-/// Which stretch the edges of a line belong to, where the line was drawn out of another.
+/// Finds the stretches that the edges of an extended line belong to.
 class Owners {
 public:
     /// @param widths  of the extensions, one per stretch
@@ -36,13 +36,13 @@ public:
 
     bool isOnOutline(Eigen::Index k) const { return found_[at(k)] >= 0; }
 
-    /// Of the edge from point k to the next.
+    /// Owner of the edge from point k to the next.
     std::size_t of(Eigen::Index k) const {
         const int from = found_[at(k)], to = found_[at(k + 1)];
         if (from < 0 && to < 0) {
             return nearestDrawnOut(0.5 * (line_.row(k) + line_.row(at(k + 1))));
         }
-        // On the way out, and back, it runs along what is not drawn out.
+        // The way to the extension and back belongs to the neighbouring stretch.
         const std::size_t n = widths_.size();
         const std::size_t stretch = stretchAt_[from >= 0 ? from : (to + count() - 1) % count()];
         const bool isStrip = widths_[stretch] > 0;
@@ -53,7 +53,7 @@ private:
     int count() const { return static_cast<int>(before_.line.rows()); }
     std::size_t at(Eigen::Index k) const { return static_cast<std::size_t>(k % line_.rows()); }
 
-    /// The point of the line before, looked for from one on, since most follow each other.
+    /// The point's index in the original line; searches from `from` on, because most are in order.
     int find(const Eigen::RowVector2d& point, int from) const {
         for (int i = 0; i < count(); ++i) {
             const int k = (from + i) % count();
@@ -64,7 +64,7 @@ private:
         return -1;
     }
 
-    /// Beside whose extension a place lies that is on none of them.
+    /// The extended stretch nearest to a place that is not on the original line.
     std::size_t nearestDrawnOut(const Eigen::RowVector2d& point) const {
         std::size_t nearest = 0;
         double least = std::numeric_limits<double>::infinity();
@@ -84,8 +84,8 @@ private:
     const CappedOutline& before_;
     const std::vector<double>& widths_;
     const Points2& line_;
-    std::vector<std::size_t> stretchAt_;  ///< of the line before, by the edge at each point
-    std::vector<int> found_;              ///< on the line before; -1: it is none of its points
+    std::vector<std::size_t> stretchAt_;  ///< of the original line, by the edge at each point
+    std::vector<int> found_;              ///< index in the original line; -1: not one of its points
 };
 
 std::vector<double> widthsOf(const PatternPiece& piece, const CappedOutline& capped) {

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// A weight this far below zero is still in the triangle, and a share this near is the same.
+/// A weight this little below zero is still in the triangle, and shares this near are equal.
 constexpr double kOutside = 1e-9, kSameShare = 1e-9;
 
 }  // namespace
@@ -34,7 +34,7 @@ std::optional<FaceSpan> spanIn(int face, const Eigen::Vector3d& start, const Eig
             span.to = std::min(span.to, before / (before - after));
         }
     }
-    // Not of what is no number either.
+    // The comparison is also false for NaN.
     return span.to - span.from > kSameShare ? std::optional(span) : std::nullopt;
 }
 

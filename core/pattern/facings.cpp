@@ -17,9 +17,9 @@
 namespace toile {
 namespace {
 
-constexpr double kStripGrid = 2e-6;  // mm: of the whole numbers that Clipper works with
-constexpr double kOnOutline = 1e-4;  // mm: points of the strip that lie on the outline
-constexpr double kRoundness = 0.01;  // mm: of the inner edge round a corner of the run
+constexpr double kStripGrid = 2e-6;  // mm: integer unit of the Clipper library
+constexpr double kOnOutline = 1e-4;  // mm: tolerance for points of the strip on the outline
+constexpr double kRoundness = 0.01;  // mm: of the inner edge around a corner of the run
 constexpr double kMostlyFaced = 0.5;
 
 ClipperLib::Path onGrid(const Points2& line) {
@@ -41,7 +41,7 @@ Points2 offGrid(const ClipperLib::Path& path) {
     return line;
 }
 
-/// Neighbouring segments: from one on, so many.
+/// Neighbouring segments: first index and count.
 struct Run {
     std::size_t first = 0, count = 0;
 };
@@ -63,12 +63,12 @@ std::vector<Run> runsOf(const PatternPiece& piece, const Facing& facing) {
         }
     }
     if (n > 0 && std::ranges::all_of(faced, std::identity())) {
-        runs.push_back({0, n});  // which has no strip
+        runs.push_back({0, n});  // a whole outline, which gets no strip
     }
     return runs;
 }
 
-/// A line that runs on straight beyond its ends, where the outline turns inwards there.
+/// A line continued straight beyond its ends if the outline turns inwards there.
 Points2 prolonged(const Points2& run, double width, bool atStart, bool atEnd) {
     const Eigen::Index n = run.rows();
     Points2 line = run;
@@ -84,7 +84,7 @@ Points2 prolonged(const Points2& run, double width, bool atStart, bool atEnd) {
     return line;
 }
 
-/// What of the piece is within the width of a line: the part that holds a place on it.
+/// The part of the piece within `width` of a line that contains a place on the line.
 std::optional<Points2> within(const PatternPiece& piece, const Points2& line, double width,
                               const Eigen::RowVector2d& place) {
     ClipperLib::ClipperOffset offset(2, kRoundness / kStripGrid);
@@ -96,7 +96,7 @@ std::optional<Points2> within(const PatternPiece& piece, const Points2& line, do
     clipper.AddPath(onGrid(piece.outline), ClipperLib::ptClip, true);
     clipper.Execute(ClipperLib::ctIntersection, parts, ClipperLib::pftNonZero,
                     ClipperLib::pftNonZero);
-    // A strip whose ends meet is a ring: what it goes round would be part of it.
+    // A strip whose ends meet is a ring, and would include the area inside it.
     if (std::ranges::any_of(parts, [](const auto& part) { return ClipperLib::Area(part) < 0; })) {
         return std::nullopt;
     }
@@ -132,7 +132,7 @@ public:
           run_(run),
           width_(width) {}
 
-    /// Nothing where it has no room.
+    /// Nothing if the strip has no room.
     std::optional<PatternPiece> make() {
         const double length = outline_.length();
         const double from = segment(0).from;
@@ -158,7 +158,7 @@ private:
         return piece_.segments[(run_.first + k) % piece_.segments.size()];
     }
 
-    /// Whether the outline turns to the left where a stretch begins or ends.
+    /// Whether the outline turns left at the start or end of a stretch.
     bool turnsIn(double at) const {
         const Eigen::RowVector2d there = outline_.pointAt(at);
         const Eigen::RowVector2d before = there - outline_.pointAt(at - 1);
@@ -166,7 +166,7 @@ private:
         return geometry::cross(before, after) > 0;
     }
 
-    /// The strip with the run itself in place of what the grid has made of it.
+    /// The strip with the exact run instead of its copy on the grid.
     std::optional<PatternPiece> made(const Points2& line, const Points2& part) const {
         const Eigen::Index n = part.rows(), m = line.rows();
         const Eigen::Index first = nearestRow(part, line.row(0));
@@ -191,7 +191,7 @@ private:
         return strip;
     }
 
-    /// The segments and seams of the run.
+    /// Adds the segments and seams of the run.
     void addRun(PatternPiece& strip) const {
         double at = 0;
         for (std::size_t k = 0; k < run_.count; ++k) {
@@ -213,8 +213,8 @@ private:
         }
     }
 
-    /// What is beside the run: along the outline as its neighbours are, within it without
-    /// allowance.
+    /// Adds the segments of the other edges: with the neighbours' allowances along the outline,
+    /// without allowance inside it.
     void addRest(PatternPiece& strip, Eigen::Index from) const {
         const auto line = geometry::Line::closed(strip.outline);
         const Eigen::Index n = strip.outline.rows();

@@ -44,7 +44,7 @@ double FinePolyline::directionAtEnd(int k) const {
     const int step = k == 0 ? 0 : k - 1;
     const double near = isInside(k + side) ? curvature(k + side) : 0;
     const double change = isInside(k + 2 * side) ? curvature(k + 2 * side) - near : 0;
-    // Over half a step from the end, at the curvature of the middle of that.
+    // Half a step from the end, with the curvature at the middle of that half.
     return directions_[step] - side * 0.5 * steps_[step] * (near - 0.75 * change);
 }
 

@@ -13,19 +13,19 @@
 namespace toile {
 namespace {
 
-/// Of either piece: vertices to start from, at most, and places on its outline.
+/// For either piece: largest number of starting vertices, and places on its outline.
 constexpr int kReflectedVertices = 400, kOutlinePlaces = 200;
 constexpr int kOutlineRounds = 40;
-/// A reflection that moves the middle by less than this, mm, or turns by less, has come to rest.
+/// The iteration stops when the middle moves, mm, and the direction turns, by less than this.
 constexpr double kReflectionAtRest = 1e-9;
 
-/// Points of one flat piece, and where they are to come to lie on the other.
+/// Points of a flat piece, and their target positions on the other.
 struct ReflectedPoints {
     Points2 from, to;
     Eigen::VectorXd weight;
 };
 
-/// Vertices of `piece`, and what their mirror images are nearest to on `other`.
+/// Vertices of `piece`, and the points of `other` nearest to their mirror images.
 ReflectedPoints nearestPoints(const PieceResult& piece, const PieceResult& other,
                               const MirrorPlane& plane) {
     const symmetry::GarmentSurface surface = symmetry::surfaceOf({piece.piece});
@@ -44,7 +44,7 @@ ReflectedPoints nearestPoints(const PieceResult& piece, const PieceResult& other
     return points;
 }
 
-/// Both one after the other, of the second the points changed round.
+/// Concatenates both; the points of the second are exchanged.
 ReflectedPoints bothWays(const ReflectedPoints& there, const ReflectedPoints& back) {
     const Eigen::Index n = there.from.rows(), m = back.from.rows();
     ReflectedPoints both{Points2(n + m, 2), Points2(n + m, 2), Eigen::VectorXd(n + m)};
@@ -54,7 +54,7 @@ ReflectedPoints bothWays(const ReflectedPoints& there, const ReflectedPoints& ba
     return both;
 }
 
-/// The other way round.
+/// The inverse map.
 MirrorPlaces inverse(MirrorPlaces places) {
     std::ranges::reverse(places.rising);
     std::ranges::reverse(places.falling);
@@ -65,7 +65,7 @@ bool isDrawnMirrored(const PieceResult& result) {
     return result.flat->line && result.plan && result.plan->mirrored;
 }
 
-/// Nodes of one drawn line, and the places that mirror them on the other.
+/// Nodes of one drawn line, and the mirrored places on the other.
 ReflectedPoints pointsOfLines(const PieceResult& piece, const PieceResult& other) {
     const FlatLine &line = *piece.flat->line, &otherLine = *other.flat->line;
     const MirroredOutline& outline = *piece.plan->mirrored;
@@ -83,7 +83,7 @@ Placement bestReflection(const ReflectedPoints& points) {
     return geometry::fitMotion(points.from, points.to, true, points.weight);
 }
 
-/// Places on an outline, evenly, and what they are nearest to on another once they are reflected.
+/// Evenly spaced places on an outline, and the nearest places of another to their reflections.
 ReflectedPoints nearestPlaces(const geometry::Line& line, const geometry::Line& other,
                               const Placement& reflection) {
     ReflectedPoints points{Points2(kOutlinePlaces, 2), Points2(kOutlinePlaces, 2),

@@ -8,9 +8,9 @@ namespace toile {
 namespace {
 
 constexpr double kLongest = 300;      // mm
-constexpr double kShortestGrain = 5;  // mm: what is shorter says nothing
-constexpr double kShare = 0.8;        // of the free box that is drawn
-constexpr double kSlender = 10;       // times as long as it is wide: room for the arrow head
+constexpr double kShortestGrain = 5;  // mm: a shorter line is useless
+constexpr double kShare = 0.8;        // part of the free box that is drawn
+constexpr double kSlender = 10;       // ratio of length to width: room for the arrow head
 constexpr double kHead = 6;           // mm
 constexpr double kHeadShare = 0.15;   // of the line, at most
 constexpr double kHeadAngle = 0.35;   // radians to either side

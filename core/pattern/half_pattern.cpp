@@ -17,10 +17,10 @@
 namespace toile {
 namespace {
 
-/// Stretches shorter than this are left over by rounding, mm.
+/// Shorter stretches are rounding, mm.
 constexpr double kNothing = 1e-6;
 
-/// By what the piece's outline was drawn as a mirror image; null where it was not.
+/// The mirrored outline with which the piece was drawn; null if it was not mirrored.
 const MirroredOutline* mirroredOf(const PieceResult* result) {
     const bool isDrawn = result && result->flat && result->flat->line && result->plan;
     return isDrawn && result->plan->mirrored && result->piece->holes.empty()
@@ -28,7 +28,7 @@ const MirroredOutline* mirroredOf(const PieceResult* result) {
                : nullptr;
 }
 
-/// True where the mirror line lies on the cloth, from row 0 half-way around.
+/// True if the mirror line lies on the cloth, from row 0 to the row half-way around.
 bool hasFold(const Points2& outline) {
     const Eigen::Index half = outline.rows() / 2;
     if (half < 2 || 2 * half != outline.rows()) {
@@ -43,10 +43,10 @@ bool hasFold(const Points2& outline) {
     return true;
 }
 
-/// The parts of a stretch of outline that lie on its first half, to `end`.
+/// The parts of a stretch of outline on its first half, from 0 to `end`.
 struct HalfPart {
     double from = 0, to = 0;                        ///< within the half
-    bool startsAtFold = false, endsAtFold = false;  ///< parted there
+    bool startsAtFold = false, endsAtFold = false;  ///< cut off there
 };
 
 std::vector<HalfPart> partsOnHalf(double from, double to, double end) {
@@ -100,10 +100,10 @@ std::vector<PatternSegment> halfSegments(const std::vector<PatternSegment>& segm
     return halves;
 }
 
-/// Of a closed line that is its own image what lies to the left of the fold: an open line that
-/// starts and ends on the fold.
+/// The part of a symmetric closed line to the left of the fold: an open line that starts and ends
+/// on the fold.
 Points2 upToFold(const Points2& line, const Chord& fold) {
-    constexpr double kNoEdge = 1e-4;  // mm: as the points at the fold are rounded
+    constexpr double kNoEdge = 1e-4;  // mm: rounding of points at the fold
     const std::vector<PieceInternal> parts = leftPart({.points = line, .closed = true}, fold);
     const auto longest = std::ranges::max_element(parts, {}, &PieceInternal::length);
     if (longest == parts.end()) {
@@ -139,7 +139,7 @@ void halve(PatternPiece& piece) {
     piece.outline = Points2(piece.outline.topRows(half + 1));
     for (PieceNotch& notch : piece.notches) {
         if (notch.hole < 0 && outline.apart(notch.at, 0) < kNothing) {
-            notch.at = 0;  // where the fold starts, but for rounding
+            notch.at = 0;  // rounded: where the fold starts
         }
     }
     std::erase_if(piece.notches, [end](const PieceNotch& notch) {
@@ -215,7 +215,7 @@ Pattern asCut(Pattern whole) {
         cutting = piece;
         cutting.byHalf = false;
         if (piece.cutAs == CutAs::Pair || piece.cutAs == CutAs::Image) {
-            // Both have theirs, as often as pairs are cut.
+            // Each of the pair has a facing, with the quantity of the pair.
             const PatternPiece& drawn =
                 piece.cutAs == CutAs::Pair ? piece : whole.pieces[piece.mirror.counterpart];
             cutting.quantity = drawn.quantity;

@@ -17,11 +17,11 @@
 namespace toile {
 namespace {
 
-/// mm: surfaces nearer to each other are told apart by the line's other points.
+/// mm: between surfaces nearer to each other, the other points of the line decide.
 constexpr double kOneSurface = 1;
-/// Weights below this are rounding: the point lies on the edge.
+/// Smaller weights are rounding: the point lies on the edge.
 constexpr double kNoWeight = 1e-9;
-/// Of the bounding box's diagonal: points this near to a plane lie in it.
+/// Part of the bounding box's diagonal: points this near to a plane lie in it.
 constexpr double kInPlane = 1e-9;
 
 /// A triangle of a piece of the garment.
@@ -34,16 +34,16 @@ struct PlaceOnPiece {
     SurfacePoint at;
 };
 
-/// What keeps the parts of one face of the file together; 0 of what is no part of it.
+/// Key shared by the parts of a face of the file; 0 if the face is not from the file.
 int sourceKey(const Piece& piece, int face) {
     const auto f = static_cast<std::size_t>(face);
     return f < piece.sourceFace.size() ? std::max(piece.sourceFace[f], -1) + 1 : 0;
 }
 
-/// A piece before it was cut, and the triangles that it became. What is not asked for is not made.
+/// A piece before it was cut, with its present triangles; members are computed on demand.
 class WholePiece {
 public:
-    /// @param parts  indices of the pieces that it became
+    /// @param parts  indices of its present pieces
     WholePiece(std::shared_ptr<const Piece> whole, const Garment& garment, std::vector<int> parts)
         : whole_(std::move(whole)),
           garment_(garment),
@@ -69,7 +69,7 @@ public:
         return found;
     }
 
-    /// Neighbours, for paths.
+    /// Links to neighbours, for paths.
     const SurfaceLinks& links() {
         if (!links_) {
             links_.emplace(whole_->mesh, whole_->table);
@@ -77,7 +77,7 @@ public:
         return *links_;
     }
 
-    /// Triangles that a triangle has become, or that others of the same face have.
+    /// Present triangles of a triangle, or of others with the same source face.
     std::vector<PieceFace> partsOf(int face) {
         if (!isCut_) {
             return {{parts_.front(), face}};
@@ -91,7 +91,7 @@ public:
         return {faces.begin(), faces.end()};
     }
 
-    /// Where a point is on the pieces: on both sides of a cut.
+    /// Present places of a point: on both sides of a cut.
     std::vector<PlaceOnPiece> placesOf(const SurfacePoint& point) {
         const Eigen::Vector3d position = positionOf(mesh(), point);
         std::vector<PlaceOnPiece> places;
@@ -137,7 +137,7 @@ struct Home {
     SurfacePoint at;
 };
 
-/// The pieces of the garment, by what they were before cuts.
+/// The pieces of the garment, grouped by uncut piece.
 std::vector<std::unique_ptr<WholePiece>> wholePieces(const Garment& garment) {
     std::map<PieceId, int> indexOf;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
@@ -169,7 +169,7 @@ std::vector<std::unique_ptr<WholePiece>> wholePieces(const Garment& garment) {
     return wholes;
 }
 
-/// The whole piece and the place on it of each point of a line; none for those far from all.
+/// The whole piece and the place on it of each point of a line; empty for points far from all.
 std::vector<Home> homesOf(const std::vector<std::unique_ptr<WholePiece>>& wholes,
                           const std::vector<Eigen::Vector3d>& points, double reach) {
     constexpr double kNowhere = std::numeric_limits<double>::infinity();
@@ -202,7 +202,7 @@ std::vector<Home> homesOf(const std::vector<std::unique_ptr<WholePiece>>& wholes
     return homes;
 }
 
-/// Puts one line together from its legs.
+/// Joins the legs of a line into runs.
 class RunBuilder {
 public:
     RunBuilder(const Garment& garment, const PieceResults& results, int line)
@@ -225,7 +225,7 @@ public:
         }
     }
 
-    /// @param closed  the last leg leads back to where the first begins
+    /// @param closed  the last leg ends where the first one starts
     std::vector<InternalRun> take(bool closed) {
         if (closed && !runs_.empty() && meet(runs_.back(), runs_.front())) {
             if (runs_.size() == 1) {
@@ -273,7 +273,7 @@ private:
                 continue;
             }
             for (const PlaceOnPiece& end : to) {
-                // On from where the line is, if it can be: not on the other side of a cut.
+                // Prefer to continue on the current run, not on the other side of a cut.
                 if (end.piece != begin.piece || (found && !goesOn(begin.piece, begin.at))) {
                     continue;
                 }
@@ -306,7 +306,7 @@ private:
         }
     }
 
-    /// A straight step within a triangle, over the triangles that this has become.
+    /// A straight step within a triangle, split over its present triangles.
     void addStep(WholePiece& whole, int face, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
         std::vector<std::pair<int, FaceSpan>> spans;
         for (const PieceFace& part : face < 0 ? std::vector<PieceFace>() : whole.partsOf(face)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of internal lines: of the whole, and on a half pattern.
+// Drawing of internal lines: whole, and on a half pattern.
 
 #include <utility>
 
@@ -23,7 +23,7 @@ std::vector<PieceInternal> leftPart(const PieceInternal& internal, const Chord& 
         return {};
     }
     bool isAllLeft = true;
-    Eigen::Index start = 0;  // of a closed line: where it comes over
+    Eigen::Index start = 0;  // of a closed line: where it crosses to the left
     for (Eigen::Index k = 0; k < n; ++k) {
         isAllLeft = isAllLeft && side(k) >= 0;
         if (internal.closed && side(k) < 0) {

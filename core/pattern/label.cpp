@@ -13,10 +13,10 @@
 namespace toile {
 namespace {
 
-constexpr double kAir = 1;  // capital heights kept free beside and above the block together
+constexpr double kAir = 1;  // total margin beside and above the block, in capital heights
 constexpr PoleSearch kLabelSearch{.tolerance = 0.01, .slack = 0.05, .useful = kSmallestLabel};
 
-/// In two at the blank that leaves the longer part shortest; in one where there is none.
+/// Splits at the blank that makes the longer part shortest; not split if there is none.
 std::vector<std::string> halves(const std::string& line) {
     std::vector<std::string> best{line};
     std::size_t shortest = characterCount(line);
@@ -86,7 +86,7 @@ LabelPlace placeLabel(const std::vector<Points2>& loops, const std::vector<std::
         middle = 0.5 * (loops.front().colwise().minCoeff() + loops.front().colwise().maxCoeff());
     }
     const double height = std::clamp(pole ? pole->room : 0, kSmallestLabel, kLargestLabel);
-    middle.y() += 0.5 * (size.y() - 1) * height;  // to the first line's middle
+    middle.y() += 0.5 * (size.y() - 1) * height;  // to the middle of the first line
     return {middle, height, pole && pole->room >= kSmallestLabel};
 }
 

@@ -17,7 +17,7 @@
 namespace toile {
 namespace {
 
-/// A weight below this puts a point on the rim, as does a share of a segment on its end.
+/// A weight below this puts a point on the rim; a share below this puts it on a segment's end.
 constexpr double kOnRim = 1e-6;
 
 const PieceResult* flatResult(const Garment& garment, const PieceResults& results, int piece) {
@@ -38,14 +38,14 @@ struct RimPlace {
     double at = 0;
 };
 
-/// A piece with its rims, for points to be carried from one to the other.
+/// A piece with its rims, for transferring points to another piece.
 class PieceRims {
 public:
     explicit PieceRims(const PieceResult& result)
         : result_(result), outlines_(seam::buildOutlines({result.piece})) {}
 
-    /// The place of a point of the surface; none where that is not on a rim. Told by its triangle,
-    /// as the two sides of a cut are one line in space.
+    /// The rim place of a surface point; nothing if it is not on a rim. Found by its triangle,
+    /// because the two sides of a cut coincide in space.
     std::optional<RimPlace> placeOf(const SurfaceLinks& links, const SurfacePoint& point) const {
         const Eigen::Vector3d& weight = point.barycentric;
         for (int k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ public:
         return std::nullopt;
     }
 
-    /// The place that is nearest to a point when flat.
+    /// The rim place nearest to a point of the flat piece.
     RimPlace nearest(const Eigen::RowVector2d& point) const {
         RimPlace nearest;
         double least = std::numeric_limits<double>::infinity();
@@ -81,7 +81,7 @@ public:
     const seam::Outline& outline() const { return outlines_.list.front(); }
 
 private:
-    /// On the edge from a vertex, as a share of it.
+    /// On the edge from a vertex, at a share of it.
     std::optional<RimPlace> placeFrom(int vertex, double share) const {
         for (const seam::Outline& rim : outlines_.list) {
             const auto found = std::ranges::find(rim.vertices, vertex);
@@ -104,7 +104,7 @@ MeshArrays flatMesh(const PieceResult& result) {
     return mesh;
 }
 
-/// Carries points of a flat piece over to its counterpart.
+/// Transfers points of a flat piece to its counterpart.
 class MirroredSurface {
 public:
     MirroredSurface(const Garment& garment, const Symmetry& symmetry, const PieceResult& piece,
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// On the counterpart's outline, where the segment has a counterpart.
+    /// On the counterpart's outline, if the segment has a counterpart.
     std::optional<double> mirroredPlace(double at) const {
         const auto piece = static_cast<std::size_t>(index_);
         const auto other = static_cast<std::size_t>(symmetry_.pieces.counterpart[piece]);
@@ -164,10 +164,10 @@ private:
     Placement reflection_;
     PieceRims rims_, otherRims_;
     MeshArrays flatOther_;
-    NearestSurface nearest_;  ///< of that
+    NearestSurface nearest_;  ///< of the counterpart
 };
 
-/// The piece that a cut is drawn on; -1 where there is none.
+/// The piece that a cut is drawn on; -1 if there is none.
 int pieceOf(const Garment& garment, const UserCut& cut, const Progress& progress) {
     const CutOwners owners = findCutOwners(garment.pieces, {cut}, progress);
     const auto owner =
@@ -185,7 +185,7 @@ double distanceTo(const MeshArrays& mesh, const PathPolyline& line, const Eigen:
     return least;
 }
 
-/// Whether points lie on a line, as near as one line is another (`kSameCut`).
+/// Whether points lie on a line, within the tolerance of `kSameCut`.
 bool lieOn(const std::vector<Eigen::Vector3d>& points, const MeshArrays& mesh,
            const PathPolyline& line) {
     const double size = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();
@@ -202,7 +202,7 @@ std::vector<Eigen::Vector3d> positionsOn(const MeshArrays& mesh, const PathPolyl
     return points;
 }
 
-/// Which share of a line lies beside edges of a piece.
+/// The share of a line that runs along edges of a piece.
 double shareBesideEdges(const Piece& piece, const std::vector<Eigen::Vector3d>& line) {
     constexpr double kStep = 2 * kBesideEdge;  // mm
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
@@ -268,13 +268,13 @@ std::optional<CutImage> imageOfCut(const Garment& garment, const PieceResults& r
     const Piece& there = *counterpart->piece;
     const SurfaceLinks linksThere(there.mesh, there.table);
     auto way = traceUserCut(linksThere, NearestSurface(there.mesh), image, progress);
-    // Shares of the length of the image that runs beside edges, and of the drawn cut that may.
+    // Shares of the image's length that must run along edges, and of the drawn cut's that may.
     constexpr double kImageBesideEdges = 0.8, kDrawnBesideEdges = 0.4;
     if (!way || progress.isCancelled()) {
         return std::nullopt;
     }
     const std::vector<Eigen::Vector3d> drawn = positionsOn(mesh, *line);
-    std::vector<Eigen::Vector3d> reflected;  // in space: a cut on one side alone bends flat pieces
+    std::vector<Eigen::Vector3d> reflected;  // in space: a cut on one side only bends flat pieces
     for (const Eigen::Vector3d& point : drawn) {
         reflected.push_back(symmetry.plane.reflected(point));
     }

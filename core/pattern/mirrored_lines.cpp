@@ -11,9 +11,9 @@
 namespace toile {
 namespace {
 
-/// The places of a line's rows in 3D, where some of them are points of a line whose places are
-/// known: between those as the lengths along the rows are.
-/// @param rowOf  per point  @param arc  of the points, and of the first again
+/// The places of a line's rows in 3D, given the places of some rows; between them interpolated by
+/// length along the rows.
+/// @param rowOf  per known point  @param arc  of these points, and of the first again
 /// @return one per row, and of row 0 again, a turn later; ascending
 std::vector<double> placesOfRows(const Points2& rows, const std::vector<int>& rowOf,
                                  const std::vector<double>& arc) {
@@ -37,7 +37,7 @@ std::vector<double> placesOfRows(const Points2& rows, const std::vector<int>& ro
     return places;
 }
 
-/// The line of the rows, from the point 0 of the outline on.
+/// The line of the rows, starting at point 0 of the outline.
 OutlineReference referenceFrom(const Points2& rows, const std::vector<double>& places,
                                const std::vector<int>& rowOf, const OutlineReference& outline) {
     const auto m = static_cast<int>(rows.rows());
@@ -60,13 +60,13 @@ OutlineReference referenceFrom(const Points2& rows, const std::vector<double>& p
     return from;
 }
 
-/// From the rows of one line to those of its mirror image, which run backwards.
+/// Pairs the rows of a line with those of its mirror image, which run backwards.
 MirrorPlaces mirrorPlaces(const std::vector<double>& of, std::vector<double> image) {
     std::ranges::reverse(image);
     return {of, std::move(image)};
 }
 
-/// Without what lies outside the first turn.
+/// Shifts the values by whole turns so that the first lies within the first turn.
 std::vector<double> fromFirstTurn(std::vector<double> arc) {
     const double turn = arc.back() - arc.front();
     const double before = std::floor(arc.front() / turn) * turn;
@@ -91,7 +91,7 @@ FlatLine imageOf(FlatLine line, const MirrorPlaces& places) {
     return line;
 }
 
-/// Symmetric about the places that mirror themselves: the first row, and the one half-way.
+/// Symmetric about the places that mirror themselves: the first row, and the middle one.
 Result<FlatLine> symmetricAbout(FlatLine line, const MirrorPlaces& places) {
     const auto byArc = geometry::Line::closed(line.points, line.arc);
     const auto flat = geometry::Line::closed(line.points);
@@ -126,7 +126,7 @@ public:
     double length(int segment) const { return ends_[segment] - starts_[segment]; }
     double middle(int segment) const { return flat_.wrap((starts_[segment] + ends_[segment]) / 2); }
     double perimeter() const { return flat_.length(); }
-    /// Whether the segments leave nothing of the outline out.
+    /// Whether the segments cover the whole outline.
     bool coverAll() const {
         double sum = 0;
         for (std::size_t k = 0; k < starts_.size(); ++k) {
@@ -140,7 +140,7 @@ private:
     std::vector<double> starts_, ends_;
 };
 
-/// Two pieces that may be mirror images of each other, or one and itself.
+/// Two pieces that may be mirror images of each other, or one piece and itself.
 class Mirrored {
 public:
     Mirrored(const Garment& garment, const PieceResults& exact, const Symmetry& symmetry, int a,
@@ -217,7 +217,7 @@ private:
     FlatSegments a_, b_;
 };
 
-/// The side of the plane on which a piece lies, in mm.
+/// Position of a piece on one side of the plane, signed, mm.
 double sideOf(const Piece& piece, const MirrorPlane& plane) {
     return piece.mesh.V.colwise().mean().dot(plane.normal) - plane.offset;
 }

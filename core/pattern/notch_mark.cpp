@@ -12,7 +12,7 @@
 namespace toile {
 namespace {
 
-/// A place beside a notch: along the seam line, and inwards from the cutting line, mm.
+/// A place relative to a notch: along the seam line, and inwards from the cutting line, mm.
 struct BesideNotch {
     double along = 0, inwards = 0;
 };
@@ -93,7 +93,7 @@ std::vector<std::vector<Points2>> notchMarks(const Pattern& pattern, const Patte
     std::vector<std::vector<Points2>> marks;
     marks.reserve(piece.notches.size());
     for (const PieceNotch& notch : piece.notches) {
-        const int index = notch.hole + 1;  // the outline comes first
+        const int index = notch.hole + 1;  // 0 is the outline
         const geometry::Line& loop = loops[static_cast<std::size_t>(index)];
         const double allowance = notch.hole < 0 ? allowanceAt(piece, loop.length(), notch.at) : 0;
         std::vector<Points2> strokes =

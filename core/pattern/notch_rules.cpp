@@ -13,17 +13,17 @@
 namespace toile {
 namespace {
 
-/// A seam lies towards the back where it is so far behind the middle, as a part of half the
-/// garment's depth: side seams and shoulder seams do not.
+/// A seam lies towards the back if it is this far behind the middle, as a part of half the
+/// garment's depth; side seams and shoulder seams do not.
 constexpr double kBackPart = 0.25;
-/// The line of a sleeve head falls so far within this way to either side, and the sleeve hangs so
-/// far below the armhole, mm: a neckband does not.
+/// Limits for a sleeve head, mm, which exclude neckbands: the line falls by kHeadFall within
+/// kHeadWay to either side, and the sleeve hangs kSleeveBelow below the armhole.
 constexpr double kHeadWay = 50, kHeadFall = 6, kSleeveBelow = 15;
-/// Seams whose lengths differ by less than this part could be taken for each other.
+/// Seams whose lengths differ by less than this part could be confused.
 constexpr double kLikeLength = 0.1;
 
 /// Balance notches as shares: none, the middle, quarters, and others for seams that could be
-/// confused; each seam begins with what is usual, and goes on from there.
+/// confused; each seam starts with the usual ones for its length and continues from there.
 constexpr std::array kHalves = std::to_array<double>({0.5});
 constexpr std::array kQuarters = std::to_array<double>({0.25, 0.5, 0.75});
 constexpr std::array kThirds = std::to_array<double>({1.0 / 3, 2.0 / 3});
@@ -180,7 +180,7 @@ std::vector<Notch> NotchPlaces::fixed(int index) const {
 }
 
 int NotchPlaces::ways() {
-    return 2 * kRhythmCount;  // each also with its first notch double, where that is single
+    return 2 * kRhythmCount;  // each also with its first notch doubled, if it is single
 }
 
 std::vector<Notch> NotchPlaces::balanced(int seam, std::vector<Notch> notches, int way) const {

@@ -14,15 +14,15 @@
 namespace toile {
 namespace {
 
-/// Places nearer to each other than this are one, mm.
+/// Places nearer to each other than this are the same, mm.
 constexpr double kOnePlace = 1e-3;
-/// A place on a line, as a stretch that has some length, in shares.
+/// Half the length, in shares, of the stretch that represents a place on a line.
 constexpr double kHalfPlace = 1e-9;
 
-/// The seam that mirrors another, and how.
+/// The mirror image of a seam, and its orientation.
 struct MirroredSeam {
     int seam = -1;         ///< -1: none
-    bool turned = false;   ///< it runs the other way
+    bool turned = false;   ///< runs in the opposite direction
     bool swapped = false;  ///< its left side mirrors the other's right side
 };
 
@@ -30,7 +30,7 @@ const SeamSide& seamSide(const Seam& seam, bool isRight) {
     return isRight ? seam.right : seam.left;
 }
 
-/// Of a pair of segments: mirrored outlines run in opposite senses.
+/// For a pair of segments: mirrored outlines run in opposite directions.
 std::vector<MirroredSeam> mirroredSeams(const Garment& garment, const Symmetry* symmetry) {
     const std::vector<Seam>& seams = garment.seams.seams;
     std::vector<MirroredSeam> mirrored(seams.size());
@@ -43,7 +43,7 @@ std::vector<MirroredSeam> mirroredSeams(const Garment& garment, const Symmetry* 
             }
             const MirrorSegment& other = symmetry->segments[symmetry->pieces.counterpart[p]][pair];
             if (symmetry->lengths.mirrored[one.seam] == other.seam && !seams[one.seam].closed &&
-                !seams[other.seam].closed) {  // which start anywhere
+                !seams[other.seam].closed) {  // closed seams start anywhere
                 mirrored[one.seam] = {other.seam,
                                       seamSide(seams[one.seam], one.isRight).reversed ==
                                           seamSide(seams[other.seam], other.isRight).reversed,
@@ -60,7 +60,7 @@ struct SeamSpot {
     double share = 0;
 };
 
-/// The seams that a place on a line is on; two where one ends and the next begins.
+/// The seams at a place of a line; two if one ends where the next starts.
 std::vector<SeamSpot> spotsOf(const NotchSettings& said, const Garment& garment,
                               const seam::Outlines& outlines) {
     const double sense = said.reversed ? -1 : 1;
@@ -91,8 +91,8 @@ std::vector<SeamSpot> spotsOf(const NotchSettings& said, const Garment& garment,
     return spots;
 }
 
-/// All notches of a garment while they are decided. Of two seams that mirror each other the first
-/// leads: what is decided is decided of it.
+/// Collects the notches of a garment. Of two seams that mirror each other the first leads, and the
+/// other gets its notches.
 class NotchFinder {
 public:
     NotchFinder(const Garment& garment, const PieceResults& results,
@@ -145,8 +145,8 @@ private:
         return other < 0 ? s : std::min(s, other);
     }
 
-    /// The first way of placing balance notches in which no seam settled before is like this one;
-    /// the usual one where there is none.
+    /// The first way of placing balance notches that cannot be confused with an earlier seam's; the
+    /// usual way if there is none.
     std::vector<Notch> automatic(int s) const {
         const std::vector<Notch> fixed = places_.fixed(s);
         std::vector<Notch> usual;
@@ -189,7 +189,7 @@ private:
         return notch;
     }
 
-    /// Of a seam across the plane, which is its own image turned around, the first half counts.
+    /// For a seam that is its own image turned around, the first half counts.
     std::vector<Notch> symmetrised(int s, const std::vector<Notch>& notches) const {
         if (mirrored_[s].seam != s || !mirrored_[s].turned) {
             return notches;
@@ -277,7 +277,7 @@ private:
         return notch.reason == NotchReason::SeamEnd || notch.reason == NotchReason::SleeveHead;
     }
 
-    /// Two seams that end at one place of an outline mark it once, and nothing else that is near.
+    /// Marks the common end of two seams on an outline once, and hides notches near others.
     void showOnce() {
         for (const bool atEnd : {false, true}) {
             for (std::vector<Notch>& ofSeam : notches_) {
@@ -293,7 +293,7 @@ private:
         }
     }
 
-    /// @return whether it is shown, as it is unless it gives way to what is near
+    /// @return whether it is shown: always, unless it gives way and another is near
     bool show(const SeamSide& side, double arc, bool givesWay) {
         const int outline = outlines_.indexOf(side);
         const double perimeter = outlines_.list[outline].length();

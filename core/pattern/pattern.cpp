@@ -28,7 +28,7 @@ namespace toile {
 
 namespace {
 
-/// The outline of a piece as it is drawn, measured in 3D and in the plane.
+/// The outline of a piece as drawn, measured in 3D and in the plane.
 struct MeasuredOutline {
     geometry::Line in3d, flat;
 
@@ -38,7 +38,7 @@ struct MeasuredOutline {
                    : geometry::Line::closed(of.Q(piece.boundary, Eigen::all), outlineArc(piece))),
           flat(geometry::Line::closed(in3d.points())) {}
 
-    /// In the plane, the first within the first turn.
+    /// In the plane; the first is within the first turn.
     std::pair<double, double> places(double from3d, double to3d) const {
         const double from = in3d.placeOn(flat, from3d), to = in3d.placeOn(flat, to3d);
         const double first = flat.wrap(from);
@@ -112,7 +112,7 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
     std::ranges::stable_sort(made.segments, {}, &PatternSegment::from);
 }
 
-/// Every notch on both sides of its seam, where it is shown.
+/// Adds every notch to both sides of its seam, if it is shown there.
 void addNotches(Pattern& pattern, const SeamGraph& graph,
                 const std::vector<std::vector<Notch>>& notches) {
     for (const std::vector<Notch>& ofSeam : notches) {
@@ -139,7 +139,7 @@ void addNotches(Pattern& pattern, const SeamGraph& graph,
     }
 }
 
-/// As they lie flat; what is straight has no points between.
+/// Adds internal lines as they lie flat, without points on straight stretches.
 void addInternals(Pattern& pattern, const Garment& garment, const PieceResults& results,
                   const std::vector<InternalLine>& lines) {
     constexpr double kStraight = 1e-5;  // mm

@@ -21,7 +21,7 @@ double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widt
         case SeamKind::Fold:
         case SeamKind::Dart:
             return 0;
-        case SeamKind::Free:  // what is too short to be a free edge, or faced, is a seam
+        case SeamKind::Free:  // too short to be a free edge, or faced: treat as a seam
             return isHem(segment) ? widths.hem : widths.seam;
         case SeamKind::Seam:
             break;
@@ -34,7 +34,7 @@ CornerRule cornerOf(const PatternPiece& piece, std::size_t k) {
     const std::size_t count = piece.segments.size();
     std::size_t before = (k + count - 1) % count;
     while (before != k && piece.segments[before].kind == SeamKind::Dart) {
-        before = (before + count - 1) % count;  // the line runs on over the closed dart
+        before = (before + count - 1) % count;  // the line continues over the closed dart
     }
     const bool afterHem = isHem(piece.segments[before]);
     if (segment.corner || afterHem == isHem(segment)) {
@@ -68,19 +68,19 @@ void addCuttingLine(PatternPiece& piece) {
 int segmentAt(const PatternPiece& piece, double length, double at) {
     const auto contains = [&](double slack) {
         return std::ranges::find_if(piece.segments, [&](const PatternSegment& segment) {
-            // What passes the outline's first point is met a turn later.
+            // A segment may pass the outline's first point: also test a turn later.
             return (at >= segment.from - slack && at < segment.to + slack) ||
                    (at + length >= segment.from - slack && at + length < segment.to + slack);
         });
     };
-    constexpr double kRounding = 1e-6;  // mm: between the end of a segment and the next one's start
+    constexpr double kRounding = 1e-6;  // mm: between a segment's end and the next one's start
     auto found = contains(0);
     found = found != piece.segments.end() ? found : contains(kRounding);
     if (found == piece.segments.end()) {
         return -1;
     }
     const auto k = static_cast<int>(found - piece.segments.begin());
-    return found->isFold && k > 0 ? k - 1 : k;  // a half ends where its last segment does
+    return found->isFold && k > 0 ? k - 1 : k;  // a half ends with the segment before the fold
 }
 
 double allowanceAt(const PatternPiece& piece, double length, double at) {

@@ -10,10 +10,10 @@
 namespace toile {
 namespace {
 
-/// Points of a fine line nearer to each other tell nothing of its direction, mm.
+/// Points of a fine line nearer to each other do not define its direction, mm.
 constexpr double kShortestStep = 0.1;
 
-/// Without points that are too near to the one before or to the end.
+/// Omits points too near to the previous one or to the end.
 Points2 thinned(const Points2& line) {
     std::vector<Eigen::Index> kept{0};
     const Eigen::Index last = line.rows() - 1;
@@ -42,7 +42,7 @@ std::vector<CubicCurve> edgesOf(const Points2& line) {
     return edges;
 }
 
-/// Rows at which a line begins anew, first and last among them: its corners.
+/// Rows of the corners of a line, including the first and last row.
 std::vector<Eigen::Index> breaksOf(const Points2& line) {
     std::vector<Eigen::Index> breaks{0};
     for (Eigen::Index k = 1; k + 1 < line.rows(); ++k) {

@@ -15,21 +15,21 @@
 namespace toile {
 namespace {
 
-/// Of what height changes by along the cloth: less on the mean, and the piece lies level.
+/// Mean slope, height per length along the cloth, below which a piece lies level.
 constexpr double kLevel = 0.05;
-/// Of its absolute value: less of the mean change, and ups and downs cancel out.
+/// If the mean change is less than this part of its absolute value, ups and downs cancel out.
 constexpr double kCancelled = 0.35;
-/// A turned grain is taken where it costs less than this part of the straight one, or leaves less
-/// than this part of its share, and less by this, beyond the fabric.
+/// A turned grain is used if its cost is below the first part of the straight grain's, or if its
+/// share beyond the fabric's limits is below that part and smaller by the second.
 constexpr double kWorthTurning = 0.8, kWorthShare = 0.02;
-/// Shares that are as good as the same.
+/// Shares that differ by less are equal.
 constexpr double kSameShare = 1e-9;
 
-/// How height changes over a flat piece, millimetres per millimetre.
+/// Gradient of the height over a flat piece, mm per mm.
 struct Rise {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();      ///< over the area
-    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();  ///< of g g^T
-    double length = 0;                                  ///< of |g|
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();      ///< integral of gradient g over the area
+    Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();  ///< integral of g g^T
+    double length = 0;                                  ///< integral of |g|
     double area = 0;
 };
 
@@ -45,7 +45,7 @@ Rise riseOf(const MeshArrays& mesh, const Points2& Q, const Eigen::VectorXd& hei
                                      height[corner[2]] - height[corner[0]]);
         const Eigen::Vector2d gradient = sides.inverse() * change;
         if (!(doubled > 0) || !gradient.allFinite()) {
-            continue;  // flipped, or no triangle
+            continue;  // flipped or degenerate
         }
         const double area = doubled / 2;
         rise.sum += area * gradient;
@@ -77,7 +77,7 @@ std::optional<double> verticalGrain(const Garment& garment, const PieceResult& r
     }
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
     axes.computeDirect(rise.squares);
-    // Height runs around a tube that lies, and the warp along it.
+    // On a lying tube, height changes around the tube, and the warp runs along it.
     Eigen::Vector2d way = axes.eigenvectors().col(isSewnToItself(garment, piece) ? 0 : 1);
     const double up = way.dot(rise.sum);
     return angleOf(up < 0 || (up == 0 && way.y() < 0) ? Eigen::Vector2d(-way) : way);
@@ -90,11 +90,10 @@ std::optional<double> referenceGrain(const PieceResult& result) {
                                                       : std::nullopt;
 }
 
-/// The straight grain, or the one turned by so much that clearly less cloth lies beyond the fabric;
-/// where that is the same, that it goes clearly less far beyond. No turn makes the share grow that
-/// is shown of the piece.
+/// The straight grain, or a turned one with clearly less area beyond the fabric's limits, or with
+/// the same area and clearly less excess. No turn increases the displayed share.
 double leastStrained(const PieceResult& result, const Fabric& stated, double straight) {
-    // A woven tells the grain most of all.
+    // A woven fabric depends on the grain the most.
     const Fabric& fabric = hasLimits(stated) ? stated : *fabricPreset("woven");
     const auto shareAt = [&](double angle) -> double {
         return strainedArea(result.piece->mesh, result.flat->Q, fabric, angle).share();
@@ -111,7 +110,7 @@ double leastStrained(const PieceResult& result, const Fabric& stated, double str
             (share <= straightShare && cost < kWorthTurning * straightCost);
         const bool isBetter = share < bestShare - kSameShare ||
                               (share <= bestShare + kSameShare && cost < kWorthTurning * bestCost);
-        if (isWorthIt && isBetter) {  // the first of several that are alike
+        if (isWorthIt && isBetter) {  // of equal ones the first
             best = straight + turn;
             bestShare = share;
             bestCost = cost;
@@ -120,7 +119,7 @@ double leastStrained(const PieceResult& result, const Fabric& stated, double str
     return best;
 }
 
-/// The direction of the line in which a flat piece mirrors itself; none where it does not.
+/// The direction of the axis about which a flat piece mirrors itself; nothing if it has none.
 std::optional<double> axisOf(const PieceResult& result, const DrawnMirror& drawn,
                              const Symmetry* symmetry, int piece) {
     if (drawn.isSymmetric) {
@@ -135,7 +134,7 @@ std::optional<double> axisOf(const PieceResult& result, const DrawnMirror& drawn
                : std::nullopt;
 }
 
-/// The direction nearest to an angle of those that are whole steps off the axis.
+/// The direction nearest to `angle` that is a multiple of `step` from the axis.
 double alongAxis(double angle, double axis, double step) {
     const double along = axis + std::round(std::remainder(angle - axis, 2 * kPi) / step) * step;
     return std::remainder(along, 2 * kPi);

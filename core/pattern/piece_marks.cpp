@@ -107,22 +107,22 @@ int drawnCount(const Pattern& pattern) {
 namespace {
 
 constexpr double kAirOfLabel = 0.5;  // capital heights between label and grain line
-constexpr double kGoodLabel = 3;     // mm: no larger one is wanted in place of a number
+constexpr double kGoodLabel = 3;     // mm: a larger one never replaces a number
 constexpr double kClearlyLarger = 1.2;
-constexpr double kGoodGrain = 180;      // mm: no longer one is wanted instead of it
+constexpr double kGoodGrain = 180;      // mm: no need for a longer one
 constexpr double kFoldText = 2.5;       // mm, of a capital
 constexpr double kOffFold = 1.2;        // capital heights between the bracket and the text's middle
-constexpr double kFoldOff = 8;          // mm: the bracket from the fold,
-constexpr double kFoldOffOfEdge = 0.1;  // at most so much of the fold's length
-constexpr double kFoldHead = 0.4;       // of that: an arrow head
-constexpr double kFoldFrom = 0.2;       // of the fold's length: where the arrows are
+constexpr double kFoldOff = 8;          // mm: distance of the bracket from the fold,
+constexpr double kFoldOffOfEdge = 0.1;  // at most this part of the fold's length
+constexpr double kFoldHead = 0.4;       // arrow head, part of that distance
+constexpr double kFoldFrom = 0.2;       // of the fold's length: position of the arrows
 constexpr double kSmallestMarked = 100;  // mm²: no label or grain line on a smaller piece
 
 double lengthOf(const std::optional<Chord>& line) {
     return line ? (line->to - line->from).norm() : 0;
 }
 
-/// Where the words of a fold are, whichever.
+/// The box that is kept free for the words of a fold, for any words.
 Points2 foldRoom(const FoldMark& mark) {
     const Eigen::RowVector2d from = mark.path.row(3), to = mark.path.row(6);
     const Eigen::Vector2d along = (to - from).transpose().normalized();
@@ -137,8 +137,8 @@ double numberHeight(const SeamMark& mark) {
     return mark.numberPlace ? mark.numberPlace->height : 0;
 }
 
-/// The numbers of the seams, and the label where it is largest beside them. Where that is small the
-/// label comes first, unless a number had to become smaller for it than the label then is.
+/// Places the seam numbers, and the label where it is largest beside them. If the label is small,
+/// it is placed first instead, unless that makes a number smaller than the label then is.
 /// @param lines  of the label
 void placeNumbersAndLabel(PieceMarks& marks, const PatternPiece& piece, const Placement& placement,
                           const FreeCloth& cloth, const std::vector<std::string>& lines) {
@@ -173,9 +173,9 @@ void placeNumbersAndLabel(PieceMarks& marks, const PatternPiece& piece, const Pl
     marks = std::move(other);
 }
 
-/// The grain line beside the label. Where that makes it short, it comes first and the label beside
-/// it, if that makes the smaller of both larger, by what each would have alone. Where neither
-/// leaves room for the other, the grain line runs through the label.
+/// Places the grain line beside the label. If that makes it short, the grain line is placed first
+/// instead, if the smaller of both, relative to its size alone, becomes larger. If neither leaves
+/// room for the other, the grain line runs through the label.
 void placeGrain(PieceMarks& marks, FreeCloth cloth, const std::vector<std::string>& lines,
                 double direction) {
     for (const SeamMark& mark : marks.seams) {

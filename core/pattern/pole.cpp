@@ -18,19 +18,19 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int kMaxSquares = 20000;
-constexpr std::size_t kMaxLooks = 300000, kMaxLooksPerEdge = 60;  // at an edge from a place
+constexpr std::size_t kMaxLooks = 300000, kMaxLooksPerEdge = 60;  // limit of distance tests
 
-/// A piece of a line; coordinates in which the shape that seeks room is the unit circle, or the
-/// square of half side 1, at room 1.
+/// A segment of a line, in coordinates in which the shape at room 1 is the unit circle, or the
+/// square of half side 1.
 struct PoleEdge {
     Vector2d a, b;
     int ring;
 };
 constexpr int kOpenLine = -1;
-constexpr int kClothRing = 0;  // of all loops; closed obstacles have one each from 1 on
+constexpr int kClothRing = 0;  // number of all loops; closed obstacles have their own from 1 on
 
-/// How far a segment is from the origin, in the norm of which the unit square is the circle: at an
-/// end, or where it crosses a diagonal.
+/// Distance of a segment from the origin in the maximum norm: at an end, or where it crosses a
+/// diagonal.
 double squareDistance(const Vector2d& a, const Vector2d& b) {
     double least = std::min(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
     for (const double sign : {-1.0, 1.0}) {
@@ -42,7 +42,7 @@ double squareDistance(const Vector2d& a, const Vector2d& b) {
     return least;
 }
 
-/// The lines about the free cloth.
+/// The lines around the free cloth.
 class PoleLines {
 public:
     PoleLines(const FreeCloth& cloth, const Eigen::Matrix2d& toUnit, bool isRound)
@@ -77,13 +77,13 @@ public:
                         : squareDistance(a, b);
     }
 
-    /// How far the corners of a square are from its middle.
+    /// Distance of the corners of a square from its middle.
     double reach(double half) const { return isRound_ ? std::numbers::sqrt2 * half : half; }
 
-    /// How many are looked at to find out whether a point is free.
+    /// Number of edges tested to find out whether a point is free.
     std::size_t edgesBeside(const Vector2d& point) const { return bandOf(point).size(); }
 
-    /// On the cloth and in no closed obstacle: by the lines to the right, ring by ring.
+    /// On the cloth and in no closed obstacle, by counting lines to the right, ring by ring.
     bool isFree(const Vector2d& point) const {
         bool isInside = false;
         int ring = kClothRing;
@@ -119,7 +119,7 @@ private:
         }
     }
 
-    /// Level bands, as many as give each edge two of them on average.
+    /// Horizontal bands, so many that each edge is in two of them on average.
     void fillBands() {
         double low = std::numeric_limits<double>::infinity(), high = -low, rise = 0;
         for (const PoleEdge& edge : edges_) {
@@ -134,7 +134,7 @@ private:
         }
         const int bandCount = 1 + static_cast<int>(count() * ((high - low) / (rise + high - low)));
         low_ = low;
-        bandsPerUnit_ = bandCount / (high - low) * (1 - 1e-12);  // the highest is in the last
+        bandsPerUnit_ = bandCount / (high - low) * (1 - 1e-12);  // puts the highest in the last
         const auto bandAt = [&](double y) {
             return static_cast<int>(std::clamp((y - low_) * bandsPerUnit_, 0.0, bandCount - 1.0));
         };
@@ -159,17 +159,17 @@ private:
     double low_ = 0, bandsPerUnit_ = 0;
 };
 
-/// A part of the plane.
+/// A square of the plane.
 struct PoleSquare {
     Vector2d middle;
     double half = 0;
-    double room = 0;  ///< at the middle; off the free cloth its distance from a line, negative
-    double rank = 0;  ///< those of the highest are looked at first
-    int order = 0;    ///< of equals the first made
+    double room = 0;          ///< at the middle; off the free cloth minus the distance from a line
+    double rank = 0;          ///< squares of the highest rank are searched first
+    int order = 0;            ///< of equal ranks the first made
     std::vector<int> near{};  ///< lines that may be nearest to a point of it
 };
 
-/// Halves squares, from one around all of the cloth.
+/// Subdivides squares, starting with one around all of the cloth.
 class PoleSquares {
 public:
     PoleSquares(const PoleLines& lines, const Eigen::AlignedBox2d& box) : lines_(lines), box_(box) {
@@ -179,12 +179,11 @@ public:
 
     double reach(const PoleSquare& square) const { return lines_.reach(square.half); }
 
-    /// How much room there is about one point.
+    /// The room around a point.
     double roomAt(const Vector2d& point) { return made(point, 0, all_).room; }
 
-    /// @param rank  of a square; none where nothing better can be in it, nor in those of lower
-    /// rank.
-    ///              It takes note of what is at the square's middle
+    /// @param rank  of a square, and records the room at its middle; nothing if neither it nor
+    ///              squares of lower rank can contain anything better
     template <class Rank>
     void search(const Rank& rank) {
         std::vector<PoleSquare> open;
@@ -244,11 +243,11 @@ private:
     const PoleLines& lines_;
     Eigen::AlignedBox2d box_;
     std::vector<int> all_;
-    std::vector<double> distances_;  ///< room for the work
+    std::vector<double> distances_;  ///< working memory
     std::size_t looks_ = 0;
 };
 
-/// Of the area in a line; the middle of the box where that has none.
+/// Centroid of the area in a line; the middle of the box if the area is 0.
 Vector2d centroid(const Points2& loop, const Eigen::AlignedBox2d& box) {
     Vector2d sum(0, 0);
     double area = 0;
@@ -263,7 +262,7 @@ Vector2d centroid(const Points2& loop, const Eigen::AlignedBox2d& box) {
     return area != 0 && box.contains(middle) ? middle : box.center();
 }
 
-/// @param needed  less room is none
+/// @param needed  ignore places with less room
 std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUnit, bool isRound,
                              const PoleSearch& search, double needed = 0) {
     if (cloth.loops.empty() || cloth.loops.front().rows() < 3 || !cloth.loops.front().allFinite() ||
@@ -274,7 +273,7 @@ std::optional<Pole> findPole(const FreeCloth& cloth, const Eigen::Matrix2d& toUn
     const PoleLines lines(cloth, toUnit, isRound);
     PoleSquares squares(lines, geometry::boxAround(cloth.loops.front() * toUnit.transpose()));
     const Vector2d centre = centroid(cloth.loops.front(), geometry::boxAround(cloth.loops.front()));
-    // The centroid first: of equals it is the best.
+    // The centroid first: of equal places it is the best.
     Pole best{centre, squares.roomAt(toUnit * centre)};
     const double atCentre = best.room;
     squares.search([&](const PoleSquare& square) -> std::optional<double> {

@@ -21,7 +21,7 @@ struct Mouth {
     double intake = 0;
 
     bool isTriangle() const { return intake > std::abs(first - second) && intake < first + second; }
-    /// Of the tip, from the first end along the intake, and square to it.
+    /// Position of the tip: along the intake from the first end, and at right angles to it.
     double along() const {
         return ((first - second) * (first + second) + intake * intake) / (2 * intake);
     }
@@ -30,7 +30,7 @@ struct Mouth {
     double angleAtSecond() const { return std::atan2(across(), intake - along()); }
 };
 
-/// A stretch of outline that becomes one edge; lengths in the plane.
+/// A stretch of outline that becomes a single edge; lengths in the plane.
 struct EdgeRun {
     double from = 0, to = 0;
     double tip = -1;  ///< of a dart
@@ -81,7 +81,7 @@ public:
             problem.lengths[i] = runOf_[i] ? runOf_[i]->length() : place(i + 1) - place(i);
             turn[i] = turnAt(place(i)) + turnedBefore(i) + turnedAfter(i);
         }
-        problem.angles = std::numbers::pi - turn.array();  // what is over is spread by the solver
+        problem.angles = std::numbers::pi - turn.array();  // the solver spreads the excess
         auto solved = solveBoundary(problem, BoundarySolver::Newton, progress);
         if (!solved) {
             return solved.error();
@@ -154,7 +154,7 @@ private:
         }
     }
 
-    /// The vertex at a place; -1 where there is none.
+    /// The vertex at a place; -1 if there is none.
     int vertexNear(double at) const {
         const geometry::Line& flat = exact_.flat();
         const int before = flat.edgeAt(at);
@@ -165,7 +165,7 @@ private:
         }
         return -1;
     }
-    /// The same place, where a vertex is near at just that.
+    /// The place of the vertex at a place, if there is one; else the place itself.
     double snapped(double at) const {
         const int vertex = vertexNear(at);
         return vertex < 0
@@ -191,7 +191,7 @@ private:
         return places_[k] + static_cast<double>(turns) * exact_.flat().length();
     }
 
-    /// What all vertices before a place turn by, over any number of turns.
+    /// Sum of the turns of all vertices before a place, over any number of turns.
     double turnedUpTo(double at) const {
         const geometry::Line& flat = exact_.flat();
         const double turns = flat.arc().turnsBefore(at);
@@ -207,7 +207,7 @@ private:
         return turnedUpTo(to - kSamePlace) - turnedUpTo(from + kSamePlace);
     }
 
-    /// The share of what a run turns by that its end takes: the run before place i, and after it.
+    /// Part of a run's turn given to its end: of the run before place i, and of the run after it.
     double turnedBefore(Eigen::Index i) const {
         const auto n = static_cast<Eigen::Index>(places_.size());
         const EdgeRun* run = runOf_[(i + n - 1) % n];
@@ -222,7 +222,7 @@ private:
                                : 0.5 * turnBetween(run->from, run->to);
     }
 
-    /// The place that a length along the outline in the plane has now.
+    /// The new position of a length along the outline in the plane.
     Eigen::RowVector2d pointAt(double flat) const {
         const double at = exact_.flat().wrap(flat);
         const auto next = std::ranges::upper_bound(places_, at);
@@ -252,8 +252,8 @@ private:
     const OutlineReference& reference_;
     ExactOutline exact_;
     std::vector<EdgeRun> runs_;
-    std::vector<double> places_;         ///< in the plane, of what is left of the vertices
-    std::vector<const EdgeRun*> runOf_;  ///< that begins at each; null: none
+    std::vector<double> places_;         ///< in the plane, of the remaining vertices
+    std::vector<const EdgeRun*> runOf_;  ///< run that starts at each; null: none
     std::vector<double> turned_{0};      ///< of all vertices before each, and of all
     Points2 points_;
 };

@@ -25,18 +25,18 @@ constexpr double kSameTick = 0.1;    // mm
 /// Heights of numbers, mm, tried in turn.
 constexpr std::array kNumberHeights{kLargestNumber, 5.0, 4.0, 3.5, 3.0, 2.5, 2.0, 1.5, 1.2, 1.0,
                                     kSmallestNumber};
-/// Of the seam's length: where the middle of a text may be.
+/// Positions of the middle of a text, as parts of the seam's length.
 constexpr std::array kPlacesAlong{0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8, 0.1, 0.9};
 constexpr double kTextOfSeam = 0.8;     // of the seam's length that a text may take
-constexpr double kStraightText = 0.95;  // of the line under a text: its chord; less is a corner
-constexpr double kOffEdge = 0.999;      // of the way from a text to its edge: all but the edge
+constexpr double kStraightText = 0.95;  // chord to arc of the line under a text; less is a corner
+constexpr double kOffEdge = 0.999;      // of the way from a text to its edge: excludes the edge
 constexpr double kNameOff = 2;          // mm between number and name
 constexpr double kRounding = 0x1p-22;
 // In heights of a capital:
 constexpr double kEdgeToText = 0.5;
 constexpr double kAirAround = 0.25;  // kept free on each side
 
-/// By how much a line between two places rises to the left of the way from point to point.
+/// How far a line between two places bulges to the left of its chord.
 double bulge(const geometry::Line& line, double from, double to, const Vector2d& left) {
     const Eigen::RowVector2d origin = line.pointAt(from);
     double largest = 0;
@@ -74,12 +74,12 @@ struct TurnedBox {
     }
 };
 
-/// Lines that texts keep off, found by the place.
+/// Spatial index of the lines that texts keep clear of.
 class LinesThere {
 public:
-    /// Once all lines have been added.
+    /// Call once all lines have been added.
     void finish() {
-        std::vector<std::uint32_t> triangles;  // without area: segments
+        std::vector<std::uint32_t> triangles;  // degenerate: segments
         triangles.reserve(3 * ends_.size());
         for (const auto& [a, b] : ends_) {
             triangles.insert(triangles.end(), {a, b, b});
@@ -87,7 +87,7 @@ public:
         tree_ = {coordinates_.data(), 2, triangles};
     }
 
-    /// What lies within it is taken too.
+    /// The inside of a closed line is blocked too.
     void addObstacle(const Points2& line) {
         add(line, false);
         if (line.rows() > 3 && line.row(0) == line.row(line.rows() - 1)) {
@@ -116,7 +116,7 @@ public:
             low = low.cwiseMin(corner);
             high = high.cwiseMax(corner);
         }
-        // The tree's boxes are rounded.
+        // The boxes of the tree are rounded to floats.
         const Eigen::Vector2f from = (low - kRounding * low.cwiseAbs()).cast<float>();
         const Eigen::Vector2f to = (high + kRounding * high.cwiseAbs()).cast<float>();
         bool isMet = false;
@@ -145,10 +145,10 @@ private:
     Tree tree_;
 };
 
-/// Of all seams of a piece.
+/// The ticks of all seams of a piece.
 class SeamTicks {
 public:
-    /// A tick at `from`, square to the way towards `towards`, `size` to its left.
+    /// A tick at `from`, at right angles to the way to `towards`, `size` to its left.
     std::optional<Chord> tick(const Vector2d& from, const Vector2d& towards, double size) {
         const Vector2d way = towards - from;
         if (!(way.norm() > 0)) {
@@ -158,7 +158,7 @@ public:
         for (const Chord& other : ticks_) {
             if ((tick.from - other.from).norm() < kSameTick &&
                 (tick.to - other.to).norm() < kSameTick) {
-                return std::nullopt;  // the seam before ends here, straight on
+                return std::nullopt;  // a seam ends here, straight on
             }
         }
         ticks_.push_back(tick);
@@ -205,7 +205,7 @@ public:
     }
 
 private:
-    /// The row of texts about a place of the line, and nothing else in its box.
+    /// A box for texts at a place of the line; nothing if the box is not free.
     std::optional<TurnedBox> freeRow(const geometry::Line& line, double at, double width,
                                      double height) const {
         const double from = at - 0.5 * width, to = at + 0.5 * width;
@@ -218,12 +218,12 @@ private:
             return std::nullopt;
         }
         const Vector2d left = geometry::leftOf(way.normalized());
-        // Clear of an edge that bulges into the cloth under the text.
+        // Keep clear of an edge that bulges into the cloth under the text.
         const double off = bulge(line, from, to, left) + (kEdgeToText + 0.5) * height;
         const double air = kAirAround * height;
         const TurnedBox row{0.5 * (before + after) + off * left, way.normalized(),
                             Vector2d(0.5 * width + air, 0.5 * height + air)};
-        // No other line lies between the edge and the text.
+        // No other line may lie between the edge and the text.
         const Vector2d stalk = row.middle - line.pointAt(at).transpose();
         const TurnedBox between{row.middle - 0.5 * kOffEdge * stalk, stalk.normalized(),
                                 Vector2d(0.5 * kOffEdge * stalk.norm(), 0)};
@@ -250,7 +250,7 @@ private:
     std::vector<TurnedBox> rows_;
 };
 
-/// As it is read from the other side; empty where that is no number.
+/// The number as read upside down; empty if that is no number.
 std::string upsideDown(const std::string& number) {
     std::string turned;
     for (const char digit : number) {
@@ -299,14 +299,14 @@ std::vector<SeamMark> seamMarks(const PatternPiece& piece, const Placement& plac
         mark.number = seam.number;
         mark.second = !numbers.insert(seam.number).second;
         const double tick = std::min(kTick, kTickOfSeam * length);
-        // Of a mirrored piece the line runs from its end.
+        // On a mirrored piece the line starts at its end.
         const bool isAtFold[] = {seam.isAtFold[placement.mirrored ? 1 : 0],
                                  seam.isAtFold[placement.mirrored ? 0 : 1]};
         if (!isAtFold[0]) {
             mark.ticks[0] = ticks.tick(line.pointAt(0), line.pointAt(tick), tick);
         }
         if (!seam.closed && !isAtFold[1]) {
-            // Seen from the end backwards the cloth is on the right.
+            // Seen backwards from the end, the cloth is on the right.
             mark.ticks[1] = ticks.tick(line.pointAt(length), line.pointAt(length - tick), -tick);
         }
         for (const auto& made : mark.ticks) {

@@ -18,7 +18,7 @@ double shareOnSide(const SeamSide& side, double arc) {
     return length != 0 ? (arc - side.start) / length : 0;
 }
 
-/// Where something that rises from match to match has a value.
+/// Finds the place where a function that rises from match to match has a value.
 template <class Rising>
 SeamMatch placeWhere(const Seam& seam, const Rising& rising, double value) {
     const std::vector<SeamMatch>& all = seam.matches;

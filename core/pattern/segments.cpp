@@ -16,12 +16,12 @@
 namespace toile {
 namespace {
 
-/// Turn points nearer to each other than this are one, mm.
+/// Turn points nearer to each other than this are the same, mm.
 constexpr double kSamePoint = 1e-4;
-/// A corner that was taken away is found again within this, mm.
+/// Search distance for a corner that was removed, mm.
 constexpr double kSameCorner = 5;
 
-/// One piece's outline while it is divided.
+/// Divides the outline of a piece into segments.
 class Divider {
 public:
     Divider(const Garment& garment, int index, const PieceResult& result,
@@ -79,7 +79,7 @@ private:
 
     void addSeamEnds() {
         if (static_cast<std::size_t>(index_) >= garment_.seams.seamsOfEdge.size()) {
-            return;  // seams were not looked for
+            return;  // seams were not searched for
         }
         std::set<int> touching;
         for (const std::vector<int>& ofEdge : garment_.seams.seamsOfEdge[index_]) {
@@ -147,11 +147,11 @@ private:
         }
     }
 
-    /// What the line turns by at each point, by chords that pass no other one. The end of a seam is
-    /// a corner by longer chords, which pass others but no sharp corner.
+    /// Measures the turn at each point by chords that pass no other point. Ends of seams are tested
+    /// for corners by longer chords, which may pass other points but no sharp corner.
     void finishTurns() {
         std::erase_if(points_, [](const TurnPoint& p) {
-            return !p.isCorner && !p.isSeamEnd;  // a corner that was taken away
+            return !p.isCorner && !p.isSeamEnd;  // a corner that was removed
         });
         const std::size_t count = points_.size();
         std::vector<bool> isSharp(count);
@@ -179,8 +179,8 @@ private:
         }
     }
 
-    /// The turn, which is known up to full ones, as the cloth turns there: at the end of a slit it
-    /// is half a turn to the right, at a spike to the left.
+    /// Resolves full turns by the turn of the cloth: at the end of a slit it is half a turn to the
+    /// right, at a spike to the left.
     double nearTurnIn3d(double turn, double at) const {
         const int vertex = outline_.edgeAt(at + kSamePoint / 2);
         const bool isVertex = apart(outline_.arcOf(vertex), at) < kSamePoint;
@@ -217,7 +217,7 @@ private:
         return made;
     }
 
-    /// Of what has more than half of a segment, that which fits it best; of equals the last.
+    /// The best fit among settings that cover more than half of a segment; of equals the last.
     static SegmentSettings saidOf(const LineStretch& place,
                                   const std::vector<SegmentSettings>& settings) {
         SegmentSettings found;

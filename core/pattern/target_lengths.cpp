@@ -12,16 +12,16 @@
 namespace toile {
 namespace {
 
-/// Ease that would shrink the part it is drawn on by more than this is drawn along the whole seam.
+/// Ease that would shrink its part to less than this factor is drawn along the whole seam.
 constexpr double kMinFactor = 0.5;
 
-/// What is stretched on every outline, the later over the earlier.
+/// Length changes of parts of every outline; later ones replace earlier ones.
 class Stretches {
 public:
     explicit Stretches(const seam::Outlines& outlines)
         : outlines_(outlines), of_(outlines.list.size()) {}
 
-    /// Why the lengths change that are added next.
+    /// Sets the cause of the length changes that are added next.
     void begin(LengthCause cause) { cause_ = cause; }
 
     void add(int outline, geometry::Interval part, double factor) {
@@ -35,7 +35,7 @@ public:
         }
     }
 
-    /// Lengths of a stretch of an outline, stretched so far.
+    /// Length of a stretch of an outline with the changes so far.
     double lengthOf(int outline, double from, double to) const {
         return outlines_.list[outline].length() > 0 ? upTo(outline, to) - upTo(outline, from) : 0;
     }
@@ -47,7 +47,7 @@ public:
 
     bool isTouched(int outline) const { return !of_[outline].empty(); }
 
-    /// The parts of an outline whose lengths change, each with the last change made to it.
+    /// The parts of an outline whose lengths change, each with its last change.
     std::vector<ChangedPart> changed(int outline) const {
         std::vector<ChangedPart> parts = partsUpTo(outline, outlines_.list[outline].length());
         std::erase_if(parts, [](const ChangedPart& part) { return part.factor == 1; });
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    /// From the outline's first vertex to a place, over turns too.
+    /// From the outline's first vertex to a place, over any number of turns.
     double upTo(int outline, double at) const {
         const double length = outlines_.list[outline].length();
         const double turns = std::floor(at / length);
@@ -71,8 +71,8 @@ private:
         return sum;
     }
 
-    /// From the first vertex to a place within the first turn: the parts end to end, each as it was
-    /// changed last.
+    /// From the first vertex to a place within the first turn: consecutive parts, each with its
+    /// last change.
     std::vector<ChangedPart> partsUpTo(int outline, double at) const {
         std::vector<double> cuts{0, at};
         for (const ChangedPart& one : of_[outline]) {
@@ -100,11 +100,11 @@ private:
     }
 
     const seam::Outlines& outlines_;
-    std::vector<std::vector<ChangedPart>> of_;  ///< per outline; a later one replaces an earlier
+    std::vector<std::vector<ChangedPart>> of_;  ///< per outline; later ones replace earlier ones
     LengthCause cause_ = LengthCause::Mirroring;
 };
 
-/// Both sides of seams that mirror each other, and free edges that do.
+/// Applies common lengths to both sides of mirrored seams, and to mirrored free edges.
 void mirrorLengths(const Garment& garment, const CommonLengths& common,
                    const seam::Outlines& outlines, Stretches& stretches) {
     for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
@@ -120,14 +120,14 @@ void mirrorLengths(const Garment& garment, const CommonLengths& common,
     }
 }
 
-/// What is said of segments, on both sides of the seams that they are part of.
+/// Applies set lengths of segments, on both sides of their seams.
 class TypedLengths {
 public:
     TypedLengths(const Garment& garment, const seam::Outlines& outlines, Stretches& stretches)
         : garment_(garment), outlines_(outlines), stretches_(stretches) {}
 
     void apply(const SegmentSettings& said) {
-        std::vector<std::pair<int, geometry::Interval>> parts;  // a cut may have parted it
+        std::vector<std::pair<int, geometry::Interval>> parts;  // several if a cut divides it
         double length = 0;
         for (std::size_t p = 0; p < garment_.pieces.size(); ++p) {
             for (const geometry::Interval& part :
@@ -153,7 +153,7 @@ private:
         }
     }
 
-    /// What of a part lies on one side of a seam, on the other side too.
+    /// Applies the part on one side of a seam to the other side too.
     void carryOver(const Seam& seam, bool fromRight, int index, const geometry::Interval& part,
                    double factor) {
         const SeamSide& side = fromRight ? seam.right : seam.left;
@@ -175,12 +175,12 @@ private:
     Stretches& stretches_;
 };
 
-/// Rims of holes keep their lengths.
+/// Excludes rims of holes, which keep their lengths.
 bool isDrawn(const Seam& seam) {
     return seam.ease && seam.drawn && seam.left.loop == 0 && seam.right.loop == 0;
 }
 
-/// The longer side of a seam becomes as much longer as has been stated.
+/// Lengthens the longer side of a seam by its ease.
 void drawEase(const Seam& seam, const seam::Outlines& outlines, Stretches& stretches) {
     const bool leftIsLonger = *seam.ease >= 0;
     const SeamSide& longer = leftIsLonger ? seam.left : seam.right;

@@ -17,9 +17,9 @@
 namespace toile {
 namespace {
 
-/// A seam's end lies at the turn point that is nearer than this, mm.
+/// Largest distance of a seam's end from its turn point, mm.
 constexpr double kAtTurnPoint = 1e-3;
-/// Places on a line that are the same, as shares of it.
+/// Tolerance for equal places on a line, as shares of it.
 constexpr double kSameEnd = 1e-6;
 
 std::optional<OutlineCorner> cornerAt(const std::vector<OutlineSegments>& segments,
@@ -46,7 +46,7 @@ const TurnPoint& pointOf(const std::vector<OutlineSegments>& segments,
     return segments[corner.piece].turnPoints[corner.point];
 }
 
-/// What has been said of single ends, by seam and end.
+/// Settings of single ends, by seam and end.
 std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSettings& settings) {
     std::map<std::pair<int, bool>, bool> said;
     for (const SeamEndSettings& one : settings.seamEnds) {
@@ -54,21 +54,21 @@ std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSe
         if (found < 0) {
             continue;
         }
-        // Where the sides have changed places the seam runs the other way.
+        // If the sides have been exchanged, the seam runs in the opposite direction.
         const SeamPlace& place = graph.seams[found].place;
         const bool isTurned =
             covered(one.seam.left, place.right) > covered(one.seam.left, place.left);
         const LineStretch& there = isTurned ? place.right : place.left;
         const double off =
             one.atEnd ? there.to - one.seam.left.to : there.from - one.seam.left.from;
-        if (std::abs(std::remainder(off, 1)) < kSameEnd) {  // else a cut has taken that end away
+        if (std::abs(std::remainder(off, 1)) < kSameEnd) {  // else a cut has removed that end
             said[{found, one.atEnd != isTurned}] = one.trued;
         }
     }
     return said;
 }
 
-/// Corners as they come, numbered.
+/// Numbers corners in order of occurrence.
 class Numbers {
 public:
     int of(const OutlineCorner& corner) {
@@ -86,7 +86,7 @@ private:
     std::vector<OutlineCorner> all_;
 };
 
-/// Trues ends that hang together: each asks that two of the corners' turns grow by its kink.
+/// Trues connected ends: at each, the turns of both corners together increase by its kink.
 void trueTogether(const std::vector<const SeamEnd*>& ends,
                   std::vector<std::vector<double>>& turns) {
     Numbers corners;
@@ -97,7 +97,7 @@ void trueTogether(const std::vector<const SeamEnd*>& ends,
         A(row, corners.of(ends[row]->right)) += 1;
         kinks[row] = ends[row]->kink;
     }
-    // Rows may depend on each other, where four pieces meet.
+    // Rows may be linearly dependent if four pieces meet.
     const Eigen::VectorXd change =
         A.leftCols(corners.all().size()).completeOrthogonalDecomposition().solve(kinks);
     for (std::size_t k = 0; k < corners.all().size(); ++k) {

@@ -19,7 +19,7 @@ WalkStation stationAt(const SeamMatch& at, int notch = -1) {
     return station;
 }
 
-/// The ends of a seam and its notches. A notch at an end is that end.
+/// The ends of a seam and its notches. A notch at an end is merged with that end.
 std::vector<WalkStation> stationsOf(const Seam& seam, const std::vector<Notch>& notches) {
     std::vector<WalkStation> stations{stationAt(seam.matches.front())};
     WalkStation end = stationAt(seam.matches.back());
@@ -49,7 +49,7 @@ void measure(std::vector<WalkStation>& stations, const Seam& seam, const DrawnLo
     }
 }
 
-/// Without what is spread.
+/// Without the ease that is spread evenly.
 WalkedLengths lengthsTo(const Seam& seam, const DrawnLoop& left, const DrawnLoop& right,
                         const SeamMatch& place) {
     const SeamMatch& start = seam.matches.front();
@@ -83,7 +83,7 @@ std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& resu
                                 const std::vector<std::vector<Notch>>& notches) {
     DrawnLoops loops(results);
     std::vector<SeamWalk> walks;
-    std::map<std::pair<int, bool>, double> kinks;  // by seam, at its end
+    std::map<std::pair<int, bool>, double> kinks;  // by seam and end
     const auto turnAt = [&](const OutlineCorner& corner) -> double {
         return drawnTurn(*results[corner.piece], segments[corner.piece].turnPoints[corner.point]);
     };
