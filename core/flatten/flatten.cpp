@@ -16,14 +16,14 @@
 namespace toile {
 namespace {
 
-/// A piece whose height in the garment changes by less than this per unit of flat length lies
-/// level: a waistband or the top of a cap. "Up" says nothing there.
+/// A piece whose height in the garment changes by less than this per unit of flat length is level
+/// (a waistband, the top of a cap) and has no reliable "up".
 constexpr double kLevelSlope = 0.2;
-/// Beyond this, mm, the squares of areas have no numbers.
+/// mm: beyond this, squares of areas overflow.
 constexpr double kLargestCoordinate = 1e75;
-/// Of the positions, on meshes large enough to matter.
+/// Bytes of the positions, on meshes large enough to matter.
 constexpr std::size_t kBytesPerTriangle = 25;
-/// Of the model that `isometric` keeps of pieces that are not large.
+/// Bytes of the model that `isometric` keeps for pieces that are not large.
 constexpr std::size_t kModelBytesPerTriangle = 1200;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
@@ -67,8 +67,8 @@ Eigen::Vector2d upDirection(const Points3& V, const Points2& Q) {
     return across.dot(slope) < 0 ? Eigen::Vector2d(-across) : across;
 }
 
-/// Turns the piece so that its up direction is +y and its box starts at the origin. A rotation, so
-/// that lengths and orientation stay.
+/// Turns the piece so that its up direction is +y and its box starts at the origin. A rotation
+/// keeps lengths and orientation.
 void standUpright(const Points3& V, Points2& Q) {
     const Eigen::Vector2d up = upDirection(V, Q);
     const Eigen::Vector2d right(up.y(), -up.x());
@@ -78,7 +78,7 @@ void standUpright(const Points3& V, Points2& Q) {
     Q.rowwise() -= Q.colwise().minCoeff().eval();
 }
 
-/// The piece with its holes filled, and whence its vertices and faces come; of the caps nothing.
+/// The piece with its holes filled, with sources of its vertices and faces; caps have none.
 std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
     auto filled = std::make_shared<Piece>(withHolesFilled(piece));
     filled->file = piece.file;
@@ -91,8 +91,8 @@ std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
     return filled;
 }
 
-/// `flatten`, with what is kept from one time to the next, or null.
-/// @param memory  `present` is the piece; changed on the way, also where an error comes back
+/// `flatten`, with the memory of earlier calls, or null.
+/// @param memory  `present` is the piece; modified even if an error is returned
 Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
                               const FlattenOptions& options, const OutlineTargets& targets,
                               const Progress& progress) {
@@ -109,8 +109,8 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         return Error{ErrorCode::NotFinite, subjectOf(piece),
                      "coordinates reach " + shortest(most) + " mm"};
     }
-    // A hole is closed for the solve and its caps are forgotten: its rim follows the cloth around.
-    // Of the methods that keep lengths, the one that moves the interior freely keeps the rim's too.
+    // Holes are filled for the solve and the caps are dropped, so rims follow the cloth around
+    // them. Only `isometric`, which moves the interior freely, keeps the rims' lengths too.
     const std::shared_ptr<const Piece> filled = piece.holes.empty() ? nullptr : filledPiece(piece);
     if (memory != nullptr && filled) {
         memory->present = filled;

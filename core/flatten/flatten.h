@@ -14,65 +14,63 @@ namespace toile {
 
 struct Piece;
 
-/// Flattens one piece. The y axis points where the 3D +y axis points as seen in the plane.
-/// Holes are filled for the solve. The lengths of their rims are kept by `isometric` alone, and
-/// where it cannot, a note says so.
-/// @param piece  a disk, holes aside (no defect), millimetres
-/// @param targets  lengths of the outline's edges in the pattern, where not those in 3D; kept as
-///                 exactly. Figures of quality are against the garment all the same
-/// Notes of crossings come without the cut that helps (diagnose/crossing_cut.h).
+/// Flattens one piece. Its y axis follows the 3D +y axis as seen in the plane. Holes are filled for
+/// the solve. Only `isometric` keeps the lengths of their rims; if it cannot, it adds a note.
+/// @param piece  a disk, apart from holes (no defect), millimetres
+/// @param targets  pattern lengths of the outline's edges if they differ from 3D; kept as exactly.
+///                 Quality figures are still measured against the garment
+/// Notes of crossings do not contain a helpful cut yet (diagnose/crossing_cut.h).
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite (coordinates beyond 1e75 mm too), OutOfMemory, Cancelled
-/// Cost: the method's. `isometric`: one to ten sparse factorisations of size 2 #V, or
-/// on large pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
+/// Cost: the method's. `isometric`: one to ten sparse factorisations of size 2 #V, or on large
+/// pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
                           const Progress& progress, const OutlineTargets& targets = {});
 
-/// The piece with its outline held at given points, bit for bit, and its interior solved anew:
-/// - `isometric`: the least symmetric Dirichlet energy, no flipped triangle; rims of holes keep the
-///   lengths that they have in `flat`, and where they cannot, a note says so;
-/// - `curvature`, `wang2005`: as the method places it; where that flips a triangle as `isometric`;
-/// - others: the interior follows the outline harmonically, and gives way where a triangle would
-///   flip.
-/// Where `flat` itself has flipped triangles, the new one may have some too; a note counts them.
+/// The piece with its outline held at given points, bit for bit, and its interior solved again:
+/// - `isometric`: minimal symmetric Dirichlet energy, no flipped triangle; rims of holes keep their
+///   lengths of `flat`; if they cannot, a note is added;
+/// - `curvature`, `wang2005`: as the method places it; if that flips a triangle, like `isometric`;
+/// - others: the interior follows the outline harmonically, adjusted where a triangle would flip.
+/// If `flat` itself has flipped triangles, the result may have some too; a note counts them.
 /// @param flat     the piece's flattening with these options
-/// @param outline  #n x 2, mm: of the vertices of piece.boundary, near to where they lie in flat.Q
-/// @return `flat` with other points, and notes of crossings, flips and degenerate triangles made
-///         anew; all figures stay. `flat` itself where the outline has not moved
-/// @errors OutlineNotHeld (a triangle with its corners on the outline would flip, or no way to the
-///         outline was found on which none does), FactorisationFailed, NotFinite, OutOfMemory,
+/// @param outline  #n x 2, mm: vertices of piece.boundary, near to their positions in flat.Q
+/// @return `flat` with other points, and new notes of crossings, flips and degenerate triangles;
+///         all figures stay. `flat` itself if the outline has not moved
+/// @errors OutlineNotHeld (a triangle with all corners on the outline would flip, or no motion to
+///         the outline without flips was found), FactorisationFailed, NotFinite, OutOfMemory,
 ///         Cancelled
-/// Cost: `isometric`: a factorisation of the interior, and one to three of size 2 #V; where
-/// triangles stand in the way one more for each stage. Others: one of the interior. Re-entrant.
+/// Cost: `isometric`: a factorisation of the interior, and one to three of size 2 #V; if triangles
+/// obstruct the motion, one more for each stage. Others: one of the interior. Re-entrant.
 Result<FlatPiece> flattenInside(const Piece& piece, const FlatPiece& flat, const Points2& outline,
                                 const FlattenOptions& options, const Progress& progress);
 
-/// Flattens one piece again and again while it is edited, and reuses what it can: for `isometric`
-/// the positions last found, with the model that led to them. The first flattening, any after a
-/// large edit, and those by other methods are that of `flatten`.
+/// Flattens a piece repeatedly while it is edited, and reuses earlier work: for `isometric` the
+/// last positions and their model. The first flattening, any after a large edit, and those by other
+/// methods equal that of `flatten`.
 ///
-/// After a small edit `isometric` descends from another start until it meets the same tolerance;
-/// where the energy has several minima it stays in the one that the piece already lies in, whatever
-/// energy `curvature` would have; of the outline's figures it repeats those of the last start from
-/// `curvature`. So the same version reached by other edits may lie a little otherwise, within the
-/// tolerance; who wants the very same positions back (undo) keeps them: they are immutable.
+/// After a small edit `isometric` descends from another start to the same tolerance; if the energy
+/// has several minima, it stays in the present one, whatever energy a start from `curvature` would
+/// reach; figures of the outline are those of the last start from `curvature`. So different edits
+/// that lead to the same version may give slightly different positions, within the tolerance. To
+/// restore exact positions (undo), keep the results: they are immutable.
 ///
-/// A value: copies share what is kept and go their own ways, so that an edit which parts a piece in
-/// two hands both on. Different objects may be used on different threads at a time, one object on
-/// one thread. After an error, or a cancel, what was kept stands.
+/// A value: copies share the memory and diverge, so that an edit that divides a piece passes the
+/// memory to both parts. Different objects may be used on different threads, one object on one
+/// thread at a time. After an error or a cancel the earlier memory stays.
 class PieceFlattener {
 public:
-    /// @param piece  the next version; its `sourceVertex` and `sourceFace` say what has stayed.
-    ///               Kept until one takes its place
-    /// @param targets  may be others than the last time: the earlier positions are moved to them
+    /// @param piece  the next version; its `sourceVertex`, `sourceFace` identify unchanged parts.
+    ///               Stored until the next call
+    /// @param targets  may differ from the last call: the earlier positions are moved to them
     /// Errors: those of `toile::flatten`. Cost: after a small edit fewer steps.
     Result<FlatPiece> flatten(const std::shared_ptr<const Piece>& piece,
                               const FlattenOptions& options, const Progress& progress,
                               const OutlineTargets& targets = {});
 
-    /// About what is kept, pieces aside.
+    /// Approximate size of the memory, pieces aside.
     std::size_t keptBytes() const;
-    /// About what will be kept of a piece when it has been flattened, known before.
+    /// Estimate of the memory for a piece before it is flattened.
     static std::size_t expectedBytes(const Piece& piece);
 
 private:

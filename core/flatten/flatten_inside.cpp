@@ -20,7 +20,7 @@ bool isConformalInside(Method method) {
     return method == Method::Curvature || method == Method::Wang2005;
 }
 
-/// As `curvature` and `wang2005` place the interior: holes are filled for that.
+/// Places the interior like `curvature` and `wang2005`, with holes filled.
 Result<Points2> placedInside(const Piece& piece, const Points2& outline, double authalic,
                              const Progress& progress) {
     const Piece filled = piece.holes.empty() ? piece : withHolesFilled(piece);
@@ -39,7 +39,7 @@ Result<Points2> placedInside(const Piece& piece, const Points2& outline, double 
     return Q;
 }
 
-/// The interior by one linear solve, whatever becomes of the triangles.
+/// The interior by a single linear solve, regardless of flipped triangles.
 Result<Points2> linearInside(const Piece& piece, const Points2& Q, const Points2& outline,
                              const FlattenOptions& options, const Progress& progress) {
     if (isConformalInside(options.method)) {
@@ -54,8 +54,8 @@ Result<Points2> linearInside(const Piece& piece, const Points2& Q, const Points2
     return moved;
 }
 
-/// The least energy inside, from a start with the outline where it is to be. Rims that cannot keep
-/// their lengths keep those that they have in the start.
+/// Minimises the energy inside, from a start with the outline at its target. Rims that cannot keep
+/// their lengths keep those of the start.
 Result<Points2> lowestInside(const Piece& piece, const Points2& start, Quality quality,
                              FlatPiece& flat, const Progress& progress) {
     auto lowest = isometric::lowerInside(piece, start, flat.Q, quality, progress);
@@ -81,7 +81,7 @@ Result<Points2> lowestInside(const Piece& piece, const Points2& start, Quality q
     return std::move(lowest->Q);
 }
 
-/// @param flat  its notes of how the way ended are made anew
+/// @param flat  its notes about the end of the iteration are replaced
 Result<Points2> solvedInside(const Piece& piece, const Points2& outline,
                              const FlattenOptions& options, FlatPiece& flat,
                              const Progress& progress) {

@@ -17,13 +17,13 @@
 namespace toile {
 namespace {
 
-/// Height relative to the longest edge below which a triangle is named. Above the height that
-/// loading refuses (kDegenerateHeight), at which an angle has no digits left.
+/// Height relative to the longest edge below which a triangle is reported. It exceeds the height
+/// that loading rejects (kDegenerateHeight), at which an angle has no digits left.
 constexpr double kSliverHeight = 1e-6;
 constexpr int kNamedFaces = 3;
-/// Part of a boundary edge by which its flat length may be off and still count as exact.
+/// Relative error of a boundary edge's flat length that still counts as exact.
 constexpr double kExactLength = 1e-9;
-/// At the tip of a slit in flat cloth the angle is 2 pi but for rounding, and in range.
+/// At the tip of a slit in flat cloth the angle is 2 pi up to rounding, which is in range.
 constexpr double kAngleRounding = 1e-9;
 
 Wording place(const Eigen::RowVector3d& p) {
@@ -43,7 +43,7 @@ Wording crossingCount(int count) {
                                          : countWording(count, "crossing");
 }
 
-/// Where on the piece a place on a flat outline edge lies.
+/// The position on the piece of a place on a flat outline edge.
 Eigen::RowVector3d onPiece(const Piece& piece, const Points2& Q, int edge,
                            const Eigen::RowVector2d& at) {
     const int v = piece.boundary[edge];

@@ -18,10 +18,10 @@
 namespace toile {
 namespace {
 
-/// A vertex so far outside of a triangle, in barycentric coordinates, is no part of it.
+/// A vertex farther outside of a triangle, in barycentric coordinates, is not part of it.
 constexpr double kOutside = 0.01;
-/// A face of the file that has been divided into more triangles than these is not searched: a
-/// polygon with thousands of corners would take its square.
+/// A face of the file divided into more triangles is not searched, because a polygon with thousands
+/// of corners would take quadratic time.
 constexpr std::size_t kMaxCandidates = 64;
 
 bool sameArrays(const Piece& a, const Piece& b) {
@@ -34,7 +34,7 @@ int sourceOf(const std::vector<int>& sources, int index) {
     return sources.empty() ? index : sources[index];
 }
 
-/// Of the plane through the triangle; NaN for one without area.
+/// Coordinates in the plane through the triangle; NaN if it has no area.
 Eigen::RowVector3d barycentricIn(const MeshArrays& mesh, int face, const Eigen::RowVector3d& p) {
     const Eigen::RowVector3d a = mesh.V.row(mesh.F(face, 0));
     const Eigen::RowVector3d b = mesh.V.row(mesh.F(face, 1));
@@ -66,7 +66,7 @@ public:
     }
 
     VersionMatch run() {
-        // Whole triangles first: they say on which side of a cut their corners lie.
+        // Whole triangles first: they decide on which side of a cut their corners lie.
         matchFaces(3);
         matchFaces(1);
         match_.complete = placeOthers();
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// Of each triangle: how many before it come from the same face of the file.
+    /// Per triangle: number of earlier triangles from the same face of the file.
     static std::vector<int> ranksOf(const Piece& piece) {
         std::vector<int> rank(static_cast<std::size_t>(piece.mesh.F.rows()), 0);
         std::vector<int> count;
@@ -91,21 +91,21 @@ private:
         return rank;
     }
 
-    /// The one among the candidates that has the same rank, -1 if there is none. Away from an edit
-    /// it is the triangle itself.
+    /// The candidate of equal rank, -1 if there is none. Away from an edit it is the triangle
+    /// itself.
     int likeliest(int face) const {
         const auto all = allCandidates(face);
         const auto rank = static_cast<std::size_t>(rank_[face]);
         return rank < all.size() ? all[rank] : -1;
     }
 
-    /// Those to be looked at besides the likeliest.
+    /// Candidates to test besides the likeliest.
     std::span<const int> candidates(int face) const {
         const auto all = allCandidates(face);
         return all.size() <= kMaxCandidates ? all : std::span<const int>();
     }
 
-    /// Triangles of the earlier version that come from the same face of the file.
+    /// Triangles of the earlier version from the same face of the file.
     std::span<const int> allCandidates(int face) const {
         const int source = sourceOf(piece_.sourceFace, face);
         return source < 0 || source >= faces_.keyCount() ? std::span<const int>() : faces_[source];
@@ -117,7 +117,7 @@ private:
                (source >= 0 || piece_.mesh.V.row(v) == before_.mesh.V.row(w));
     }
 
-    /// The corner of `other` that is corner k of `face`, or -1.
+    /// The corner of `other` that corresponds to corner k of `face`, or -1.
     int cornerOf(int face, int k, int other) const {
         for (int c = 0; c < 3; ++c) {
             if (same(piece_.mesh.F(face, k), before_.mesh.F(other, c))) {
@@ -133,7 +133,7 @@ private:
                match_.vertex[piece_.mesh.F(face, 2)] < 0;
     }
 
-    /// Takes the corners of triangles of which at least so many are corners of an earlier one.
+    /// Matches triangles that share at least this many corners with an earlier one.
     void matchFaces(int least) {
         for (int f = 0; f < piece_.mesh.F.rows(); ++f) {
             if (!hasOpenCorner(f)) {
@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// Finds the triangles in which new vertices lie. False where one lies nowhere.
+    /// Finds the triangles that contain new vertices. False if a vertex is in none.
     bool placeOthers() {
         std::vector<char> isPlaced(match_.vertex.size(), 0);
         std::size_t open = 0;
@@ -207,7 +207,7 @@ private:
 
 using Place = std::array<double, 3>;
 
-/// Vertices by where they lie in space, those that share their place left out.
+/// Vertices by position in space; -1 if several share a position.
 std::map<Place, int> byPlace(const Piece& piece) {
     std::map<Place, int> vertexAt;
     for (int v = 0; v < piece.mesh.V.rows(); ++v) {
@@ -219,8 +219,8 @@ std::map<Place, int> byPlace(const Piece& piece) {
     return vertexAt;
 }
 
-/// Where the file was written anew with other numbers: the match by place, if that finds most
-/// vertices, and numbers find few of them where they were. n log n then.
+/// For a file rewritten with other numbers: the match by position, if it finds most vertices, and
+/// if few vertices are unchanged under their numbers. n log n then.
 std::optional<VersionMatch> renumberedMatch(const Piece& piece, const Piece& before) {
     std::unordered_map<int, int> bySource;
     for (int v = 0; v < before.mesh.V.rows(); ++v) {

@@ -17,7 +17,7 @@
 namespace toile {
 namespace {
 
-/// Length of each edge of the outline along the line that it is drawn by.
+/// Length of each edge of the outline along the drawn line.
 Eigen::VectorXd lengthsAlong(const FlatLine& drawn, const Piece& piece) {
     const auto line = geometry::Line::closed(drawn.points, drawn.arc);
     Eigen::VectorXd lengths = boundaryLengths3d(piece.mesh.V, piece.boundary);

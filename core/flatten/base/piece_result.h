@@ -17,33 +17,33 @@ namespace toile {
 
 struct OutlinePlan;
 
-/// One piece after the solver: flat, or the reason why not.
+/// One piece after the solver: flat, or the reason for failure.
 struct PieceResult {
     std::shared_ptr<const Piece> piece;
     FlattenOptions options;
-    OutlineTargets targets{};             ///< what its outline is to measure
-    std::optional<FlatPiece> flat;        ///< points in the plane, before the sheet places them
-    std::optional<PieceQuality> quality;  ///< there where flat is
-    std::optional<Error> error;           ///< there where flat is not
-    std::uint64_t fingerprint = 0;        ///< of the flat points; 0 where not flat
+    OutlineTargets targets{};             ///< target lengths of its outline
+    std::optional<FlatPiece> flat;        ///< points in the plane, before placement on the sheet
+    std::optional<PieceQuality> quality;  ///< set if flat
+    std::optional<Error> error;           ///< set if not flat
+    std::uint64_t fingerprint = 0;        ///< of the flat points; 0 if not flat
     double seconds = 0;
-    /// Where the outline was drawn otherwise than it was solved (pipeline/draw_lines.h): the result
-    /// with the exact outline, and by what it was drawn. Null: this is the exact one.
+    /// If the outline was drawn differently from how it was solved (pipeline/draw_lines.h): the
+    /// result with the exact outline, and the plan. Null: this is the exact one.
     std::shared_ptr<const PieceResult> exact{};
     std::shared_ptr<const OutlinePlan> plan{};
 };
 
-/// The result with its outline as it was solved.
+/// The result with its outline as solved.
 inline const PieceResult& exactOf(const PieceResult& result) {
     return result.exact ? *result.exact : result;
 }
 
-/// Whether a person does not want the piece in the pattern: not flat, and no failure.
+/// Whether the user excluded the piece from the pattern: not flat, but no failure.
 inline bool isLeftOut(const PieceResult& result) {
     return result.error && result.error->code == ErrorCode::LeftOut;
 }
 
-/// "flat", "flipped" (flat, but triangles are flipped), "left-out" or "failed": the report's words.
+/// "flat", "flipped" (flat, but with flipped triangles), "left-out" or "failed", as in the report.
 inline std::string_view statusOf(const PieceResult& result) {
     if (isLeftOut(result)) {
         return "left-out";
@@ -52,24 +52,24 @@ inline std::string_view statusOf(const PieceResult& result) {
     return !result.flat ? "failed" : flipped ? "flipped" : "flat";
 }
 
-/// Whether triangles are flipped although the method promises that none does.
+/// Whether triangles are flipped although the method guarantees that none are.
 inline bool breaksPromise(const PieceResult& result) {
     return result.options.method == Method::Isometric && statusOf(result) == "flipped";
 }
 
-/// Whether the flat outline crosses itself: the piece cannot be cut out of one layer of cloth.
+/// Whether the flat outline crosses itself: the piece cannot be cut out of a single layer.
 inline bool crossesItself(const PieceResult& result) {
     return result.quality && result.quality->outlineCrossings > 0;
 }
 
-/// Whether another result is to take its place before anything is written.
+/// Whether it must be replaced by a final result before anything is written.
 inline bool isWarm(const PieceResult& result) {
     return result.flat && result.flat->warm;
 }
 
 using PieceResults = std::vector<std::shared_ptr<const PieceResult>>;
 
-/// The results with their outlines as they were solved; null where one is.
+/// The results with their outlines as solved; null if an entry is null.
 inline PieceResults exactResults(PieceResults results) {
     for (auto& result : results) {
         result = result && result->exact ? result->exact : result;

@@ -15,8 +15,8 @@ using detail::factoriseKkt;
 using detail::Rows2;
 using detail::Vector;
 
-/// The wanted angles are approached in this many steps from those of the circle's polygon, so that
-/// the outline found is one that the convex one grows into, not one wound up by a long step.
+/// Number of steps from the circle polygon's angles to the wanted angles. With stages the convex
+/// outline grows into the result; a long step could wind it up.
 constexpr int kStages = 8;
 constexpr int kStepsPerStage = 10;
 constexpr int kStepsAtLast = 500;
@@ -24,10 +24,10 @@ constexpr int kStepsAtLast = 500;
 constexpr double kLongestTurn = 0.4;
 constexpr double kDecreaseShare = 1e-4;
 constexpr int kDescentHalvings = 50;
-/// A closing gap (of the perimeter) that counts as closed within the descent.
+/// Relative closing gap (of the perimeter) that counts as closed within the descent.
 constexpr double kClosed = 1e-14;
 constexpr int kMaxClosingSteps = 20;
-/// Below this size of the gradient plain Newton steps converge.
+/// Plain Newton steps converge if the gradient is smaller than this.
 constexpr double kNear = 1e-7;
 
 /// The directions of the convex polygon inscribed in a circle; its last edge points along +x.
@@ -44,8 +44,8 @@ Vector circleDirections(const Points2& circle) {
     return phi;
 }
 
-/// The closed outline next to `phi`: Newton's method on the two closing equations with the least
-/// change of the angles. Nothing where it does not get there.
+/// The closed outline nearest to `phi`: Newton's method on the two closing equations with the
+/// smallest change of the angles. Nothing if it does not converge.
 std::optional<Vector> closed(const DirectionProblem& problem, Vector phi) {
     double gap = problem.closure(phi).norm();
     for (int step = 0; step < kMaxClosingSteps && gap > kClosed; ++step) {
@@ -57,16 +57,16 @@ std::optional<Vector> closed(const DirectionProblem& problem, Vector phi) {
         phi += system->solve(Vector::Zero(phi.size()), -problem.closure(phi)).first;
         const double after = problem.closure(phi).norm();
         if (!(after < gap)) {
-            break;  // at the rounding floor, or astray
+            break;  // at the rounding floor, or diverging
         }
         gap = after;
     }
     return gap <= 100 * kClosed ? std::optional(phi) : std::nullopt;
 }
 
-/// Goes down from one closed outline to the next until the gradient along them is small or no step
-/// helps. The energy never rises, so that this ends at a stationary outline wherever it starts.
-/// @param phi  the start; then where it ended  @return steps taken
+/// Descends over closed outlines until the gradient along them is small or no step helps. The
+/// energy never rises, so it ends at a stationary outline from any start.
+/// @param phi  the start; then the end  @return steps taken
 int descend(const DirectionProblem& problem, Vector& phi, int steps, const Progress& progress) {
     Eigen::Vector2d lambda(0, 0);
     int step = 0;
@@ -103,9 +103,9 @@ int descend(const DirectionProblem& problem, Vector& phi, int steps, const Progr
 constexpr double kHalfTurn = std::numbers::pi;
 constexpr int kMaxBisections = 1100;  // more than there are halvings of a double's range
 
-/// Half the central angle of every edge where the longest edge's half is `half`, in (0, pi / 2]:
-/// asin(r sin(half)) for the edge of relative length r, written so that no digits are lost where
-/// both r and the sine are nearly one.
+/// Half the central angle of every edge if the longest edge's half is `half`, in (0, pi / 2]:
+/// asin(r sin(half)) for the edge of relative length r, written so that no digits are lost if both
+/// r and the sine are nearly one.
 Eigen::VectorXd halfAngles(const Eigen::VectorXd& relative, double half) {
     const double sine = std::sin(half);
     const double cosine = std::cos(half);
@@ -167,8 +167,8 @@ Result<Points2> circleOutline(const Eigen::VectorXd& lengths) {
             "the edge has " + shortest(most) + ", the others together " + shortest(others)};
     }
     const Eigen::VectorXd relative = lengths / most;
-    // How far the other edges reach past closing. With the centre inside, all halves sum to half a
-    // turn. Where they cannot, even in the smallest circle that holds the longest edge, the centre
+    // Excess of the other edges over closing. With the centre inside, all halves sum to half a
+    // turn. If they cannot, even in the smallest circle that holds the longest edge, the centre
     // lies beyond that edge, and its half is the sum of the others.
     const bool outside = halfAngles(relative, kHalfTurn / 2).sum() < kHalfTurn;
     const auto isBelow = [&](double half) {
@@ -176,7 +176,7 @@ Result<Points2> circleOutline(const Eigen::VectorXd& lengths) {
         return outside ? halves.sum() - halves[longest] > half : halves.sum() < kHalfTurn;
     };
     // Inside, the sum grows with the longest edge's half. Outside, the others exceed it in a flat
-    // circle, where arcs are as chords, and fall below it at a quarter turn.
+    // circle, where arcs are like chords, and fall below it at a quarter turn.
     double low = 0;
     double high = kHalfTurn / 2;
     for (int k = 0; k < kMaxBisections; ++k) {
@@ -190,9 +190,8 @@ Result<Points2> circleOutline(const Eigen::VectorXd& lengths) {
     if (outside) {
         halves[longest] = kHalfTurn - halves[longest];  // its arc is the rest of the turn
     }
-    // Walked edge by edge: each has its length to rounding, whatever the radius. An edge's
-    // direction turns by its own half and its neighbour's. What is left of closing, rounding too,
-    // is shared by all edges.
+    // Walk edge by edge: each has its length to rounding, for any radius. An edge's direction turns
+    // by its own half and its neighbour's. All edges share the remaining gap, including rounding.
     Points2 steps(n, 2);
     double direction = 0;
     for (int k = 0; k < n; ++k) {

@@ -12,14 +12,14 @@
 
 namespace toile::detail {
 
-/// The boundary problem in edge directions, and the linear systems of its Newton steps. Shared by
-/// the solvers that work in directions; everything is O(n). Lengths are relative to the perimeter.
+/// The boundary problem in edge directions, and the linear systems of its Newton steps. Used by all
+/// solvers that work in directions; everything is O(n). Lengths are relative to the perimeter.
 
 using Vector = Eigen::VectorXd;
 using Rows2 = Eigen::Matrix<double, Eigen::Dynamic, 2>;
 
-/// The unknowns are phi_1 .. phi_(n-1); phi_0 = 0 and phi_n = 2 pi are given, so that the outline
-/// turns once whatever the unknowns are. Keeps a reference to the problem.
+/// The unknowns are phi_1 .. phi_(n-1); phi_0 = 0 and phi_n = 2 pi are fixed, so that the outline
+/// turns once for any unknowns. Keeps a reference to the problem.
 class DirectionProblem {
 public:
     explicit DirectionProblem(const BoundaryProblem& problem)
@@ -33,9 +33,9 @@ public:
     double energy(const Vector& phi) const { return 0.5 * residual(phi).squaredNorm(); }
     /// The sum of the edge vectors.
     Eigen::Vector2d closure(const Vector& phi) const;
-    /// Of the energy, by phi.
+    /// Gradient of the energy with respect to phi.
     static Vector gradient(const Vector& residual);
-    /// Derivatives of the closure by phi, one row per unknown.
+    /// Derivatives of the closure with respect to phi, one row per unknown.
     Rows2 jacobian(const Vector& phi) const;
     /// Diagonal of the constraints' part of the Lagrangian's Hessian.
     Vector constraintCurvature(const Vector& phi, const Eigen::Vector2d& lambda) const;
@@ -45,13 +45,13 @@ private:
     int unknowns_;
 };
 
-/// L D L^T of the tridiagonal matrix with 2 + extra on the diagonal and -1 beside it.
+/// L D L^T of the tridiagonal matrix with 2 + extra on the diagonal and -1 next to it.
 class Tridiagonal {
 public:
     explicit Tridiagonal(const Vector& extra);
 
     int negativePivots() const { return negative_; }
-    /// A pivot near zero says that the matrix is nearly singular or was eliminated unstably.
+    /// A pivot near zero means that the matrix is nearly singular or the elimination unstable.
     bool isSafe() const { return smallest_ > 1e-9; }
 
     template <class Right>
@@ -83,11 +83,11 @@ struct KktSystem {
     std::pair<Vector, Eigen::Vector2d> solve(Vector a, const Eigen::Vector2d& b) const;
 };
 
-/// The KKT system at a point, with as much of the constraints' curvature as leaves the right
+/// The KKT system at a point, with as much of the constraints' curvature as gives the right
 /// inertia: by Sylvester and Haynsworth, H has as many negative pivots as J^T H^-1 J has negative
 /// eigenvalues. Without curvature (the SLCP model) H is positive definite, so the search ends;
-/// nothing only where the constraints are dependent (an outline on a line).
-/// @param withoutCurvature  take the SLCP model at once
+/// nothing only if the constraints are dependent (an outline on a line).
+/// @param withoutCurvature  use the SLCP model at once
 std::optional<KktSystem> factoriseKkt(const Vector& curvature, const Rows2& J,
                                       bool withoutCurvature);
 

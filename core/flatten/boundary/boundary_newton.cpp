@@ -12,12 +12,12 @@ using detail::Rows2;
 using detail::Vector;
 
 constexpr int kMaxIterations = 200;
-/// Size of the gradient of the Lagrangian that counts as zero: radians, relative closure.
+/// Size of the Lagrangian's gradient that counts as zero: radians, relative closure.
 constexpr double kGradientTolerance = 1e-13;
 /// Below this size a stalled iteration has reached the rounding floor of a long outline.
 constexpr double kRoundingFloor = 1e-9;
-/// Above this closing gap (of the perimeter) the constraints' curvature says nothing yet: following
-/// it leads to outlines that wind wrongly.
+/// Above this closing gap (of the perimeter) the constraints' curvature is misleading: following it
+/// gives outlines with a wrong winding number.
 constexpr double kFarFromClosed = 0.1;
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMaxHalvings = 40;
@@ -27,7 +27,7 @@ struct Iterate {
     Eigen::Vector2d lambda;  ///< multipliers of closing in x and y
 };
 
-/// Angle energy plus the closing gap, weighted so that no step may trade closure for energy.
+/// Angle energy plus the closing gap, weighted so that no step trades closure for energy.
 struct Merit {
     const DirectionProblem& problem;
     double weight;
@@ -37,8 +37,8 @@ struct Merit {
     }
 };
 
-/// Shortens the step until the merit decreases enough; a full step refused only because the
-/// constraint bends away from its tangent gets a second-order correction first.
+/// Shortens the step until the merit decreases enough; first tries a second-order correction if a
+/// full step fails only because the constraint is curved.
 Vector searchAlong(const DirectionProblem& problem, const KktSystem& system, const Vector& phi,
                    const Vector& step, const Vector& gradient, const Eigen::Vector2d& closure,
                    double weight) {
@@ -104,10 +104,10 @@ Result<FlatBoundary> newtonFrom(const BoundaryProblem& problem, const Eigen::Vec
             break;
         }
         const auto [step, lambda] = system->solve(-gradient, -closure);
-        // Large enough for descent, and no longer than needed: a weight that only grows cuts every
-        // later step short.
+        // Large enough for descent, but no larger than needed: a weight that only grows shortens
+        // all later steps.
         weight = std::max(1 + 2 * lambda.lpNorm<Eigen::Infinity>(), 0.5 * weight);
-        if (size < 1e-6) {  // inside the basin: the merit's rounding would only hinder
+        if (size < 1e-6) {  // inside the basin: rounding of the merit would only hinder
             at.phi += step;
         } else {
             at.phi = searchAlong(newton, *system, at.phi, step, gradient, closure, weight);

@@ -45,7 +45,7 @@ FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd&
         const double before = i > 0 ? directions[i - 1] : directions[n - 1] - 2 * std::numbers::pi;
         flat.angles[i] = std::numbers::pi - directions[i] + before;
     }
-    // What is left at the end is rounding; every edge takes its share, in proportion to its length.
+    // The remaining gap is rounding; edges share it in proportion to their lengths.
     const double perimeter = problem.lengths.sum();
     flat.closureGap = at.norm() / perimeter;
     double along = 0;
@@ -62,7 +62,7 @@ FlatBoundary closeOutline(const BoundaryProblem& problem, const Eigen::VectorXd&
 namespace {
 
 constexpr int kMaxPrograms = 500;
-/// Size of the gradient of the Lagrangian at which the iteration stops: angles in radians, closure
+/// Size of the Lagrangian's gradient at which the iteration stops: angles in radians, closure
 /// relative to the perimeter.
 constexpr double kProgramTolerance = 1e-11;
 constexpr double kRankTolerance = 1e-14;  ///< of the largest eigenvalue
@@ -77,7 +77,7 @@ Constraints constraintsAt(const BoundaryProblem& problem, const Eigen::VectorXd&
             (problem.lengths.array() * phi.array().sin()).sum()};
 }
 
-/// Derivatives of the constraints by theta; rows 2 and 3 are suffix sums, O(n).
+/// Derivatives of the constraints with respect to theta; rows 2 and 3 are suffix sums, O(n).
 Jacobian jacobianAt(const BoundaryProblem& problem, const Eigen::VectorXd& phi) {
     Jacobian A(3, phi.size());
     A.row(0).setConstant(-1);
@@ -143,7 +143,7 @@ Result<FlatBoundary> runSolver(const BoundaryProblem& problem, BoundarySolver so
     return solved;
 }
 
-/// A vertex more than a quarter turn from what is wanted may be the mark of a wrong minimum.
+/// A vertex more than a quarter turn from its wanted angle may indicate a wrong minimum.
 bool isPlausible(const Result<FlatBoundary>& solved, const BoundaryProblem& problem) {
     return solved
                ? (solved->angles - problem.angles).lpNorm<Eigen::Infinity>() <= std::numbers::pi / 2

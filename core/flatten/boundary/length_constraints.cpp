@@ -9,16 +9,16 @@ namespace toile {
 namespace {
 
 constexpr int kMaxSteps = 30;
-/// Length error that counts as none: of the edge, or of the piece's extent where that is more.
+/// Length error that counts as exact: of the edge, or of the piece's extent if that is more.
 constexpr double kExact = 1e-13;
 constexpr double kDigits = 4e-15;
-/// Times that: no progress below it is arrival too.
+/// Multiple of it below which lack of progress also counts as convergence.
 constexpr double kNearlyExact = 100;
-/// Above this the outline's lengths are no longer near: no use in trying.
+/// Above this the lengths are too far off to try.
 constexpr double kFar = 4;
 
-/// Solves the cyclic tridiagonal system with 2 on the diagonal and beside_i coupling i and i + 1:
-/// the corner is taken out as a rank one change (Sherman and Morrison).
+/// Solves the cyclic tridiagonal system with 2 on the diagonal and beside_i coupling i and i + 1;
+/// the corner is removed as a rank one change (Sherman and Morrison).
 Eigen::VectorXd solveCyclic(const Eigen::VectorXd& beside, const Eigen::VectorXd& right) {
     const Eigen::Index n = right.size();
     const double corner = beside[n - 1];
@@ -167,7 +167,7 @@ double LengthConstraints::worstError(const Points2& Q, const Eigen::VectorXd& re
     for (const int v : loops_.vertices()) {
         extent = std::max(extent, Q.row(v).lpNorm<Eigen::Infinity>());
     }
-    // An edge much shorter than the piece is as long as the digits of its ends can say.
+    // The rounding of its ends limits the length accuracy of an edge much shorter than the piece.
     const Eigen::VectorXd allowed = (kExact * lengths_).cwiseMax(kDigits * extent);
     return residual.cwiseQuotient(allowed).lpNorm<Eigen::Infinity>();
 }

@@ -10,15 +10,15 @@
 
 namespace toile {
 
-/// Closed loops of boundary edges whose lengths are kept: the outline of a piece, and after it the
-/// rims of holes where these count too. Vertices and edges are numbered through all loops; edge i
+/// Closed loops of boundary edges whose lengths are fixed: the outline of a piece, followed by the
+/// rims of holes if these are fixed too. Vertices and edges are numbered through all loops; edge i
 /// runs from vertex i to the next one of its loop. No vertex is in two loops. The lengths are those
-/// on the surface, unless others are asked for. Immutable.
+/// on the surface, unless others are given. Immutable.
 class EdgeLoops {
 public:
-    /// The outline alone.
+    /// The outline only.
     EdgeLoops(std::vector<int> outline);
-    /// @param loops  the outline first; each of three vertices or more, surface on the left
+    /// @param loops  the outline first; each of at least three vertices, surface on the left
     explicit EdgeLoops(const std::vector<std::vector<int>>& loops);
 
     int count() const { return static_cast<int>(vertices_.size()); }
@@ -30,7 +30,7 @@ public:
     int end(int i) const { return vertices_[next_[i]]; }
 
     int loopCount() const { return static_cast<int>(starts_.size()) - 1; }
-    /// Number of the first vertex of a loop; of the one after the last loop: `count()`.
+    /// Number of the first vertex of a loop; for the index after the last loop: `count()`.
     int start(int loop) const { return starts_[loop]; }
     std::vector<int> loop(int index) const;
     std::vector<int> outline() const { return loop(0); }
@@ -38,15 +38,15 @@ public:
     /// The same loops with other numbers of vertices.
     EdgeLoops renumbered(const std::vector<int>& numbers) const;
 
-    /// The same loops, their edges with these lengths (unit of V; empty: those on the surface).
+    /// The same loops with these edge lengths (unit of V; empty: those on the surface).
     EdgeLoops withLengths(Eigen::VectorXd lengths) const;
-    /// The lengths that the edges are to have.
+    /// The target lengths of the edges.
     Eigen::VectorXd lengths(const Points3& V) const;
 
-    /// The same loops, the outline's vertices held where they are: only rims move.
+    /// The same loops with the outline's vertices held: only rims move.
     EdgeLoops withOutlineHeld() const;
     bool holdsOutline() const { return holdsOutline_; }
-    /// Makes the rows of held vertices zero: a motion, or forces, of all vertices (#V x 2).
+    /// Sets the rows of held vertices to zero, in a motion or in forces of all vertices (#V x 2).
     void clearHeld(Points2& motion) const;
 
 private:
@@ -57,8 +57,8 @@ private:
     bool holdsOutline_ = false;
 };
 
-/// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece: those of the outline, and
-/// of rims of holes where these count. Immutable; O(n) each.
+/// The conditions |q_(i+1) - q_i| = l_i on the boundary edges of a piece: of the outline, and of
+/// rims of holes if these are fixed. Immutable; O(n) each.
 class LengthConstraints {
 public:
     /// @param lengths  of the loops' edges, unit of Q, positive
@@ -67,29 +67,29 @@ public:
     int count() const { return loops_.count(); }
     const EdgeLoops& loops() const { return loops_; }
 
-    /// Unit vectors along the edges, n x 2: with them the derivative A of the lengths by Q.
+    /// Unit vectors along the edges, n x 2; they define the derivative A of the lengths by Q.
     Points2 directions(const Points2& Q) const;
     /// |q_(i+1) - q_i| - l_i.
     Eigen::VectorXd residual(const Points2& Q) const;
-    /// A P: how fast the lengths change when Q moves along P.
+    /// A P: rate of change of the lengths when Q moves along P.
     Eigen::VectorXd along(const Points2& directions, const Points2& P) const;
     /// Adds A^T y to G (#V x 2).
     void addForces(const Points2& directions, const Eigen::VectorXd& y, Points2& G) const;
-    /// Adds A^T diag(stiffness) A and, where a multiplier is positive (the edge pulls), the second
-    /// derivative of its length times the multiplier.
+    /// Adds A^T diag(stiffness) A and, for positive multipliers (the edge pulls), the second
+    /// derivative of the length times the multiplier.
     void addHessian(const Points2& Q, const Eigen::VectorXd& stiffness,
                     const Eigen::VectorXd& multipliers, linalg::BlockMatrix& hessian) const;
 
-    /// True where the lengths are exact, rounding of the positions aside.
+    /// True if the lengths are exact, up to rounding of the positions.
     bool areKept(const Points2& Q) const;
 
-    /// Moves the boundary to the exact lengths, by the least motion to first order (Newton steps
-    /// on the residual, one cyclic tridiagonal solve per loop; quadratic). False where it does
-    /// not arrive: too far away, or a loop lies in one line.
+    /// Moves the boundary to the exact lengths, by the smallest motion to first order (Newton steps
+    /// on the residual, one cyclic tridiagonal solve per loop; quadratic convergence). False if it
+    /// fails: too far away, or a collinear loop.
     bool restore(Points2& Q) const;
 
 private:
-    /// The largest error of a length, in parts of what counts as none.
+    /// The largest length error, relative to the error that counts as exact.
     double worstError(const Points2& Q, const Eigen::VectorXd& residual) const;
 
     EdgeLoops loops_;

@@ -15,14 +15,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Refinements after the first solution. Each gains the digits the factorisation has; the last one
-/// is where the correction no longer shrinks.
+/// Refinements after the first solution. Each gains as many digits as the factorisation has; the
+/// last one is reached when the correction no longer shrinks.
 constexpr int kMaxRefinements = 12;
 /// A correction below this part of the solution is rounding.
 constexpr double kNegligible = 1e-15;
 
-/// Corner positions of a triangle in its own plane, the first at the origin: that of the second and
-/// of the third. Scaled so that 2 sqrt(A) = 1, which makes the opposite edges the row itself.
+/// Row of a triangle in its own plane, given the second and third corner relative to the first.
+/// Scaled so that 2 sqrt(A) = 1, which makes the opposite edges the row itself.
 Eigen::RowVector3cd rowOf(Complex second, Complex third) {
     const double doubleArea = std::imag(std::conj(second) * third);
     const double scale = 1 / std::sqrt(2 * doubleArea);
@@ -45,7 +45,7 @@ ConformalEnergy::ConformalEnergy(const Triangles& F, const Eigen::MatrixX3d& ang
                                  int vertexCount)
     : F_(F), rows_(F.rows(), 3), vertexCount_(vertexCount) {
     for (int f = 0; f < F_.rows(); ++f) {
-        // Sides are as the sines of the opposite angles.
+        // Sides are proportional to the sines of the opposite angles.
         const Complex second = std::sin(angles(f, 2));
         const Complex third = std::polar(std::sin(angles(f, 1)), angles(f, 0));
         rows_.row(f) = rowOf(second, third);
@@ -55,7 +55,7 @@ ConformalEnergy::ConformalEnergy(const Triangles& F, const Eigen::MatrixX3d& ang
 Eigen::VectorXcd ConformalEnergy::residual(const Eigen::VectorXcd& z) const {
     Eigen::VectorXcd result(F_.rows());
     for (int f = 0; f < F_.rows(); ++f) {
-        // A row sums to zero: differences first, or the place of the triangle costs digits.
+        // A row sums to zero: use differences first, because the triangle's position costs digits.
         const Complex origin = z[F_(f, 0)];
         result[f] = rows_(f, 1) * (z[F_(f, 1)] - origin) + rows_(f, 2) * (z[F_(f, 2)] - origin);
     }
@@ -136,8 +136,8 @@ Result<Points2> solvePinned(const ConformalEnergy& energy, std::array<int, 2> pi
     if (!factorised) {
         return factorised.error();
     }
-    // From "all free vertices at the first pin", every step solves for what is missing: the first
-    // finds the solution as the normal equations see it, the others restore it.
+    // Starts with all free vertices at the first pin; every step solves for the remaining error:
+    // the first solves the normal equations, the others restore precision.
     Eigen::VectorXcd z = Eigen::VectorXcd::Zero(vertexCount);
     z[pins[1]] = distance;
     double last = std::numeric_limits<double>::infinity();

@@ -20,7 +20,7 @@
 namespace toile {
 namespace {
 
-/// Of vertices equally far apart (symmetric pieces) the first is taken, whatever rounding says.
+/// Of vertices equally far apart (symmetric pieces) take the first, independent of rounding.
 constexpr double kClearlyFarther = 1 + 1e-9;
 /// Each sweep only lengthens the pair; two or three suffice.
 constexpr int kMaxSweeps = 8;
@@ -120,13 +120,13 @@ Result<FlatPiece> flattenLscm(const Piece& piece, const FlattenOptions& /*option
 
 namespace {
 
-/// By the angles that the surface has.
+/// With the angles of the surface.
 BoundaryProblem boundaryProblemOf(const Piece& piece, const OutlineTargets& targets) {
     return {outlineLengths(piece, targets), boundaryAngles3d(piece.mesh, piece.boundary)};
 }
 
-/// The outline that solves the boundary problem, and the interior in it.
-/// @param interior  made here where it is needed and not there
+/// Solves the boundary problem and places the interior in the outline.
+/// @param interior  made here if it is needed and missing
 Result<FlatPiece> solveAndFill(const Piece& piece, const FlattenOptions& options,
                                const BoundaryProblem& problem,
                                std::optional<ConformalInterior> interior,
@@ -178,9 +178,9 @@ Result<FlatPiece> flattenCurvature(const Piece& piece, const FlattenOptions& opt
     if (!interior) {
         return interior.error();
     }
-    // The logarithm u of the scale of a conformal flat metric that keeps the boundary's lengths:
-    // L u = -K inside, u = 0 on the boundary, K what the angles around a vertex lack of 2 pi. Its
-    // flux through the boundary is what the interior curvature takes from each boundary angle.
+    // The logarithm u of the scale of a conformal flat metric with the same boundary lengths: L u =
+    // -K inside, u = 0 on the boundary, K the angle defects to 2 pi around vertices. Its flux
+    // through the boundary is the change of each boundary angle due to the interior curvature.
     const Eigen::VectorXd defects = 2 * std::numbers::pi - vertexAngles3d(piece.mesh).array();
     auto u = interior->solve(-defects, progress);
     if (!u) {

@@ -12,24 +12,23 @@ namespace toile {
 namespace {
 
 constexpr int kMaxPowerSteps = 200;
-/// A step that moves the boundary by less than this part of its size is the last.
+/// The iteration ends if a step moves the boundary by less than this part of its size.
 constexpr double kConverged = 1e-13;
-/// A direction shorter than this part of what it was before its share of the others was taken out
-/// is rounding.
+/// After orthogonalisation, a direction shorter than this part of its earlier length is rounding.
 constexpr double kDependent = 1e-10;
 /// Multiple of B added to M^H M, whose diagonal is about one, to make it definite. Far below the
-/// eigenvalues of pieces like a belt (squares in a row: 100 / n^4), or steps would gain little.
+/// eigenvalues of pieces like a belt (squares in a row: 100 / n^4), else steps would gain little.
 constexpr double kFirstShift = 1e-13;
 constexpr double kShiftGrowth = 100;
 constexpr int kShifts = 4;
 
-/// What the iteration needs of the problem: B, the constants, and solves with M^H M + shift B.
+/// The operators of the iteration: B, the constants, and solves with M^H M + shift B.
 class SpectralProblem {
 public:
     SpectralProblem(const ConformalEnergy& energy, const std::vector<int>& boundary)
         : energy_(energy), boundary_(boundary), unknown_(unknownsBut({}, energy.vertexCount())) {}
 
-    /// With the smallest shift for which rounding leaves the matrix definite.
+    /// With the smallest shift for which the rounded matrix stays definite.
     Result<void> factorise(const Progress& progress) {
         Result<void> done = Error{ErrorCode::FactorisationFailed};
         double shift = kFirstShift;
@@ -63,7 +62,7 @@ public:
         return result;
     }
 
-    /// Moves the boundary's mean to the origin: orthogonal to the constants, which M does not see.
+    /// Moves the boundary's mean to the origin: orthogonal to the constants, the kernel of M.
     void deflate(Eigen::VectorXcd& z) const {
         std::complex<double> sum = 0;
         for (const int v : boundary_) {
@@ -72,7 +71,7 @@ public:
         z.array() -= sum / static_cast<double>(boundary_.size());
     }
 
-    /// Orthonormal in B, as far as they are independent.
+    /// Orthonormal basis in B; drops dependent directions.
     std::vector<Eigen::VectorXcd> orthonormal(std::vector<Eigen::VectorXcd> directions) const {
         std::vector<Eigen::VectorXcd> basis;
         for (Eigen::VectorXcd& d : directions) {
@@ -94,12 +93,12 @@ public:
 private:
     const ConformalEnergy& energy_;
     const std::vector<int>& boundary_;
-    std::vector<int> unknown_;  ///< all of them
+    std::vector<int> unknown_;  ///< all vertices
     linalg::SparseCholesky cholesky_;
 };
 
-/// The combination of a B-orthonormal basis with the least |M z|, from the singular values of M
-/// times the basis, which is not empty: a Gram matrix would know only half the digits.
+/// The combination of a non-empty B-orthonormal basis with the smallest |M z|, from the singular
+/// values of M times the basis: a Gram matrix would lose half the digits.
 Eigen::VectorXcd leastCombination(const ConformalEnergy& energy,
                                   const std::vector<Eigen::VectorXcd>& basis) {
     const auto count = static_cast<Eigen::Index>(basis.size());
@@ -124,7 +123,7 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
     if (!factorised) {
         return factorised.error();
     }
-    // Any start will do that is not orthogonal to the answer: the boundary on a circle.
+    // Any start works that is not orthogonal to the solution: the boundary on a circle.
     Eigen::VectorXcd z = Eigen::VectorXcd::Zero(energy.vertexCount());
     for (std::size_t i = 0; i < boundary.size(); ++i) {
         z[boundary[i]] = std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(i) /
@@ -143,8 +142,8 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
             return Error{ErrorCode::Cancelled};
         }
         z = basis[0];
-        // The next step of the inverse iteration differs from z by this solve; taken as a
-        // difference, the solve's relative error falls on the small correction only.
+        // This solve gives the difference of the next step of the inverse iteration from z, so that
+        // its relative error affects only the small correction.
         const Eigen::VectorXcd Mz = energy.residual(z);
         const Eigen::VectorXcd right = energy.adjoint(Mz) - Mz.squaredNorm() * problem.timesB(z);
         auto correction = problem.solve(right);
@@ -152,7 +151,7 @@ Result<Points2> solveSpectral(const ConformalEnergy& energy, const std::vector<i
             return correction.error();
         }
         basis = problem.orthonormal({z, std::move(*correction), last});
-        if (basis.empty()) {  // not finite any more
+        if (basis.empty()) {  // no longer finite
             break;
         }
         const Eigen::VectorXcd c = leastCombination(energy, basis);

@@ -13,12 +13,11 @@
 namespace toile {
 namespace {
 
-/// Faces of a mesh, cut out as a mesh of their own. Vertices keep their order, so that sorted edges
-/// stay sorted.
+/// Faces of a mesh as a separate mesh. Vertices keep their order, so that sorted edges stay sorted.
 struct Part {
     MeshArrays mesh;
     EdgeTable table;
-    std::vector<int> vertex;  ///< of the whole mesh, per vertex of the part
+    std::vector<int> vertex;  ///< vertex of the whole mesh, per vertex of the part
     std::vector<int> face;    ///< likewise
 };
 
@@ -64,7 +63,7 @@ Part partAround(const MeshArrays& mesh, const std::vector<int>& faces, int rings
     return part;
 }
 
-/// What is left of the mesh's weights without the part: edges that only the part uses are gone.
+/// The rest of the mesh's weights without the part; edges used only by the part are removed.
 WeightedEdges without(const Part& part, const EdgeTable& table, const Eigen::VectorXd& own) {
     std::vector<int> uses(static_cast<std::size_t>(table.edges.rows()), 0);
     Eigen::VectorXd weights = own;
@@ -113,11 +112,11 @@ WeightedEdges sum(const WeightedEdges& a, const WeightedEdges& b) {
     return both;
 }
 
-/// Rings of triangles about flipped ones that get other weights too. Three clear fewer pieces of
-/// flips, one or none leaves more of them.
+/// Rings of triangles around flipped ones that also get other weights. With three rings fewer
+/// pieces become free of flips; with one or none more flips remain.
 constexpr int kRings = 2;
 
-/// Those that `flippedTriangles` (quality/measures.h) counts.
+/// The triangles counted by `flippedTriangles` (quality/measures.h).
 std::vector<int> flippedIn(const Points2& Q, const Piece& piece) {
     const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
     std::vector<int> flipped;
@@ -129,7 +128,7 @@ std::vector<int> flippedIn(const Points2& Q, const Piece& piece) {
     return flipped;
 }
 
-/// True where other weights may do better.
+/// True for errors that other weights may avoid.
 bool isOfTheWeights(const Error& error) {
     return error.code == ErrorCode::NotFinite || error.code == ErrorCode::FactorisationFailed;
 }
@@ -172,8 +171,8 @@ Result<ConformalInterior> ConformalInterior::make(const Piece& piece, const Prog
     return interior;
 }
 
-/// Around these faces; around none: everywhere. Errors also where no edge has to be turned: the
-/// weights are the mesh's own then.
+/// Changes weights around these faces; everywhere if `faces` is empty. Also fails if no edge has to
+/// be flipped, because the weights would be the mesh's own.
 Result<ConformalInterior> ConformalInterior::withDelaunayWeights(const std::vector<int>& faces,
                                                                  const Progress& progress) const {
     auto delaunay = faces.empty()

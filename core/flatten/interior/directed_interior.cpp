@@ -15,7 +15,7 @@ DirectedEdges meanValueWeights(const MeshArrays& mesh, const EdgeTable& table) {
     const Eigen::VectorXd lengths = edgeLengths3d(mesh.V, table.edges);
     for (int f = 0; f < mesh.F.rows(); ++f) {
         for (int k = 0; k < 3; ++k) {
-            // Both edges at corner k lie beside its angle.
+            // Both edges at corner k are adjacent to its angle.
             const double half = std::tan(0.5 * angles(f, k));
             for (const int e : {table.faceEdges(f, k), table.faceEdges(f, (k + 2) % 3)}) {
                 const int side = table.edges(e, 0) == mesh.F(f, k) ? 0 : 1;
@@ -85,7 +85,7 @@ DirectedEdges authalicWeights(const MeshArrays& mesh, const EdgeTable& table) {
         for (int k = 0; k < 3; ++k) {
             const double cotangent = 1 / std::tan(angles(f, k));
             for (const int e : {table.faceEdges(f, k), table.faceEdges(f, (k + 2) % 3)}) {
-                // The angle at v_j counts in the equation of the edge's other end, v_i.
+                // The angle at v_j enters the equation of the edge's other end, v_i.
                 const int side = table.edges(e, 0) == mesh.F(f, k) ? 1 : 0;
                 graph.weights(e, side) += cotangent;
             }

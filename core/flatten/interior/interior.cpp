@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-constexpr int kDissected = 200000;  ///< so many unknowns are worth an order of our own
+constexpr int kDissected = 200000;  ///< from here on our own elimination order pays off
 
-/// Laplacian of the interior vertices. The edges are sorted as a symmetric matrix is, and
-/// numbering the interior in vertex order keeps that, so the matrix is written in one pass.
+/// Laplacian of the interior vertices. The edges are sorted like a symmetric matrix, and numbering
+/// the interior in vertex order keeps that, so the matrix is written in one pass.
 linalg::SymmetricMatrix interiorLaplacian(const WeightedEdges& graph,
                                           const std::vector<int>& interiorIndex,
                                           std::size_t interiorCount) {
@@ -121,7 +121,7 @@ Result<void> InteriorSystem::factorise(const Points3& V, const Progress& progres
 Result<Points2> InteriorSystem::extend(const Points2& onBoundary) const {
     Points2 values = Points2::Zero(std::ssize(interiorIndex_), 2);
     values(boundary_, Eigen::all) = onBoundary;
-    // What the boundary's values add to the equations of their neighbours inside.
+    // Contribution of the boundary's values to the equations of their neighbours inside.
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(values.rows(), 2);
     for (int e = 0; e < graph_.edges.rows(); ++e) {
         const int a = graph_.edges(e, 0);

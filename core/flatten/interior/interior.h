@@ -15,16 +15,16 @@ namespace toile {
 
 struct Piece;
 
-/// Numbers of the vertices that are not held, in vertex order; -1 of those that are.
+/// Numbers of the vertices that are not held, in vertex order; -1 for held ones.
 std::vector<int> unknownsBut(std::span<const int> held, int vertexCount);
 
 /// The Laplace equation with the boundary held: sum_j w_ij (q_j - q_i) = 0 at every interior
-/// vertex, [DMA02] section 4. One sparse Cholesky factorisation, kept, so that several right-hand
+/// vertex, [DMA02] section 4. Stores one sparse Cholesky factorisation, so that several right-hand
 /// sides (x and y, or the curvature) cost a back-substitution each. Immutable: any number of
 /// threads may solve with it.
 class InteriorSystem {
 public:
-    /// @param V  where the vertices lie: large systems are ordered by it
+    /// @param V  positions of the vertices, for the elimination order of large systems
     /// @param boundary  the loop of held vertices
     /// Errors: FactorisationFailed, OutOfMemory, Cancelled. Cost: one factorisation.
     static Result<InteriorSystem> make(WeightedEdges graph, const Points3& V,
@@ -37,7 +37,7 @@ public:
     Result<Points2> extend(const Points2& onBoundary) const;
 
     /// L u = b at the interior vertices, u = 0 on the boundary; L = -sum_j w_ij (u_j - u_i). Rows
-    /// of b at boundary vertices are not looked at. #V x k both.
+    /// of b at boundary vertices are ignored. #V x k both.
     /// Errors: OutOfMemory, NotFinite.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& b) const;
 

@@ -22,18 +22,18 @@ using Matrix6x3 = Eigen::Matrix<double, 6, 3>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
 constexpr int kMaxSteps = 30;
-/// Constraints violated by less than this, and steps that change no angle by more than the second,
-/// end the iteration; it is quadratic there, so that both are well below. Radians.
+/// The iteration ends if constraints are violated by less than this, and no angle changes by more
+/// than the second value; convergence is quadratic, so both are then far smaller. Radians.
 constexpr double kViolation = 1e-10;
 constexpr double kChange = 1e-6;
-/// A step takes an angle at most this part of the way to 0 or pi.
+/// A step moves an angle at most this part of the way to 0 or pi.
 constexpr double kWayToLimit = 0.8;
-constexpr double kUnmet = 1e-6;  // radians: more than this can be seen in the map
+constexpr double kUnmet = 1e-6;  // radians: a larger violation is visible in the map
 /// The diagonal Hessian stays above this part of the objective's own.
 constexpr double kMinCurvature = 0.1;
 
-/// One Newton iteration's matrices are small per triangle: its three angles take part in the sums
-/// around its three vertices (rows 0 to 2) and in their wheels (rows 3 to 5).
+/// The matrices of one Newton iteration are small per triangle: its three angles enter the sums
+/// around its three vertices (rows 0 to 2) and their wheels (rows 3 to 5).
 class AngleProblem {
 public:
     AngleProblem(const MeshArrays& mesh, const std::vector<int>& boundary)
@@ -54,7 +54,7 @@ public:
                 }
             }
         }
-        // An angle of a needle next to a sharp tip may be blown up beyond a half turn.
+        // An angle of a needle next to a sharp tip may be scaled beyond a half turn.
         x_ = target_.cwiseMin(0.9 * pi);
         multipliers_ = Eigen::VectorXd::Zero(2 * Eigen::Index{count_});
     }
@@ -69,7 +69,7 @@ public:
                                     : std::max(triangles, vertices.cwiseAbs().maxCoeff());
     }
 
-    /// One step; its largest change of an angle. Nothing where the numbers broke.
+    /// One step; returns its largest change of an angle. NotFinite if the numbers overflow.
     Result<double> step(const Progress& progress) {
         const auto solved = solveMultipliers(progress);
         if (!solved) {
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    /// What a triangle puts into the Newton system.
+    /// Contribution of a triangle to the Newton system.
     struct Local {
         Eigen::Vector3d inverse;   ///< of the diagonal Hessian
         Eigen::Vector3d gradient;  ///< of the objective
@@ -114,7 +114,7 @@ private:
             t.row[3 + k] = u < 0 ? -1 : 2 * u + 1;
         }
         for (int k = 0; k < 3; ++k) {
-            // Seen from the next vertex the angle at corner k is the previous one, and conversely.
+            // Seen from the next vertex the angle at corner k is the previous one, and vice versa.
             const int next = 3 + (k + 1) % 3;
             const int previous = 3 + (k + 2) % 3;
             const double sine = std::sin(x_(f, k));
@@ -244,8 +244,8 @@ Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options
     if (!planar) {
         return planar.error();
     }
-    // Angles that fit are met exactly by a least squares conformal map; where the iteration has not
-    // come to its end, they are met as well as can be.
+    // A least squares conformal map meets consistent angles exactly; if the iteration did not
+    // converge, it meets them approximately.
     const ConformalEnergy energy(piece.mesh.F, planar->angles,
                                  static_cast<int>(piece.mesh.V.rows()));
     const auto points = solvePinned(energy, farPairAlongEdges(piece), 1, progress);

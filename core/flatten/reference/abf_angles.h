@@ -11,14 +11,14 @@
 
 namespace toile {
 
-/// Corner angles with which a mesh can lie in the plane.
+/// Corner angles of a planar mesh.
 struct PlanarAngles {
     Eigen::MatrixX3d angles;  ///< #F x 3, radians, in (0, pi)
     int iterations = 0;
     double residual = 0;  ///< largest violation of a constraint, radians (wheels: log of a ratio)
 };
 
-/// [SLMB05]: the angles x that differ least from the surface's, minimise sum ((x - beta) / beta)^2,
+/// [SLMB05]: the angles x closest to the surface's, minimise sum ((x - beta) / beta)^2,
 /// such that
 ///   every triangle's angles sum to pi,
 ///   the angles around every interior vertex sum to 2 pi,
@@ -26,13 +26,13 @@ struct PlanarAngles {
 ///   = 0, the logarithm of [SLMB05]'s wheel condition.
 /// beta are the 3D angles, scaled around each interior vertex to 2 pi. In logarithms every term is
 /// a function of one angle, so the Hessian of the Lagrangian is diagonal with the constraints'
-/// curvature included; held positive, it leaves, after the triangles' own multipliers are
-/// eliminated as in ABF++, a symmetric positive definite system of size 2 #interior.
-/// A step that would take an angle out of (0, pi) is shortened.
+/// curvature included. It is kept positive; after eliminating the triangles' own multipliers as in
+/// ABF++, this leaves a symmetric positive definite system of size 2 #interior.
+/// A step that would move an angle out of (0, pi) is shortened.
 /// @param boundary  vertices without constraints; the mesh is a disk
-/// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked every step). Not to
-/// converge is no error: see `residual`. Cost: a factorisation per step, 2 to 11 steps on the
-/// pieces tried; at most 30, where many angles are small and strongly changed. Re-entrant.
+/// Errors: FactorisationFailed, OutOfMemory, NotFinite, Cancelled (checked every step). Missing
+/// convergence is no error: see `residual`. Cost: a factorisation per step, 2 to 11 steps on the
+/// pieces tried; at most 30, if many angles are small and change strongly. Re-entrant.
 Result<PlanarAngles> closestPlanarAngles(const MeshArrays& mesh, const std::vector<int>& boundary,
                                          const Progress& progress);
 

@@ -20,8 +20,8 @@ int flips(const Points2& Q, const Piece& piece) {
     return flippedTriangles(triangleAreas2d(Q, piece.mesh.F), triangleAreas3d(piece.mesh));
 }
 
-/// Mean value weights keep shapes best. On a long tube over a short outline they make triangles
-/// smaller than rounding; Tutte's equal weights shrink them less, so the better one is taken.
+/// Mean value weights preserve shapes best. On a long tube over a short outline they make triangles
+/// smaller than rounding; Tutte's equal weights shrink them less, so the better result is used.
 Result<Points2> fillConvex(const Piece& piece, const Points2& outline,
                            const OutlineTargets& targets, const Progress& progress) {
     auto floater =
@@ -39,12 +39,12 @@ Result<Points2> fillConvex(const Piece& piece, const Points2& outline,
 }
 
 constexpr int kMaxWeightings = 60;
-/// Exponents below this no longer change the map to speak of.
+/// Smaller exponents hardly change the map.
 constexpr double kMinExponent = 0.25;
-/// A step that lowers the stretch by less than this part is the last.
+/// The iteration ends if a step lowers the stretch by less than this part.
 constexpr double kWorthwhile = 1e-4;
 
-/// How good a map is: flips first, then stretch.
+/// Quality of a map: flips first, then stretch.
 struct Rank {
     int flips = std::numeric_limits<int>::max();
     double stretch = std::numeric_limits<double>::infinity();
@@ -54,9 +54,9 @@ struct Rank {
     }
 };
 
-/// A map with its stretch, [YBS04]: of triangle T, the mean square of the singular values
-/// of its plane-to-surface map; of a vertex, the mean over its triangles by 3D area; of the whole
-/// map, over all.
+/// A map with its stretch, [YBS04]: for triangle T, the mean square of the singular values of its
+/// plane-to-surface map; for a vertex, the mean over its triangles by 3D area; for the whole map,
+/// over all.
 struct Map {
     Points2 Q;
     Rank rank;
@@ -84,8 +84,8 @@ Map measured(const Piece& piece, const Eigen::VectorXd& areas3d, Points2 Q) {
     return map;
 }
 
-/// The weights of one of [YBS04]'s linear systems. The conformal ones where all are positive,
-/// else the mean value ones: both keep flat neighbourhoods as they are.
+/// The weights of one of [YBS04]'s linear systems: conformal weights if all are positive, else mean
+/// value weights; both keep flat neighbourhoods unchanged.
 class Weights {
 public:
     explicit Weights(const Piece& piece) : piece_(&piece) {
@@ -98,8 +98,8 @@ public:
         }
     }
 
-    /// w_ij / sigma_j, the update of [YBS04]. Where w is symmetric, the equation of vertex
-    /// i is divided by sigma_i besides: that changes no solution and keeps the matrix symmetric.
+    /// w_ij / sigma_j, the update of [YBS04]. If w is symmetric, the equation of vertex i is also
+    /// divided by sigma_i: that changes no solution and keeps the matrix symmetric.
     Weights divided(const Eigen::ArrayXd& sigma) const {
         Weights next = *this;
         for (int e = 0; e < graph_.edges.rows(); ++e) {
@@ -163,7 +163,7 @@ Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& optio
     const Points2 outline = flat->Q(piece.boundary, Eigen::all);
     const Eigen::VectorXd areas = triangleAreas3d(piece.mesh);
     Map best = measured(piece, areas, flat->Q);
-    // [YBS04] stops where a step raises the stretch; a smaller exponent of sigma then often still
+    // [YBS04] stops if a step raises the stretch, but a smaller exponent of sigma often still
     // lowers it.
     Weights weights(piece);
     auto start = weights.solve(outline, progress);
@@ -184,7 +184,7 @@ Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& optio
             if (points.error().code == ErrorCode::Cancelled) {
                 return points.error();
             }
-            break;  // weights beyond the range of doubles: what was reached stands
+            break;  // weights out of the range of doubles: keep the result so far
         }
         Map moved = measured(piece, areas, std::move(*points));
         if (!(moved.rank < current.rank)) {

@@ -10,23 +10,23 @@ namespace toile {
 
 struct Piece;
 
-/// The methods that are there to compare with, of the shape that conformal_methods.h tells.
+/// Methods for comparison, with the interface described in conformal_methods.h.
 
-/// The outline on a circle with exact edge lengths, the interior by mean value weights [Flo03]:
-/// no flipped triangle, much distortion. Tutte's weights where rounding flips one all the same.
+/// The outline on a circle with exact edge lengths, the interior by mean value weights [Flo03]: no
+/// flipped triangle, much distortion. Tutte's weights if rounding flips a triangle anyway.
 Result<FlatPiece> flattenConvex(const Piece& piece, const FlattenOptions& options,
                                 const Progress& progress, const OutlineTargets& targets = {});
 
 /// [YBS04]: a fixed outline, that of `flattenConvex` or `flattenCurvature`
-/// (`options.stretchOutline`), the interior's weights divided by the stretch of the vertices until
-/// the stretch falls no more. Never more flips, nor with as many more stretch, than the method that
-/// gave the outline. A factorisation per step, 1 to 12 steps on the pieces tried.
+/// (`options.stretchOutline`); the interior's weights are divided by the stretch of the vertices
+/// until it stops falling. Never has more flips, or as many with more stretch, than the method of
+/// the outline. A factorisation per step, 1 to 12 steps on the pieces tried.
 Result<FlatPiece> flattenStretch(const Piece& piece, const FlattenOptions& options,
                                  const Progress& progress, const OutlineTargets& targets = {});
 
-/// [SLMB05] (ABF++): planar angles that differ least from the surface's (abf_angles.h), then the
-/// positions that meet them, by least squares. Scaled to the 3D perimeter. A factorisation of size
-/// 2 #interior per step, 2 to 11 steps on most pieces.
+/// [SLMB05] (ABF++): planar angles closest to the surface's (abf_angles.h), then positions for
+/// them, by least squares. Scaled to the 3D perimeter. A factorisation of size 2 #interior per
+/// step, 2 to 11 steps on most pieces.
 Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& options,
                              const Progress& progress);
 
