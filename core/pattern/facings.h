@@ -15,7 +15,7 @@ bool isFaced(const LineStretch& place, const Facing& facing);
 /// within the width of a run of neighbouring segments. The strip repeats the run point by point, so
 /// that it can be sewn to it. Its other edges are parts of the outline beside the run, with their
 /// allowances, and the inner edge, parallel to the run, without allowance.
-/// - If the outline is divided, each run has its own strip. A run around a whole outline has none,
+/// - If the run is interrupted, each part has its own strip. A run around a whole outline has none,
 ///   nor has one whose ends would meet.
 /// - Holes and darts within the strip are left out; it is cut like its piece, never as a half.
 /// @param pattern  with whole pieces

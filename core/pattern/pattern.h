@@ -135,7 +135,7 @@ struct PatternPiece : Cutting {
     PieceId id{};
     /// Of the outline, in order; the first has the smallest start.
     std::vector<PatternSegment> segments{};
-    bool isFine = false;   ///< the outline represents a curve (a fair line); else it is exact
+    bool isFine = false;   ///< a fair line, which represents a curve; else a polygon
     DrawnMirror mirror{};  ///< of the whole piece
     CutAs cutAs = CutAs::Whole;
     /// Around the outline, its extensions and allowances, anti-clockwise; empty without these: the
