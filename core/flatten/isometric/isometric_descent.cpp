@@ -28,6 +28,7 @@ constexpr double kStretch = 1.5;
 constexpr double kShorten = 0.7;
 constexpr int kMaxShortenings = 4;
 constexpr int kRelaxingPasses = 3;
+constexpr int kMaxOpenings = 3;  // of gaps, for a longer step than contacts allow
 /// A step with an old factorisation that promises no more than this many times the tolerance would
 /// need a new one to find more: not worth it.
 constexpr double kStaleTolerance = 2;
@@ -86,21 +87,34 @@ public:
     /// @return how much of it; 0 where none does
     double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double predicted,
                    bool stale) {
-        double t = usefulPart(Q, at, P);
-        const int halvings = stale ? kMaxStaleHalvings : kMaxHalvings;
-        for (int k = 0; k < halvings && !progress_.isCancelled(); ++k, t *= 0.5) {
+        const auto take = [&](double t, bool opensGaps) {
             Points2 moved = Q + t * P;
-            if (!regainLengths(moved)) {
-                continue;
+            if (!regainLengths(moved, t * P, opensGaps ? &at.contacts : nullptr)) {
+                return false;
             }
             IsometricObjective::Value reached = objective_.evaluate(moved);
-            if (reached.total < at.total - 2 * kSufficientDecrease * t * predicted &&
-                mayLieSo(moved)) {
-                Points2 gradient = objective_.gradient(moved, reached);
-                history_.add(moved - Q, lagrangian(moved, gradient) - lagrangian(Q, gradient_));
-                gradient_ = std::move(gradient);
-                Q = std::move(moved);
-                at = std::move(reached);
+            if (!(reached.total < at.total - 2 * kSufficientDecrease * t * predicted) ||
+                !mayLieSo(moved)) {
+                return false;
+            }
+            Points2 gradient = objective_.gradient(moved, reached);
+            history_.add(moved - Q, lagrangian(moved, gradient) - lagrangian(Q, gradient_));
+            gradient_ = std::move(gradient);
+            Q = std::move(moved);
+            at = std::move(reached);
+            return true;
+        };
+        double t = usefulPart(Q, at, P);
+        // A vertex that slides along an edge stops a straight step: its gap is corrected, too.
+        double further = stale || at.contacts.empty() ? 0 : 1;
+        for (int k = 0; k < kMaxOpenings && further > 2 * t; ++k, further *= 0.5) {
+            if (take(further, true)) {
+                return further;
+            }
+        }
+        const int halvings = stale ? kMaxStaleHalvings : kMaxHalvings;
+        for (int k = 0; k < halvings && !progress_.isCancelled(); ++k, t *= 0.5) {
+            if (take(t, false)) {
                 return t;
             }
         }
@@ -121,7 +135,7 @@ public:
                 return renewed.error();
             }
             Points2 exact = Q;
-            if (regainLengths(exact)) {
+            if (regainLengths(exact, {}, nullptr)) {
                 IsometricObjective::Value there = objective_.evaluate(exact);
                 if (std::isfinite(there.total) && mayLieSo(exact)) {
                     Q = std::move(exact);
@@ -208,18 +222,23 @@ private:
     /// Gives a stepped piece its exact boundary lengths back. Where they are off by much, the whole
     /// piece moves as the quadratic model finds cheapest, with the step's own factorisation; moving
     /// the boundary alone would flip the triangles along it.
-    bool regainLengths(Points2& Q) {
+    /// @param contacts  null, or those of the model, whose gaps `step` must keep too
+    bool regainLengths(Points2& Q, const Points2& step,
+                       const std::vector<OutlineBarrier::Contact>* contacts) {
         for (int k = 0; k < kMaxCorrections; ++k) {
             const Eigen::VectorXd c = constraints_.residual(Q);
             const double worst = c.cwiseQuotient(lengths_).lpNorm<Eigen::Infinity>();
-            if (worst <= kSmallCorrection) {
+            Points2 forces = Points2::Zero(Q.rows(), 2);
+            const bool isNarrow =
+                contacts != nullptr && OutlineBarrier::addOpeningForces(*contacts, step, Q, forces);
+            if (worst <= kSmallCorrection && !isNarrow) {
                 break;
             }
             if (!(worst <= kLargestCorrection)) {
                 return false;
             }
             Eigen::VectorXd y = Eigen::VectorXd::Zero(c.size());
-            const auto P = kkt_.solve(Points2::Zero(Q.rows(), 2), c, y);
+            const auto P = kkt_.solve(forces, c, y);
             if (!P) {
                 return false;
             }
@@ -323,8 +342,11 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         reached.push_back(at.total);
         if (reached.size() > kLookBack) {
             const double fallen = reached[reached.size() - 1 - kLookBack] - at.total;
-            if (at.total - options.wanted > kHopeless * fallen) {
-                result.isHopeless = true;
+            result.isHopeless = at.total - options.wanted > kHopeless * fallen;
+            // Contacts stop each step, which `hasArrived` does not count; the outline is simple.
+            const bool isHeldUp = options.keepOutlineSimple && at.total <= options.wanted &&
+                                  fallen <= kLookBack * wanted;
+            if (result.isHopeless || isHeldUp) {
                 break;
             }
         }

@@ -12,11 +12,27 @@ namespace toile::isometric {
 namespace {
 
 constexpr double kBarrierRadius = 0.1;  // of an edge
-constexpr double kWeight = 1e-4;  // of all contacts together, in units of the isometric energy
+constexpr double kWeight = 1e-4;       // of all contacts together, in units of the isometric energy
+constexpr double kMinGap = 0.3;        // of the distance before a step, which the step must leave
+constexpr double kGapTolerance = 0.1;  // of the distance that a step is to leave
 
 struct Box {
     Eigen::Array2d low, high;
 };
+
+/// From the nearest point of the contact's edge, at `place` along it, to the vertex.
+Eigen::RowVector2d gapBetween(const Points2& Q, const OutlineBarrier::Contact& c, double& place) {
+    const Eigen::RowVector2d edge = Q.row(c.to) - Q.row(c.from);
+    const Eigen::RowVector2d to = Q.row(c.vertex) - Q.row(c.from);
+    place = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+    return to - place * edge;
+}
+
+/// Second derivative of the contact's energy by its distance.
+double curvatureOf(const OutlineBarrier::Contact& c) {
+    const double ratio = c.radius / c.distance;
+    return 2 * c.weight * ratio * (3 * ratio - 2) / (c.distance * c.distance);
+}
 
 Box around(std::initializer_list<Eigen::RowVector2d> points, double margin) {
     Box box{*points.begin(), *points.begin()};
@@ -170,10 +186,7 @@ std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) 
         contact.to = boundary_[(j + 1) % n];
         contact.radius = std::min(vertexRadius(i), radius_[j]);
         contact.weight = weight_[i];
-        const Eigen::RowVector2d edge = Q.row(contact.to) - Q.row(contact.from);
-        const Eigen::RowVector2d to = Q.row(contact.vertex) - Q.row(contact.from);
-        contact.place = std::clamp(to.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
-        const Eigen::RowVector2d gap = to - contact.place * edge;
+        const Eigen::RowVector2d gap = gapBetween(Q, contact, contact.place);
         contact.distance = gap.norm();
         if (contact.distance < contact.radius) {
             contact.away = gap / contact.distance;
@@ -205,9 +218,7 @@ void OutlineBarrier::addGradient(const std::vector<Contact>& contacts, Points2& 
 void OutlineBarrier::addHessian(const std::vector<Contact>& contacts,
                                 linalg::BlockMatrix& hessian) {
     for (const Contact& c : contacts) {
-        const double ratio = c.radius / c.distance;
-        const double curvature = 2 * c.weight * ratio * (3 * ratio - 2) / (c.distance * c.distance);
-        const Eigen::Matrix2d block = curvature * c.away.transpose() * c.away;
+        const Eigen::Matrix2d block = curvatureOf(c) * c.away.transpose() * c.away;
         const int vertex[3] = {c.vertex, c.from, c.to};
         const double share[3] = {1, c.place - 1, -c.place};
         for (int a = 0; a < 3; ++a) {
@@ -218,6 +229,27 @@ void OutlineBarrier::addHessian(const std::vector<Contact>& contacts,
             }
         }
     }
+}
+
+bool OutlineBarrier::addOpeningForces(const std::vector<Contact>& contacts, const Points2& step,
+                                      const Points2& moved, Points2& forces) {
+    bool isNarrow = false;
+    for (const Contact& c : contacts) {
+        double place = 0;
+        const Eigen::RowVector2d gap = gapBetween(moved, c, place);
+        const Eigen::RowVector2d opened =
+            step.row(c.vertex) - (1 - c.place) * step.row(c.from) - c.place * step.row(c.to);
+        const double wanted = std::max(c.distance + opened.dot(c.away), kMinGap * c.distance);
+        const double missing = wanted - std::copysign(gap.norm(), gap.dot(c.away));
+        if (missing > kGapTolerance * wanted) {
+            isNarrow = true;
+            const Eigen::RowVector2d force = curvatureOf(c) * missing * c.away;
+            forces.row(c.vertex) += force;
+            forces.row(c.from) -= (1 - c.place) * force;
+            forces.row(c.to) -= c.place * force;
+        }
+    }
+    return isNarrow;
 }
 
 double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double limit) const {

@@ -76,6 +76,12 @@ public:
     /// three vertices of every contact.
     static void addHessian(const std::vector<Contact>& contacts, linalg::BlockMatrix& hessian);
 
+    /// Adds forces that, against the stiffness of `addHessian`, restore the distances that a step
+    /// should leave to first order, a share of the old ones at least. Sliding along an edge that
+    /// turns leaves less. @return whether any is too short
+    static bool addOpeningForces(const std::vector<Contact>& contacts, const Points2& step,
+                                 const Points2& moved, Points2& forces);
+
     /// The largest step up to `limit` along P before a vertex meets an edge.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
 

@@ -263,5 +263,25 @@ TEST(LengthConstraints, RefuseAnOutlineInOneLine) {
     EXPECT_FALSE(constraints.restore(Q));
 }
 
+/// A vertex slides along an edge that turns: the straight step closes the gap, which its
+/// first-order model keeps. The forces act on nothing else, and cancel each other.
+TEST(IsometricObjective, OpensGapsThatAStepCloses) {
+    Points2 Q(3, 2);
+    Q << 0.5, 0.01, 1, 0, 0, 0;
+    isometric::OutlineBarrier::Contact contact{0, 2, 1, 0.1, 1, 0.01, 0.5, {0, 1}};
+    Points2 step(3, 2);
+    step << 0.2, 0.05, 0, 0.1, 0, 0;  // the gap at the middle stays
+    Points2 forces = Points2::Zero(3, 2);
+    EXPECT_TRUE(isometric::OutlineBarrier::addOpeningForces({contact}, step, Q + step, forces));
+    EXPECT_GT(forces(0, 1), 0);
+    EXPECT_LT(forces(1, 1), 0);
+    EXPECT_LT(forces(2, 1), 0);
+    EXPECT_LE(forces.colwise().sum().norm(), 1e-12 * forces.norm());
+    step(0, 0) = 0;
+    forces.setZero();
+    EXPECT_FALSE(isometric::OutlineBarrier::addOpeningForces({contact}, step, Q + step, forces));
+    EXPECT_EQ(forces.norm(), 0);
+}
+
 }  // namespace
 }  // namespace toile

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outlines that cross themselves: bounded effort, the cut that parts them, and fair lines.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <numbers>
@@ -79,6 +80,30 @@ TEST(CrossingOutlines, AreNotPartedWhereThereAreNone) {
     ASSERT_EQ(garment.pieces.size(), 1U);
     EXPECT_EQ(garment.pieces, garment.uncut);
     EXPECT_TRUE(garment.cuts.empty());
+}
+
+/// Steps (Progress::step) of all flattenings that --auto-cut and the pattern of a flounce take.
+double stepsFor(double degrees) {
+    double steps = 0;
+    const auto count = [&](const Piece& piece, const FlattenOptions& options) {
+        const Progress progress;
+        EXPECT_TRUE(flatten(piece, options, progress));
+        steps += std::log(1 - progress.fraction()) / std::log(0.9);
+    };
+    const Garment garment = flounceGarment(degrees, true);
+    if (garment.pieces.size() > 1) {
+        count(*garment.uncut[0], {Method::Curvature});
+        count(*garment.uncut[0], {.quality = Quality::Draft});
+    }
+    for (const auto& piece : garment.pieces) {
+        count(*piece, {Method::Curvature});  // does not cross
+        count(*piece, {});
+    }
+    return steps;
+}
+
+TEST(CrossingOutlines, TakeFewStepsToFindThatTheyNeedACut) {
+    EXPECT_LE(stepsFor(690), 10 * stepsFor(360));
 }
 
 TEST(CrossingOutlines, MovedApartAtMuchStrainAreADoubtOrStillCross) {
