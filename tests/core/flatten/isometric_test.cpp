@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -182,6 +183,42 @@ TEST(Isometric, MovesTheSidesOfASlitApart) {
         EXPECT_LE(result.quality.maxBoundaryLengthError, 1e-11);
         expectImmersed(*piece, result.flat.Q);
     }
+}
+
+/// Every third edge of the outline is split close to its start.
+MeshArrays withTinyEdges(MeshArrays mesh) {
+    constexpr double kPlace = 0.003;
+    const std::vector<int> outline = test::asPiece(MeshArrays(mesh))->boundary;
+    for (std::size_t k = 0; k < outline.size(); k += 3) {
+        const int from = outline[k];
+        const int to = outline[(k + 1) % outline.size()];
+        const auto middle = static_cast<int>(mesh.V.rows());
+        const auto last = mesh.F.rows();
+        mesh.V.conservativeResize(middle + 1, 3);
+        mesh.V.row(middle) = (1 - kPlace) * mesh.V.row(from) + kPlace * mesh.V.row(to);
+        mesh.F.conservativeResize(last + 1, 3);
+        for (int f = 0; f < last; ++f) {
+            for (int i = 0; i < 3; ++i) {
+                if (mesh.F(f, i) == from && mesh.F(f, (i + 1) % 3) == to) {
+                    mesh.F.row(last) << middle, to, mesh.F(f, (i + 2) % 3);
+                    mesh.F(f, (i + 1) % 3) = middle;
+                }
+            }
+        }
+    }
+    return mesh;
+}
+
+/// Sides that slide along each other at tiny edges, and so at tiny distances, took 300 steps.
+TEST(Isometric, MovesSidesWithTinyEdgesApartInFewSteps) {
+    const auto piece = test::asPiece(withTinyEdges(test::saddleWithSlit(16, 200, 1)));
+    Progress progress;
+    const auto flat = flatten(*piece, solvedBy(Method::Isometric), progress);
+    ASSERT_TRUE(flat) << sentence(flat.error());
+    EXPECT_EQ(outlineCrossings(flat->Q, piece->boundary), 0);
+    EXPECT_GT(flat->apartStrain, 0);
+    constexpr int kFew = 100;
+    EXPECT_LT(progress.fraction(), 1 - std::pow(0.9, kFew));
 }
 
 TEST(Isometric, DoesNotForceAFlounceApart) {
