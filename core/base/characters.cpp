@@ -10,7 +10,7 @@ namespace {
 
 constexpr char32_t kUnknown = 0xFFFD;
 
-/// Takes the first character off `text`; kUnknown, and one byte, where it is no UTF-8.
+/// Removes and returns the first character of `text`; kUnknown, one byte, if it is not UTF-8.
 char32_t takeCharacter(std::string_view& text) {
     const auto byte = [&text](std::size_t i) {
         return static_cast<char32_t>(static_cast<unsigned char>(text[i]));
@@ -49,7 +49,7 @@ constexpr std::string_view kLatin =
     "SsTtTtTtUuUuUuUuUuUuWwYyYZzZzZzs";
 static_assert(kLatin.size() == 0x180 - 0xC0);
 
-/// What other characters become, and those above that need several letters.
+/// Replacements of other characters, and of those above that need several letters.
 constexpr Word<char32_t> kOthers[] = {
     {0xC6, "AE"},  {0xDE, "Th"},  {0xDF, "ss"},   {0xE6, "ae"},  {0xFE, "th"},
     {0x132, "IJ"}, {0x133, "ij"}, {0x152, "OE"},  {0x153, "oe"}, {0x2013, "-"},  // dashes

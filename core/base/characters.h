@@ -6,9 +6,9 @@
 
 namespace toile {
 
-/// Names of people and files, made fit for a format or a person. All take UTF-8 and never fail: a
-/// byte that is no UTF-8 counts as one unknown character. Controls are also those that turn the
-/// direction of writing, or break lines. Pure functions, linear.
+/// Cleans names of people and files for a format or for display. All functions take UTF-8 and never
+/// fail: an invalid byte is an unknown character. Control characters include those that
+/// change the writing direction or break lines. Pure functions, linear.
 
 /// Number of characters (code points).
 std::size_t characterCount(std::string_view text);
@@ -19,11 +19,11 @@ std::u32string codePoints(std::string_view text);
 /// Valid UTF-8 without control characters; unknown characters become U+FFFD, controls a blank.
 std::string cleanText(std::string_view text);
 
-/// A name from a file as cleanText. Where it is no UTF-8 it is taken as Latin-1, the likeliest of
+/// A name from a file as cleanText. If it is not UTF-8 it is read as Latin-1, the most likely of
 /// the old encodings.
 std::string readableName(std::string_view bytes);
 
-/// At most so many characters of the readable name, for a sentence or a table; "…" for the rest.
+/// At most this many characters of the readable name, for a sentence or a table; "…" for the rest.
 inline constexpr std::size_t kMaxShown = 120;
 std::string shownText(std::string_view bytes, std::size_t most = kMaxShown);
 

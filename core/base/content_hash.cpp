@@ -5,7 +5,7 @@
 
 #include "core/base/id.h"
 
-#define XXH_INLINE_ALL  // into this file: nothing to link
+#define XXH_INLINE_ALL  // include the code here: no library to link
 #include <xxhash.h>
 
 namespace toile {
@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kKind = "xxh64:";
 constexpr std::size_t kDigits = 16;
 
-/// Of 16 hexadecimal digits.
+/// Parses 16 hexadecimal digits.
 std::optional<std::uint64_t> numberOf(std::string_view text) {
     if (text.size() != kDigits) {
         return std::nullopt;

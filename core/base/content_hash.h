@@ -8,13 +8,13 @@
 
 namespace toile {
 
-/// XXH64 of the bytes, seed 0, as its published specification defines it: tells whether a file is
-/// another than it was, at the speed of memory. No protection against forgery. Pure; linear.
+/// XXH64 of the bytes, seed 0, as its published specification defines it: detects changes of
+/// a file at the speed of memory. No protection against forgery. Pure; linear.
 std::uint64_t contentHash(std::string_view bytes);
 
 /// "xxh64:ef46db3751d8e999": the kind and 16 hexadecimal digits.
 std::string hashText(std::uint64_t hash);
-/// The hash of such a text; nothing where it is another kind of text.
+/// Parses such a text; nothing if it has another form.
 std::optional<std::uint64_t> parseHash(std::string_view text);
 
 }  // namespace toile

@@ -7,7 +7,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 
-/// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
+/// Marks a text for translation in the window: its collector looks for this. Expands to the text.
 #define TR(text) text
 
 namespace toile {
@@ -19,7 +19,7 @@ struct Words {
     std::string_view describe;  ///< what happened
     std::string_view advice;    ///< what to try
     bool note = false;          ///< only informs
-    std::string_view option{};  ///< what to type, for those at a command line
+    std::string_view option{};  ///< option to type on the command line
 };
 
 using enum ErrorCode;

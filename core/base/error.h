@@ -13,8 +13,8 @@
 
 namespace toile {
 
-/// Everything that can be expected to go wrong, or that a user should know about. The kebab-case
-/// `name` of a code is what the JSON report prints, so a code once released keeps its name.
+/// Every failure to expect, and everything that a user should know about. The JSON report prints
+/// the kebab-case `name` of a code, so a released code keeps its name.
 enum class ErrorCode {
     // Files
     FileUnreadable,
@@ -96,13 +96,13 @@ enum class ErrorCode {
 /// One past the last code; codes are contiguous from 0.
 inline constexpr int kErrorCodeCount = static_cast<int>(ErrorCode::LineStrays) + 1;
 
-/// The one thing that something is said of: found again by its kind and id, shown by its name.
+/// The subject of a message, identified by its kind and id and displayed by its name.
 struct Subject {
     enum class Kind { None, File, Piece, Seam, Cut, Join };
 
     Kind kind = Kind::None;  ///< None: everything there is
-    std::uint64_t id = 0;    ///< of its kind; 0 where it is not known, or not there
-    std::string name;        ///< for people; of several alike, a list of them
+    std::uint64_t id = 0;    ///< of its kind; 0 if unknown or missing
+    std::string name;        ///< for display; a list of names if several are meant
 
     Subject() = default;
     Subject(Kind k, std::uint64_t i, std::string called)
@@ -121,21 +121,21 @@ struct Subject {
     }
     static Subject join(std::string name) { return {Kind::Join, 0, std::move(name)}; }
 
-    /// None where it is no piece, or one that is not known.
+    /// No id if the subject is not a piece or its id is unknown.
     PieceId pieceId() const { return {kind == Kind::Piece ? id : 0}; }
     bool operator==(const Subject&) const = default;
 };
 
-/// An expected failure or a note: what, about what, and the particulars. Never thrown.
+/// An expected failure or a note: what, about what, and the details. Never thrown.
 struct Error {
     ErrorCode code;
     Subject subject{};
-    Wording detail{};  ///< the particulars: counts, places, numbers
+    Wording detail{};  ///< counts, places, numbers
 };
 
 using Problems = std::vector<Error>;
 
-/// What is to be said alike of several things of a kind: of each where they are few, else in one.
+/// Reports one problem of several things: a message for each if they are few, else one for all.
 Problems aboutEach(ErrorCode code, const std::vector<Subject>& subjects,
                    const Wording& detail = {});
 
@@ -143,14 +143,14 @@ Problems aboutEach(ErrorCode code, const std::vector<Subject>& subjects,
 std::string_view name(ErrorCode code);
 /// What happened, in plain words, without a full stop.
 std::string_view describe(ErrorCode code);
-/// What the user can do about it, as a sentence without a full stop; empty where nothing is needed.
-/// In words for the window and the command line alike.
+/// What the user can do about it, as a sentence without a full stop; empty if nothing is needed.
+/// Worded for both the window and the command line.
 std::string_view advice(ErrorCode code);
-/// What is typed on the command line for it: "--auto-cut"; empty where there is nothing.
+/// The command line option that helps: "--auto-cut"; empty if there is none.
 std::string_view commandLineOption(ErrorCode code);
-/// True where the code only informs: the data was taken in and work goes on.
+/// True if the code only informs: the data was accepted and work continues.
 bool isNote(ErrorCode code);
-/// Characters of name and `detail` that a sentence shows: a path, and a list of particulars.
+/// Maximum characters that a sentence shows of the name (a path) and of `detail` (a list).
 inline constexpr std::size_t kMaxOfPlace = 300, kMaxOfDetail = 1000;
 /// One sentence for a person at a command line, with the option that helps: "front: the piece has
 /// several boundary loops (2 loops); cut it ...".

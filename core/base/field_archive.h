@@ -15,11 +15,11 @@
 
 namespace toile {
 
-/// What is kept in a file, said once for both ways: a description, `[](auto& at, auto& thing)`,
-/// names the fields of a thing, and `at` takes them from a document (FieldReader) or puts them into
-/// one (FieldWriter; the thing is const then). What is none is left out.
+/// Describes the fields of a file once for reading and writing: a description, `[](auto& at, auto&
+/// thing)`, names the fields of a thing, and `at` reads them from a document (FieldReader) or
+/// writes them to one (FieldWriter; the thing is const then). Empty values are omitted.
 
-/// Takes fields from a document. A field that is not there leaves its target as it is.
+/// Reads fields from a document. A missing field leaves its target unchanged.
 class FieldReader {
 public:
     static constexpr bool kReads = true;
@@ -28,7 +28,7 @@ public:
     void need(std::string_view key) { fields_.need(key); }
     void fail(std::string_view key, std::string_view what) { fields_.fail(key, what); }
     JsonFields& fields() { return fields_; }
-    /// What a field to come is where it is not there.
+    /// Sets the value that a following field keeps if it is missing.
     template <class Value>
     void unlessSaid(Value& value, const Value& usual) {
         value = usual;
@@ -104,7 +104,7 @@ private:
     JsonFields& fields_;
 };
 
-/// Puts fields into a document, in the order they come in.
+/// Writes fields to a document, in the order of the calls.
 class FieldWriter {
 public:
     static constexpr bool kReads = false;
@@ -131,7 +131,7 @@ public:
             json_[key] = unitText(*unit);
         }
     }
-    /// Left out where there is none.
+    /// Omitted if empty.
     void text(const char* key, const std::string& value) {
         if (!value.empty()) {
             json_[key] = value;

@@ -23,9 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// 2 GiB: no reader counts farther, and what comes through a pipe may have no end.
+// 2 GiB: no reader counts further, and the input of a pipe may be endless.
 constexpr std::uintmax_t kMaxBytes = std::numeric_limits<int>::max();
-constexpr int kMaxLinks = 40;  // as the system has it
+constexpr int kMaxLinks = 40;  // the system's own limit
 
 Error unreadable(const fs::path& path, std::string why) {
     return {ErrorCode::FileUnreadable, Subject::file(path.string()), std::move(why)};
@@ -35,7 +35,7 @@ Error unwritable(const fs::path& path, std::string why) {
     return {ErrorCode::FileUnwritable, Subject::file(path.string()), std::move(why)};
 }
 
-/// What the links lead to, there or not.
+/// Resolves links; the target need not exist.
 fs::path throughLinks(fs::path path) {
     std::error_code failed;
     for (int k = 0; k < kMaxLinks && fs::is_symlink(path, failed); ++k) {
@@ -44,7 +44,7 @@ fs::path throughLinks(fs::path path) {
     return path;
 }
 
-/// What the names of parts of a file begin with: short, since a name may be as long as it can.
+/// Prefix of the names of temporary files: short, since a file's name may have the maximum length.
 std::string partPrefix(const fs::path& path) {
     return ".toile-" + std::to_string(contentHash(path.filename().string())) + "-";
 }
@@ -61,7 +61,7 @@ Result<void> writeInPlace(const fs::path& path, std::string_view bytes) {
         return unwritable(path, "it cannot be created");
     }
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    file.close();  // flushes; a full disk shows here at the latest
+    file.close();  // flushes; a full disk is reported here at the latest
     if (!file) {
         return unwritable(path, "writing stopped half-way");
     }
@@ -99,8 +99,8 @@ public:
         return {};
     }
 
-    /// Waits until the disk has it, where the file system knows such a thing: a rename may reach
-    /// it before the bytes otherwise, and a power cut would leave an empty file.
+    /// Waits until the data is on the disk, if the file system supports that: the rename might
+    /// reach the disk before the bytes, and a power cut would leave an empty file.
     std::error_code flush() const {
         return ::fsync(fd_) == 0 || errno == EINVAL || errno == ENOTSUP ? std::error_code()
                                                                         : lastFault();
@@ -110,11 +110,11 @@ private:
     int fd_;
 };
 
-/// Owner, permissions and access list as `old` has them.
+/// Copies owner, permissions and access list from `old`.
 std::error_code makeLike(const Descriptor& file, const fs::path& old) {
     struct stat was, is;
     if (::stat(old.c_str(), &was) != 0) {
-        return {};  // there is none
+        return {};  // no old file
     }
     const bool theirs =
         ::fstat(file.number(), &is) == 0 && (is.st_uid != was.st_uid || is.st_gid != was.st_gid);
@@ -130,7 +130,7 @@ std::error_code makeLike(const Descriptor& file, const fs::path& old) {
             return lastFault();
         }
     } else {
-        ::fremovexattr(file.number(), kAccessList);  // the folder may give one to what is new in it
+        ::fremovexattr(file.number(), kAccessList);  // the folder may give new files one
     }
     return {};
 }
@@ -143,14 +143,14 @@ std::error_code fill(const Descriptor& file, std::string_view bytes, const fs::p
     return failed ? failed : file.flush();
 }
 
-/// Held by whoever writes a part, from before it has a name until it has the file's: a part that
-/// nobody holds is what a killed process has left. Where a file system knows no such thing, nothing
-/// is ever taken for left behind.
+/// Each writer locks its temporary file from before it has a name until it is renamed: an unlocked
+/// temporary file was left by a killed process. If a file system has no locks, no file counts as
+/// left behind.
 bool tryHold(const Descriptor& part) {
     return ::flock(part.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Takes away what killed writers of the same file have left.
+/// Deletes temporary files of the same target that killed writers left.
 void clearPartsOf(const fs::path& path) {
     const std::string prefix = partPrefix(path);
     std::error_code failed;
@@ -166,8 +166,8 @@ void clearPartsOf(const fs::path& path) {
     }
 }
 
-/// The bytes as a file called `part`, held. Where the system can it has no name until it is whole,
-/// so that hardly anything stays behind whatever ends the program.
+/// Writes the bytes to a locked file called `part`. If the system supports it, the file has no name
+/// until it is complete, so that hardly anything is left if the program ends.
 std::error_code makePart(const fs::path& part, std::string_view bytes, const fs::path& old,
                          std::optional<Descriptor>& made) {
     const fs::path folder = part.parent_path().empty() ? fs::path(".") : part.parent_path();
@@ -202,10 +202,10 @@ std::error_code replace(const fs::path& path, std::string_view bytes) {
     }
     const fs::path folder = path.parent_path().empty() ? fs::path(".") : path.parent_path();
     const Descriptor names(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    return names ? names.flush() : std::error_code();  // some may be written to, not read
+    return names ? names.flush() : std::error_code();  // some folders can be written but not read
 }
 
-/// True where the folder, or the owner of the old file, lets none be put in its place.
+/// True if permissions of the folder or the old file forbid replacing it.
 bool mayNotReplace(const std::error_code& failed) {
     return failed == std::errc::permission_denied || failed == std::errc::operation_not_permitted ||
            failed == std::errc::read_only_file_system;

@@ -16,12 +16,12 @@ Result<std::string> readFile(const std::filesystem::path& path);
 /// A path with forward slashes, as UTF-8.
 std::string pathText(const std::filesystem::path& path);
 
-/// Writes beside the target, flushes to the disk, renames: the target is either the old file or the
-/// whole new one, whatever happens, and nothing else is left: what a process killed at the wrong
-/// moment leaves is taken away at the next write of the same file. Links lead on to what they name,
-/// also where that is not there yet; owner, permissions and access list of an old file stay.
-/// Written in place, so not in one step, is what cannot be replaced: a pipe or a terminal, a file
-/// in a folder that lets nothing be made, a file of another's that a new one would take from them.
+/// Writes a temporary file next to the target, flushes it to the disk and renames it: the target is
+/// always either the old file or the complete new one. If a process is killed at the wrong moment,
+/// the next write of the same file deletes what it left. Links are followed, also if their target
+/// does not exist yet; owner, permissions and access list of an old file are kept. Writes in place,
+/// not atomically, if the target cannot be replaced: a pipe or a terminal, a file in a read-only
+/// folder, another user's file whose ownership a new one would change.
 /// Errors: FileUnwritable.
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes);
 

@@ -9,9 +9,9 @@
 
 namespace toile {
 
-/// Tells one thing from every other of its kind in a document, through undo, saving, loading and
-/// reading again: it follows from where the thing comes from, never from its name or its place in
-/// a list. Zero is nobody's.
+/// Identifies a thing among all of its kind in a document, through undo, saving, loading and
+/// reading again: it is derived from the thing's origin, never from its name or its position in a
+/// list. Zero means none.
 template <class Kind>
 struct Id {
     std::uint64_t value = 0;
@@ -25,7 +25,7 @@ using FileId = Id<struct SourceFile>;
 using PieceId = Id<struct Piece>;
 using SeamId = Id<struct Seam>;
 using CutId = Id<struct UserCut>;
-/// A rim of a piece as it was divided, or a cut: what seams run along.
+/// A rim of a piece as it was divided, or a cut: the lines that seams run along.
 using LineId = Id<struct EdgeOrigin>;
 
 /// A hash of numbers in this order; never 0, the same on every machine of one byte order. Pure.
@@ -33,7 +33,7 @@ std::uint64_t hashOf(std::initializer_list<std::uint64_t> numbers);
 
 /// 16 hexadecimal digits.
 std::string idText(std::uint64_t id);
-/// The id of such a text; nothing where it is none.
+/// Parses the text of an id; nothing if it has another form.
 std::optional<std::uint64_t> parseId(std::string_view text);
 
 template <class Kind>

@@ -10,20 +10,20 @@
 namespace toile {
 namespace {
 
-// Deeper than any file of ours. The JSON library copies values by recursion, so that a text of
-// brackets alone would use the stack up.
+// Deeper than any file of ours. The JSON library copies values by recursion, so a text of brackets
+// alone would overflow the stack.
 constexpr int kMaxDepth = 64;
 constexpr std::size_t kUnknownNamed = 3;
 constexpr auto kUnits = R"("mm", "cm", "dm", "m", "in" or a length such as "12.5 mm")";
 
-/// How deep lists and objects lie in each other; of a text that is no JSON, any number.
+/// Nesting depth of lists and objects; any number if the text is not JSON.
 int depthOf(std::string_view text) {
     int depth = 0, deepest = 0;
     bool inString = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         if (inString) {
-            i += c == '\\' ? 1 : 0;  // whatever follows ends nothing
+            i += c == '\\' ? 1 : 0;  // an escaped character does not end the string
             inString = c != '"';
         } else if (c == '"') {
             inString = true;
@@ -57,7 +57,7 @@ Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
     } catch (const JsonDocument::parse_error& error) {
         return Error{malformed, Subject::file(name),
                      "no JSON: trouble at byte " + std::to_string(error.byte)};
-    } catch (const JsonDocument::exception&) {  // a number that no double holds
+    } catch (const JsonDocument::exception&) {  // a number that no double can represent
         return Error{malformed, Subject::file(name), "a number is out of range"};
     }
 }
@@ -98,7 +98,7 @@ JsonFields::~JsonFields() {
                 faults_.unknown.push_back(placeOf(item.key()));
             }
         }
-    } catch (const std::exception&) {  // out of memory: a note less, not the end of the program
+    } catch (const std::exception&) {  // out of memory: omit a note instead of ending the program
         takesAll_ = true;
     }
 }

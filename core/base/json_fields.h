@@ -17,33 +17,33 @@
 
 namespace toile {
 
-/// A document that is read: its keys are looked up in log n, however many there are.
+/// A document for reading: keys are looked up in log n, however many there are.
 using JsonDocument = nlohmann::json;
-/// One that is written: its keys stay in order.
+/// A document for writing: its keys stay in order.
 using OrderedJson = nlohmann::ordered_json;
 
-/// The document of a text. Linear.
-/// @param name, malformed  of the file and of what is wrong with it, for the error
+/// Parses a text. Linear.
+/// @param name, malformed  of the file and of the error to return
 Result<JsonDocument> parseJson(std::string_view text, const std::string& name, ErrorCode malformed);
 
-/// A document as text. Names come from files: bytes that are no UTF-8 become U+FFFD.
+/// A document as text. Names come from files: bytes that are not UTF-8 become U+FFFD.
 std::string jsonText(const OrderedJson& json);
 
-/// The numbers of a list; none where it is anything but so many finite numbers.
+/// The numbers of a list; nothing unless it holds exactly `count` finite numbers.
 std::optional<std::vector<double>> numbersOf(const JsonDocument& json, std::size_t count);
 
-/// What was found wrong in a document while it was read.
+/// Faults found in a document while it was read.
 struct JsonFaults {
-    std::string first;                 ///< what is wrong and where; empty: nothing
-    std::vector<std::string> unknown;  ///< places that nobody asked for
+    std::string first;                 ///< the first fault and its place; empty: none
+    std::vector<std::string> unknown;  ///< places of unknown fields
 
-    /// The UnknownKey of the file of this name, where there is one.
+    /// The UnknownKey note of the file of this name, if there is one.
     Problems notes(const std::string& name) const;
 };
 
-/// Reads the fields of one JSON object, each with its type: the first thing that is wrong is kept
-/// with its place ("pieces.front.quantity"), and what comes after is left as it is. A field that is
-/// not there leaves its target as it is. Fields that nobody asked for are noted at the end.
+/// Reads the fields of one JSON object, each with its type: the first fault is stored with its
+/// place ("pieces.front.quantity"), and later fields are left unchanged. A missing field leaves its
+/// target unchanged. Unknown fields are noted at the end.
 class JsonFields {
 public:
     /// `json` and `faults` must outlive this. Anything but an object is a fault.
@@ -57,16 +57,16 @@ public:
     std::string placeOf(std::string_view key) const;
     void fail(std::string_view key, std::string_view what) { failAt(placeOf(key), what); }
     void failAt(const std::string& place, std::string_view what);
-    /// The field; null where it is not there or something is wrong already.
+    /// The field; null if it is missing or a fault was found before.
     const JsonDocument* find(std::string_view key);
-    /// The same; not to be there is a fault.
+    /// The same; a missing field is a fault.
     const JsonDocument* need(std::string_view key);
     /// Every field, whatever its name.
     const JsonDocument& all();
 
     void read(std::string_view key, bool& value);
     void read(std::string_view key, std::string& value);
-    /// @param least, most  what the number may be, both included
+    /// @param least, most  range of the number, both included
     void read(std::string_view key, double& value,
               double least = std::numeric_limits<double>::lowest(),
               double most = std::numeric_limits<double>::max());
@@ -75,7 +75,7 @@ public:
     void read(std::string_view key, std::optional<int>& value, int least, int most);
     void read(std::string_view key, std::optional<FileUnit>& unit);
     /// `count` numbers.
-    /// @param most  of what size each may be, either sign
+    /// @param most  largest absolute value of each
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t count,
                                                double most = std::numeric_limits<double>::max());
 
@@ -100,7 +100,7 @@ public:
         });
     }
 
-    /// The object, where there is one; read(fields).
+    /// Reads the object if it is present; read(fields).
     template <class Read>
     void readObject(std::string_view key, const Read& read) {
         if (const JsonDocument* json = find(key)) {

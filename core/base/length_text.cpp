@@ -15,7 +15,7 @@ namespace toile {
 namespace {
 
 constexpr std::string_view kMinus = "\u2212", kDash = "\u2013";
-/// Beyond, whole numbers are no longer exact and no garment is meant.
+/// Beyond, whole numbers are no longer exact, and no garment is that large.
 constexpr double kLargest = 1e12;
 
 std::string withMark(std::string text, std::string_view mark) {
@@ -40,8 +40,8 @@ std::string fraction(double inches, int denominator) {
     return text;
 }
 
-/// Words and signs a person writes after a number, and what one of them is; the longer of two that
-/// begin alike first.
+/// Words and signs for units after a number, and the size of one unit; if two begin alike, the
+/// longer one comes first.
 constexpr std::pair<std::string_view, double> kLengthWords[] = {
     {"mm", 1},    {"cm", 10},     {"dm", 100},  {"m", 1000},      {"inches", 25.4}, {"inch", 25.4},
     {"in", 25.4}, {"zoll", 25.4}, {"\"", 25.4}, {"\u2033", 25.4}, {"\u201d", 25.4}, {"''", 25.4},
@@ -151,7 +151,7 @@ private:
         return good && value <= kLargest ? std::optional(value) : std::nullopt;
     }
 
-    /// The "3/8" of "12 3/8"; stays where it is when there is none.
+    /// The "3/8" of "12 3/8"; does not move if there is none.
     std::optional<double> properFraction() {
         const std::size_t before = at_;
         bool isWhole = false;
@@ -185,7 +185,7 @@ private:
         return std::nullopt;
     }
 
-    /// Letters in either case.
+    /// Ignores the case of letters.
     bool accept(std::string_view token) {
         const std::size_t before = at_;
         skipSpace();
@@ -215,7 +215,7 @@ private:
 
     std::string_view text_;
     const std::pair<std::string_view, double>*units_, *unitsEnd_;
-    double usual_;  ///< unit of what has none
+    double usual_;  ///< for numbers without a unit
     std::size_t at_ = 0;
 };
 

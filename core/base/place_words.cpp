@@ -17,8 +17,8 @@ namespace {
 constexpr std::string_view kBare = "%1, %2, %3", kInBrackets = "(%1, %2, %3)";
 constexpr std::string_view kUnit = " mm";
 
-/// With all digits; but as it is written where it is too large for them, and where it is "0.0":
-/// that has no sign.
+/// The value with all its digits. If it is written in scientific form or as "0.0", the written
+/// value, which has no sign in "0.0".
 double valueOf(const Wording& figure) {
     double written = std::numeric_limits<double>::quiet_NaN();
     std::from_chars(figure.data(), figure.data() + figure.size(), written);
@@ -62,7 +62,7 @@ Wording barePlaceWording(double x, double y, double z) {
 std::vector<ToldPlace> placesIn(const Error& error) {
     std::vector<ToldPlace> places;
     collectPlaces(error.detail, {}, places);
-    const std::string shown = shownText(error.detail, kMaxOfDetail);  // as the sentence has it
+    const std::string shown = shownText(error.detail, kMaxOfDetail);  // as `sentence` shows it
     std::size_t from = 0;
     const auto lost = std::ranges::find_if(places, [&](const ToldPlace& place) {
         const std::size_t found = shown.find(place.words, from);

@@ -6,35 +6,35 @@
 
 namespace toile {
 
-/// The string between a long call and whoever waits for it: the worker reports, any thread may
-/// read the fraction or cancel. Cancelling is sticky; the call then returns `ErrorCode::Cancelled`
-/// at its next check (between pieces, solver iterations and the stages of a factorisation).
+/// Connects a long call with its caller: the worker reports, any thread may read the fraction or
+/// cancel. Cancelling is sticky; the call then returns `ErrorCode::Cancelled` at its next check
+/// (between pieces, solver iterations and the stages of a factorisation).
 ///
-/// Who gives the order holds it as it is: may cancel, start and share out. Who does one part of the
-/// work gets a `const Progress&`: may look, and `report` how far the part is, or `step` where he
-/// does not know how far there is to go, as within a piece. One who calls others hands each a part
-/// of his own:
+/// The owner of a task holds a non-const Progress and may cancel, start and divide it. A part of
+/// the work gets a `const Progress&`: it may check for cancellation and `report` its fraction, or
+/// `step` if the amount of work is unknown, as within a piece. A function that calls others gives
+/// each a part of its own:
 ///     cutter.cut(uncut[p], cuts[p], Progress(progress, 1 / count));
-/// Parts may run side by side; what each adds goes to the whole at once.
+/// Parts may run in parallel; what each adds counts for the whole at once.
 ///
-/// The fraction never decreases but by `start` and `setShare`. Thread-safe, those two and the
-/// construction aside: they come before the threads that report.
+/// The fraction only decreases by `start` and `setShare`. Thread-safe, except for those two and the
+/// construction, which must come before the threads that report.
 class Progress {
 public:
     Progress() = default;
-    /// A part of another task, `share` of it in [0, 1]: cancelled with it, and adding to its
-    /// fraction what is reported here. The whole outlives its parts.
+    /// A part of another task, `share` of it in [0, 1]: cancelled with it, and its progress is
+    /// added to the other's fraction. The whole must outlive its parts.
     Progress(const Progress& whole, double share) : whole_(&whole), share_(share) {}
 
-    /// Of a part: this part alone.
+    /// On a part, cancels this part alone.
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
     bool isCancelled() const {
         return cancelled_.load(std::memory_order_relaxed) ||
                (whole_ != nullptr && whole_->isCancelled());
     }
 
-    /// What is started next is a part of a longer task: it goes from fraction `from` to fraction
-    /// `to` of the whole, in [0, 1]. For the one who calls several things in a row, before each.
+    /// The next task to start is a part of a longer one: it covers the fractions `from` to `to` of
+    /// the whole, in [0, 1]. Call it before each of several calls in a row.
     void setShare(double from, double to) {
         from_ = from;
         span_ = to - from;
@@ -49,8 +49,8 @@ public:
 
     void advance(double amount) const { add(amount * unit_.load(std::memory_order_relaxed)); }
 
-    /// So much of this task is done, in [0, 1]. Less than reported before is passed over. Cheap:
-    /// once per iteration or stage, not per triangle.
+    /// The fraction of this task that is done, in [0, 1]. Values below the last report are ignored.
+    /// Cheap: call once per iteration or stage, not per triangle.
     void report(double fractionOfThisPiece) const {
         const double now = from_ + span_ * std::min(fractionOfThisPiece, 1.0);
         double before = done_.load(std::memory_order_relaxed);
@@ -62,7 +62,7 @@ public:
         }
     }
 
-    /// One more stage of this task is done, of nobody knows how many: a tenth of what is left.
+    /// One of an unknown number of stages is done: adds a tenth of the rest.
     void step() const {
         const double done = (done_.load(std::memory_order_relaxed) - from_) / span_;
         report(done + (1 - done) / 10);
@@ -85,7 +85,7 @@ private:
 
     std::atomic<bool> cancelled_{false};
     std::atomic<double> unit_{1.0};          ///< fraction per unit of `advance`
-    mutable std::atomic<double> done_{0.0};  ///< a tally, no part of what a const task promises
+    mutable std::atomic<double> done_{0.0};  ///< a counter, not part of a task's logical state
     double from_ = 0, span_ = 1;             ///< of the longer task
     const Progress* whole_ = nullptr;
     double share_ = 1;

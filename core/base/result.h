@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// A value, or the reason why there is none. Asking for the wrong one is a bug (asserted).
+/// A value, or the error instead. Accessing the wrong one is a bug (asserted).
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -34,7 +34,7 @@ private:
     std::variant<T, Error> state_;
 };
 
-/// Done, or the reason why not.
+/// Success, or the error.
 template <>
 class [[nodiscard]] Result<void> {
 public:

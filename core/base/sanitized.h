@@ -2,7 +2,7 @@
 #pragma once
 
 extern "C" {
-// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): theirs
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): names of the sanitizers
 void __asan_init() __attribute__((weak));
 void __tsan_init() __attribute__((weak));
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
@@ -10,8 +10,8 @@ void __tsan_init() __attribute__((weak));
 
 namespace toile {
 
-/// Whether sanitizers look at each step of the library: by what is linked, as whoever asks may be
-/// compiled without, and compilers do not agree on a macro that says so.
+/// Whether a sanitizer is linked in. Checked at run time: the calling code may be compiled without
+/// it, and compilers have no common macro.
 inline bool isSanitized() {
     return __asan_init != nullptr || __tsan_init != nullptr;
 }

@@ -7,7 +7,7 @@
 
 namespace toile {
 
-/// The value that a share of all values does not exceed, rounded to one of them; 0 of none.
+/// The quantile of a share, rounded down to one of the values; 0 if there are none.
 /// @param share  in [0, 1]  Cost: linear.
 template <class Value>
 Value quantileOf(std::vector<Value> values, double share) {
@@ -20,7 +20,7 @@ Value quantileOf(std::vector<Value> values, double share) {
     return *at;
 }
 
-/// The middle value, of an even number of values the larger one of the two; 0 of none.
+/// The median, of an even number of values the larger of the middle two; 0 if there are none.
 template <class Value>
 Value medianOf(std::vector<Value> values) {
     if (values.empty()) {

@@ -5,7 +5,7 @@
 
 namespace toile {
 
-/// Wall-clock seconds since it was made.
+/// Wall-clock seconds since its construction.
 class Stopwatch {
 public:
     double seconds() const {

@@ -36,7 +36,7 @@ void appendFixed(std::string& out, double value, int decimals) {
         std::to_chars(buffer, buffer + kMaxDigits, value, std::chars_format::fixed, decimals);
     std::string_view digits(buffer, static_cast<std::size_t>(end.ptr - buffer));
     if (!digits.empty() && digits.front() == '-' && isZero(digits)) {
-        digits.remove_prefix(1);  // a rounded -0.00001 is no negative number to a reader
+        digits.remove_prefix(1);  // a rounded -0.00001 should not look negative
     }
     out.append(digits);
 }

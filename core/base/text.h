@@ -18,17 +18,17 @@ std::string fixed(double value, int decimals);
 void appendFixed(std::string& out, double value, int decimals);
 /// A digit, decimals and a power of ten: "5.77e+300".
 std::string scientific(double value, int decimals);
-/// "1 face", "2 faces": the noun gets an s where the count asks for it.
+/// "1 face", "2 faces": adds an s to the noun if the count requires it.
 std::string counted(long long count, std::string_view noun);
 /// The first `most` texts in quotes, and how many more there are: "\"a\", \"b\" and 3 more".
 std::string quotedList(const std::vector<std::string>& texts, std::size_t most);
-/// Without blanks (space, tab, line ends, form feed) at its ends; refers to the same characters.
+/// Removes blanks (space, tab, line ends, form feed) at both ends; refers to the same characters.
 std::string_view trimmed(std::string_view text);
-/// An ASCII letter in lower case; any other character as it is.
+/// An ASCII letter in lower case; any other character unchanged.
 constexpr char lowered(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
-/// True where `text` is `word` but for the case of ASCII letters; `word` is given in lower case.
+/// True if `text` equals `word`, ignoring the case of ASCII letters; `word` is in lower case.
 bool equalsIgnoringCase(std::string_view text, std::string_view word);
 /// Lower case ASCII letters, digits and single hyphens, for ids and file names; never empty.
 std::string slug(std::string_view text);

@@ -3,8 +3,8 @@
 
 namespace toile {
 
-/// Named tolerances, all relative: to the perimeter, an edge or an area, so that a piece of any
-/// size and unit is treated alike.
+/// Named tolerances, all relative to the perimeter, an edge or an area, so that results do not
+/// depend on the size or unit of a piece.
 
 /// Closing gap of an outline, relative to its perimeter, below which it counts as closed.
 inline constexpr double kClosureTolerance = 1e-10;

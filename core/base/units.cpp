@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// In the order of the enumeration, as the numbers below.
+/// In the order of the enumeration, like the numbers below.
 constexpr Word<LengthUnit> kSymbols[] = {{LengthUnit::Millimetre, "mm"},
                                          {LengthUnit::Centimetre, "cm"},
                                          {LengthUnit::Decimetre, "dm"},

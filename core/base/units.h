@@ -21,16 +21,16 @@ std::string_view symbol(LengthUnit unit);
 /// The unit of a symbol as typed by a person ("mm", "cm", "dm", "m", "in"), or nothing.
 std::optional<LengthUnit> parseLengthUnit(std::string_view text);
 
-/// Unit of the coordinates in a file: one that has a name, or any other length, as when a person
-/// has said how tall a garment is.
+/// Unit of the coordinates in a file: a named one, or any other length, for example derived from
+/// the height of a garment that a person typed.
 class FileUnit {
 public:
     FileUnit(LengthUnit unit) : millimetres_(millimetresPer(unit)) {}
-    /// Nothing outside 1 nm to 1 km: no garment is measured in that.
+    /// Nothing outside 1 nm to 1 km: no garment has such a unit.
     static std::optional<FileUnit> ofMillimetres(double millimetres);
 
     double millimetres() const { return millimetres_; }
-    /// Nothing where it has no name.
+    /// Nothing if it has no name.
     std::optional<LengthUnit> named() const;
 
     bool operator==(const FileUnit&) const = default;
@@ -44,9 +44,9 @@ private:
 inline double millimetresPer(const FileUnit& unit) {
     return unit.millimetres();
 }
-/// "cm"; "12.1866 mm" where it has no name, with as many digits as give the same unit again.
+/// "cm"; "12.1866 mm" if it has no name, with as many digits as reproduce the unit.
 std::string unitText(const FileUnit& unit);
-/// The unit of such a text: "cm", "12.1866 mm", "0.5in"; or nothing.
+/// Parses such a text: "cm", "12.1866 mm", "0.5in"; nothing if it has another form.
 std::optional<FileUnit> parseFileUnit(std::string_view text);
 
 inline constexpr double kPi = std::numbers::pi;

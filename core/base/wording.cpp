@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// Beyond, a number is no measure of anything any more, and its digits would fill the sentence.
+/// Larger numbers are no plausible measure, and their digits would fill the sentence.
 constexpr double kWrittenOut = 1e12;
 
 std::string filledIn(const char* pattern, const std::vector<Wording>& arguments) {

@@ -10,18 +10,18 @@
 
 namespace toile {
 
-/// A choice and what it is called in files and on the command line. A table of them,
-/// `Word<Value> kTable[]`, names each value once.
+/// A choice and its name in files and on the command line. A table, `Word<Value> kTable[]`, names
+/// each value once.
 template <class Value>
 using Word = std::pair<Value, std::string_view>;
 
-/// Precondition: the table names the value.
+/// Precondition: the table contains the value.
 template <class Value, std::size_t n>
 std::string_view wordOf(const Word<Value> (&words)[n], Value value) {
     return std::ranges::find(words, value, &Word<Value>::first)->second;
 }
 
-/// "\"a\", \"b\" or \"c\"": all of them, for a person.
+/// "\"a\", \"b\" or \"c\"": all of them, for display.
 template <class Value, std::size_t n>
 std::string wordList(const Word<Value> (&words)[n]) {
     std::string list;

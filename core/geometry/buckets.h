@@ -7,15 +7,15 @@
 
 namespace toile::geometry {
 
-/// Items by a key from 0 on, those of one key side by side in the order in which they came: the
-/// edges at each vertex, the triangles of each face. Two passes over the items, no sorting.
+/// Items grouped by a key from 0 on; items of one key keep the order in which they came: the edges
+/// at each vertex, the triangles of each face. Two passes over the items, no sorting.
 template <class Item = int>
 class Buckets {
 public:
     Buckets() = default;
 
-    /// @param forEach  calls what it is given with the key and the item of each; it is asked twice,
-    ///                 and must say the same
+    /// @param forEach  calls its argument with the key and the item of each; it runs twice and must
+    ///                 give the same pairs both times
     /// Cost: linear in keys and items.
     template <class ForEach>
     Buckets(int keyCount, ForEach&& forEach) : start_(static_cast<std::size_t>(keyCount) + 1, 0) {
@@ -36,7 +36,7 @@ public:
         return {items_.data() + start_[key], items_.data() + start_[key + 1]};
     }
 
-    /// All of them, by their keys.
+    /// All items, ordered by key.
     const std::vector<Item>& items() const { return items_; }
 
 private:

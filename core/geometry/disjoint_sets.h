@@ -6,8 +6,8 @@
 
 namespace toile::geometry {
 
-/// Union-find over 0 .. size-1, with path halving. The root of a set is its least member, so that
-/// results do not depend on the order of joins.
+/// Union-find over 0 .. size-1, with path halving. The root of a set is its smallest member, so
+/// that results do not depend on the order of joins.
 class DisjointSets {
 public:
     explicit DisjointSets(int size) : parent_(size) {

@@ -12,12 +12,12 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Twice the signed area of a triangle: positive where it runs anti-clockwise.
+/// Twice the signed area of a triangle: positive if it runs anti-clockwise.
 double orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
     return cross(b - a, c - a);
 }
 
-/// Signed height over the longest edge, relative to that edge; 0 where all three are one point.
+/// Signed height over the longest edge, relative to that edge; 0 if all three are one point.
 double shape(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
     const double longest2 =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
@@ -43,7 +43,7 @@ bool crossesItself(const std::vector<Vector2d>& polygon) {
     return false;
 }
 
-/// How strictly an ear is judged. Each level is tried when the one before leaves no ear.
+/// How strictly an ear is judged. Each level is tried if the one before leaves no ear.
 struct Strictness {
     double leastShape;  ///< an ear must be better shaped than this
     double margin;      ///< a corner this far outside of an edge, by its length, is still inside
@@ -51,7 +51,7 @@ struct Strictness {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr Strictness kStrictness[] = {
-    {kDegenerateHeight, kDegenerateHeight},    // no flat triangle comes into being
+    {kDegenerateHeight, kDegenerateHeight},    // no flat triangles
     {0, 0},                                    // thin ones, but every corner counts
     {-kDegenerateHeight, -kDegenerateHeight},  // flat ones, and corners may lie on the edges
 };
@@ -100,7 +100,7 @@ private:
         } while (i != anyLeft_);
     }
 
-    /// Sets the quality of a corner as an ear; minus infinity where it is none.
+    /// Sets the quality of a corner as an ear; minus infinity if it is not an ear.
     void judge(int i) {
         const Vector2d &a = p_[previous_[i]], &b = p_[i], &c = p_[next_[i]];
         const double value = shape(a, b, c);
@@ -108,8 +108,8 @@ private:
             value > level_.leastShape && isFree(previous_[i], next_[i], a, b, c) ? value : -kNever;
     }
 
-    /// True where no other corner lies in the triangle. Corners at one of its own positions do not
-    /// count: the polygon touches itself there.
+    /// True if no other corner lies in the triangle. Other corners at the position of one of its
+    /// own do not count: the polygon touches itself there.
     bool isFree(int first, int last, const Vector2d& a, const Vector2d& b,
                 const Vector2d& c) const {
         const double ab = level_.margin * (b - a).norm();

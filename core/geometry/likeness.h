@@ -6,24 +6,24 @@
 
 namespace toile::geometry {
 
-/// Places of the plane around their middle, at even shares of a closed line.
+/// Points in the plane relative to their centroid, evenly spaced along a closed line.
 using CentredPlaces = std::vector<std::complex<double>>;
 
-/// How like each other two lists are, the second begun at number `start` and going round: the angle
-/// is that which turns the second nearest to the first, anti-clockwise; the more like, the larger.
-/// What remains between them are then the squares of both less twice the size of this.
-/// @param theirs  as many  Cost: linear. Pure.
+/// Correlation of two lists, the second starting at index `start` and wrapping around. Its angle is
+/// the anti-clockwise turn that best aligns the second with the first; its size measures likeness.
+/// The remaining squared distance is the sum of both `squaresOf` less twice this size.
+/// Precondition: both have the same size.  Cost: linear. Pure.
 std::complex<double> likeness(const CentredPlaces& ours, const CentredPlaces& theirs,
                               std::size_t start = 0);
 
-/// Sum of the squared distances from the middle.
+/// Sum of the squared distances from the centroid.
 double squaresOf(const CentredPlaces& places);
 
 struct BestLikeness {
     std::complex<double> likeness = 0;
     std::size_t start = 0;
 };
-/// Begun where they are most alike, the first of equals.  Cost: quadratic. Pure.
+/// The start with the greatest likeness, the first of equals.  Cost: quadratic. Pure.
 BestLikeness bestLikeness(const CentredPlaces& ours, const CentredPlaces& theirs);
 
 }  // namespace toile::geometry

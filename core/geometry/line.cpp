@@ -11,7 +11,7 @@
 namespace toile::geometry {
 namespace {
 
-/// An end nearer to a point than this part of the line is that point.
+/// An end closer to a point than this fraction of the line coincides with it.
 constexpr double kAtPoint = 1e-12;
 
 template <class Points>

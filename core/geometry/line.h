@@ -7,8 +7,8 @@
 
 namespace toile::geometry {
 
-/// Arc lengths of the points of a polyline, from 0 on: one more than it has edges, so that the last
-/// of a closed line is its first point again, a turn later. @param lengths  of its edges
+/// Arc lengths of the points of a polyline, from 0 on: one more than it has edges, so that on a
+/// closed line the last is its first point again, a turn later. @param lengths  of its edges
 template <class Lengths>
 std::vector<double> arcOf(const Lengths& lengths) {
     std::vector<double> arc{0};
@@ -30,7 +30,7 @@ struct EdgePlace {
 /// its ends. All functions are pure; searches are logarithmic. Immutable.
 class Arc {
 public:
-    /// @param at  of each point; of a closed line also of its first point a turn later
+    /// @param at  of each point; on a closed line also of its first point a turn later
     Arc(std::vector<double> at, bool isClosed);
 
     bool isClosed() const { return isClosed_; }
@@ -44,13 +44,13 @@ public:
     double wrap(double place) const;
     /// The number of turns before a place. 0 on an open line.
     double turnsBefore(double place) const;
-    /// Distance of two places along the line, the shorter way round.
+    /// Distance of two places along the line, by the shorter way round.
     double apart(double a, double b) const;
     EdgePlace edgePlace(double place) const;
     int edgeAt(double place) const { return edgePlace(place).edge; }
     /// The place of a point, counted on over turns.
     double placeOf(int point) const;
-    /// The number of the first point after a place, counted on over turns; at the end of an open
+    /// The index of the first point after a place, counted on over turns; at the end of an open
     /// line the last point.
     int firstAfter(double place) const;
     /// The same place by another measure of the same points.
@@ -69,15 +69,15 @@ struct Interval {
 };
 
 struct CommonPart : Interval {
-    double shift = 0;  ///< by how much the second interval was moved for it: -1, 0 or 1 turn
+    double shift = 0;  ///< by how much the second interval was moved: -1, 0 or 1 turn
 };
-/// The parts of two stretches of a closed line that are the same, as the first counts places.
-/// @param turn  its length  Precondition: the stretches are at most one turn apart. In order of
-/// the shift.
+/// The parts that two stretches of a closed line have in common, measured as in the first. In order
+/// of the shift.
+/// @param turn  the line's length  Precondition: the stretches are at most one turn apart.
 std::vector<CommonPart> commonParts(const Interval& a, const Interval& b, double turn);
 
 /// A polyline, open or closed, with a measure along it: its own arc lengths, or those of another
-/// line that it stands for. Immutable.
+/// line that it represents. Immutable.
 template <int Dimensions>
 class LineOf {
 public:
@@ -104,7 +104,7 @@ public:
     int edgeAt(double place) const { return arc_.edgeAt(place); }
     double placeOf(int point) const { return arc_.placeOf(point); }
     int firstAfter(double place) const { return arc_.firstAfter(place); }
-    /// On another line, which has as many points that stand for these.
+    /// The same place on another line with the same number of corresponding points.
     double placeOn(const LineOf& other, double place) const {
         return arc_.placeOn(other.arc_, place);
     }
@@ -112,9 +112,9 @@ public:
     /// Counted on over turns.
     Point point(int k) const;
     Point pointAt(double place) const;
-    /// The place nearest to a point, the first of equals.  Cost: linear.
+    /// The place closest to a point, the first of equals.  Cost: linear.
     double nearestPlace(const Point& point) const;
-    /// By how much the line turns at a point, radians; in the plane positive to the left.
+    /// By how much the line turns at a point, in radians; in the plane positive to the left.
     double turnAt(int k) const;
     /// The part from one place to a later one: its ends and the points between them.
     Points part(double from, double to) const;

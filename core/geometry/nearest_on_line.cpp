@@ -32,7 +32,7 @@ Eigen::RowVector2d NearestOnLine::operator()(const Eigen::RowVector2d& point) co
         [&](Eigen::Index k) {
             const Eigen::RowVector2d a = points_.row(k), b = points_.row((k + 1) % points_.rows());
             const Eigen::RowVector2d place = a + nearestShare(point, a, b) * (b - a);
-            // Of places equally near the first along the line, in whatever order they come.
+            // Of equally close places take the first along the line, in any order of visits.
             if (const std::pair found((place - point).squaredNorm(), k); found < least) {
                 least = found;
                 best = place;

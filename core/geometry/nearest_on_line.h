@@ -6,14 +6,14 @@
 
 namespace toile::geometry {
 
-/// Finds the points of a closed line of the plane that are nearest to others. Const use is
-/// thread-safe. Cost: n log n in the line's points to make, log n a question.
+/// Finds the points of a closed line in the plane that are closest to given points. Const use is
+/// thread-safe. Cost: n log n in the line's points to build, log n per query.
 class NearestOnLine {
 public:
     /// @param closed  at least one point; its last is joined to its first
     explicit NearestOnLine(const Polygon& closed);
 
-    /// Of places equally near the first along the line.
+    /// The first along the line of equally close places.
     Eigen::RowVector2d operator()(const Eigen::RowVector2d& point) const;
 
 private:

@@ -22,7 +22,7 @@ Placement fitMotion(const Polygon& from, const Polygon& to, bool mirrored,
         weights.size() > 0 ? weights : Eigen::VectorXd::Ones(from.rows()).eval();
     const Eigen::RowVector2d middle = weight.transpose() * from / weight.sum();
     const Eigen::RowVector2d onto = weight.transpose() * to / weight.sum();
-    // Sums of dot and cross products about the middles: their angle is the turn.
+    // Sums of dot and cross products about the centroids: their angle is the turn.
     double along = 0, across = 0;
     for (Eigen::Index i = 0; i < from.rows(); ++i) {
         Eigen::RowVector2d a = from.row(i) - middle;

@@ -10,9 +10,9 @@
 
 namespace toile::geometry {
 
-/// A motion of the plane in mm and radians: points are mirrored (x becomes -x) where asked for,
-/// turned anti-clockwise about the origin, then moved. It says where a copy of a flat piece lies on
-/// the sheet; the piece itself is never turned. Functions here are pure.
+/// A motion of the plane in mm and radians: points are mirrored if requested (x becomes -x), turned
+/// anti-clockwise about the origin, then moved. It places a copy of a flat piece on the sheet; the
+/// piece itself is never turned. Functions here are pure.
 struct Placement {
     Eigen::Vector2d offset = Eigen::Vector2d::Zero();
     double turn = 0;
@@ -30,7 +30,7 @@ struct Placement {
     }
     Placement inverse() const;
 
-    /// The point of the piece that lies at a place of the sheet.
+    /// The point of the piece at a place on the sheet.
     Eigen::Vector2d undone(const Eigen::Vector2d& place) const {
         return linear().transpose() * (place - offset);  // orthogonal
     }
@@ -43,20 +43,20 @@ struct Placement {
     bool operator==(const Placement&) const = default;
 };
 
-/// The motion that brings `from` nearest to `to` in the least-squares sense, point by point (the
-/// planar Procrustes problem, solved in closed form). Points of no extent are only moved.
+/// The motion that best maps `from` to `to` in the least-squares sense, point by point (the planar
+/// Procrustes problem, solved in closed form). Points of no extent are only moved.
 /// @param from, to  #n x 2, finite  @param mirrored  whether they are mirrored first
-/// @param weights   #n, or empty: all alike
+/// @param weights   #n, or empty: all equal
 Placement fitMotion(const Polygon& from, const Polygon& to, bool mirrored = false,
                     const Eigen::VectorXd& weights = {});
 
-/// mm from the origin: farther away nothing is laid.
+/// mm from the origin; nothing is placed farther away.
 inline constexpr double kFarthestOnSheet = 1e9;
 
-/// The same direction in (-pi, pi]; 0 where the number is none.
+/// The same direction in (-pi, pi]; 0 if the angle is not finite.
 double wrappedAngle(double angle);
 
-/// Which way one point of the sheet lies from another; 0 where both are one place.
+/// The direction from one point of the sheet to another; 0 if they coincide.
 double directionTo(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 Placement movedBy(Placement placement, const Eigen::Vector2d& way);
@@ -68,26 +68,25 @@ enum class Mirroring {
     UpsideDown,  ///< across a level line
 };
 
-/// Reflected across a line of the sheet through `centre`: the other side of the fabric faces the
-/// reader then.
+/// Reflected across a line of the sheet through `centre`: the other side of the fabric then faces
+/// the reader.
 Placement mirroredAt(Placement placement, const Eigen::Vector2d& centre, Mirroring mirroring);
 
-/// A direction of the piece as it lies on the sheet, and back.
+/// Converts a direction of the piece to the sheet, and back.
 double directionOnSheet(const Placement& placement, double direction);
 double directionOnPiece(const Placement& placement, double direction);
 
-/// A line of the piece as it lies but for the offset: turned, and of a mirrored piece from its end
-/// to its beginning, so that the cloth stays on the left. The very same points where nothing is
-/// turned.
+/// A line of the piece as placed but without the offset: turned, and for a mirrored piece reversed,
+/// so that the cloth stays on the left. Without a turn the points are returned exactly.
 Polygon turnedLine(const Polygon& line, const Placement& placement);
-/// The same where it lies.
+/// The same, with the offset.
 Polygon placedLine(const Polygon& line, const Placement& placement);
 
-/// The outline of a piece where it lies on the sheet. @param Q  #V x 2, its flat coordinates
+/// The outline of a piece as placed on the sheet. @param Q  #V x 2, its flat coordinates
 Polygon placedOutline(const Polygon& Q, const std::vector<int>& boundary,
                       const Placement& placement);
 
-/// The smallest upright box around an outline at its place; empty where there is no point.
+/// The axis-aligned bounding box of a placed outline; empty if it has no point.
 /// @param outline  mm, in the piece's own coordinates
 Eigen::AlignedBox2d outlineBox(const Polygon& outline, const Placement& placement);
 

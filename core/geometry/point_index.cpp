@@ -9,7 +9,7 @@ namespace toile::geometry {
 namespace {
 
 constexpr std::size_t kFirstBuckets = 1024;
-/// No cell is counted farther; all beyond are one, which costs time only.
+/// Cells beyond this share one index, which only costs time.
 constexpr double kFarthestCell = 1e18;
 
 }  // namespace
@@ -32,8 +32,8 @@ std::pair<int, bool> PointIndex::insert(Eigen::Vector3d point) {
     return {static_cast<int>(points_.size()) - 1, true};
 }
 
-/// The bits themselves where they are to be equal, else cubes of twice the tolerance, counted from
-/// the first point so that they stay countable far from the origin.
+/// For tolerance 0 the bits of the coordinates, else cubes of twice the tolerance, counted from the
+/// first point so that indices stay small far from the origin.
 /// @param moved  by so much along each axis
 PointIndex::Cell PointIndex::cellOf(const Eigen::Vector3d& point, double moved) const {
     Cell cell;

@@ -10,20 +10,21 @@
 
 namespace toile::geometry {
 
-/// Finds points again that lie on each other: a list of points, and a hash of the cells they stand
-/// in. Not thread-safe.
+/// Finds coinciding points again: a list of points, and a hash of the cells that contain them. Not
+/// thread-safe.
 class PointIndex {
 public:
-    /// @param points     to which new ones are appended, by this class or by others; it is kept by
-    ///                   reference. Those of others are not found for sure
-    /// @param tolerance  in the unit of the points; 0: the same bits, with -0 taken as 0
+    /// @param points     stored as a reference. Callers may append to it as well, but the points
+    /// that
+    ///                   they append may not be found
+    /// @param tolerance  in the unit of the points; 0: equal bits, with -0 equal to 0
     explicit PointIndex(std::vector<Eigen::Vector3d>& points, double tolerance = 0)
         : points_(points), tolerance_(tolerance) {}
     PointIndex(const PointIndex&) = delete;
     PointIndex& operator=(const PointIndex&) = delete;
 
-    /// The first point within the tolerance, or this one at the list's end; whether it is new.
-    /// Points that were found are not kept, so that no chain of small steps leads far.
+    /// The first point within the tolerance, or this one, appended; and whether it is new. Points
+    /// that match are not stored, so that no chain of small steps drifts far.
     /// Cost: constant on average.
     std::pair<int, bool> insert(Eigen::Vector3d point);
 

@@ -65,7 +65,7 @@ Polygon convexHull(const Polygon& points) {
             hull.push_back(point);
         }
         if (!hull.empty()) {
-            hull.pop_back();  // the other half begins with it
+            hull.pop_back();  // the other half starts with it
         }
         std::ranges::reverse(sorted);
     }

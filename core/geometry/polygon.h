@@ -6,22 +6,22 @@
 
 namespace toile::geometry {
 
-/// Closed lines of the plane, as Points2: #n x 2, the first point not repeated. All pure and
-/// linear.
+/// Closed lines in the plane, as Points2: #n x 2, the first point not repeated. All functions are
+/// pure and linear.
 using Polygon = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// 0 where it has fewer than two points.
+/// 0 for fewer than two points.
 double perimeterOf(const Polygon& closed);
-/// Positive where it runs anti-clockwise.
+/// Positive if it runs anti-clockwise.
 double signedAreaOf(const Polygon& closed);
-/// By crossings of a ray, an odd number of them.
+/// Counts the crossings of a ray: inside if odd.
 bool isInside(const Polygon& closed, const Eigen::Vector2d& point);
-/// Empty where it has no point.
+/// Empty if there are no points.
 Eigen::AlignedBox2d boxAround(const Polygon& points);
-/// The corners of the convex hull, anti-clockwise; of fewer than three corners what there is.
+/// The corners of the convex hull, anti-clockwise; fewer than three corners are returned as found.
 /// Cost: n log n.
 Polygon convexHull(const Polygon& points);
-/// The same line anti-clockwise: as it is, or from its last point to its first.
+/// The same line anti-clockwise: unchanged, or reversed.
 Polygon antiClockwise(const Polygon& closed);
 
 }  // namespace toile::geometry

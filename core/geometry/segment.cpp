@@ -12,14 +12,14 @@ namespace {
 constexpr double kHalfUlp = 0x1p-53;
 constexpr double kFilter = (3 + 16 * kHalfUlp) * kHalfUlp;
 
-/// A sum of doubles that do not overlap, smallest first: its sign is that of the last that is not
-/// zero. Each added double lengthens it by one.
+/// A sum of doubles that do not overlap, smallest first: its sign is that of the last nonzero one.
+/// Each added double lengthens it by one.
 class Expansion {
 public:
     void add(double value) {
         double carried = value;
         for (int k = 0; k < count_; ++k) {
-            // What rounding loses of a sum is a double itself (Knuth): it stays, the sum goes on.
+            // The rounding error of a sum is itself a double (Knuth): store it, carry the sum on.
             const double sum = carried + terms_[k];
             const double part = sum - carried;
             terms_[k] = (carried - (sum - part)) + (terms_[k] - part);
@@ -58,7 +58,7 @@ int exactOrientation(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
     if (std::abs(determinant) > kFilter * (std::abs(left) + std::abs(right))) {
         return determinant > 0 ? 1 : -1;
     }
-    Expansion exact;  // of the coordinates themselves: their differences may be rounded
+    Expansion exact;  // of the coordinates themselves: differences may be rounded
     exact.addProduct(a.x(), b.y());
     exact.addProduct(-a.y(), b.x());
     exact.addProduct(b.x(), c.y());

@@ -19,8 +19,8 @@ inline Eigen::Vector2d leftOf(const Eigen::Vector2d& direction) {
     return {-direction.y(), direction.x()};
 }
 
-/// The angle from one vector of the plane to another, anti-clockwise, in [-pi, pi]. By atan2, as
-/// all angles: exact digits for thin triangles, where acos loses half.
+/// The angle from one vector of the plane to another, anti-clockwise, in [-pi, pi]. Uses atan2,
+/// like all angles: accurate for thin triangles, where acos loses half the digits.
 template <class A, class B>
 double turnBetween(const Eigen::MatrixBase<A>& from, const Eigen::MatrixBase<B>& to) {
     return std::atan2(cross(from, to), from.dot(to));
@@ -38,8 +38,8 @@ double angleBetween(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b
     }
 }
 
-/// The point of a segment that is nearest to another point, as a share of the way from `a` to `b`:
-/// 0 to 1, and 0 where both are one place. Of Eigen's vectors of any length, in columns or rows.
+/// The closest point of a segment to another point, as a share of the way from `a` to `b`: 0 to 1,
+/// and 0 if both ends coincide. For Eigen vectors of any length, columns or rows.
 template <class Vector>
 double nearestShare(const Vector& point, const Vector& a, const Vector& b) {
     const Vector edge = b - a;
@@ -47,8 +47,8 @@ double nearestShare(const Vector& point, const Vector& a, const Vector& b) {
     return square > 0 ? std::clamp((point - a).dot(edge) / square, 0.0, 1.0) : 0.0;
 }
 
-/// The part of the segment from `from` to `from + way` that lies in an upright box, as shares of
-/// the way: `first` > `last` where there is none.
+/// The part of the segment from `from` to `from + way` inside an axis-aligned box, as shares of the
+/// way: `first` > `last` if there is none.
 struct ShareInBox {
     double first = 0, last = 1;
 };
@@ -68,7 +68,7 @@ ShareInBox shareInBox(const Vector& from, const Vector& way, const Vector& low,
     return share;
 }
 
-/// How far a point is from a segment, in the unit of both.
+/// Distance of a point from a segment, in the unit of both.
 template <class Vector>
 double distanceToSegment(const Vector& point, const Vector& a, const Vector& b) {
     return (a + nearestShare(point, a, b) * (b - a) - point).norm();
@@ -76,9 +76,9 @@ double distanceToSegment(const Vector& point, const Vector& a, const Vector& b) 
 
 /// On which side of the line from a to b the point c lies: 1 left of it (a, b, c anti-clockwise),
 /// -1 right of it, 0 exactly on it. Exact for all finite coordinates whose products neither
-/// overflow nor underflow (sizes between 1e-140 and 1e140): plain arithmetic where its error bound
+/// overflow nor underflow (sizes between 1e-140 and 1e140): plain arithmetic if its error bound
 /// allows, else the determinant as a sum of doubles without error ([She97]).
-/// Cost: a few operations; about a hundred where the points are almost in line. Pure.
+/// Cost: a few operations; about a hundred if the points are almost collinear. Pure.
 int exactOrientation(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b,
                      const Eigen::RowVector2d& c);
 

@@ -12,26 +12,26 @@
 namespace toile::geometry {
 namespace {
 
-/// A cell is halved where its sweep leaves more than this many pairs for each segment.
+/// A cell is halved if its sweep leaves more than this many pairs per segment.
 constexpr std::size_t kPairsEach = 8;
-/// Cells of fewer segments are not worth a division.
+/// Cells with fewer segments are not worth dividing.
 constexpr std::size_t kFewSegments = 12;
 constexpr int kMaxDepth = 48;
-/// Part of the pairs that may be left for the other direction not to be tried: where segments lie
-/// beside each other it is a half.
+/// If a halving leaves less than this part of the pairs, the other direction is not tried: segments
+/// side by side leave a half.
 constexpr double kGoodHalving = 0.6;
-/// Divisions within a cell may add this many times its pairs, all together. Segments that lie on
-/// each other are in every part of a cell that they pass, however often it is divided.
+/// Limit on how many pairs divisions within a cell may add, as a multiple of its pairs. Segments
+/// that coincide are in every part of a cell that they pass, however often it is divided.
 constexpr double kMaxGrowth = 1;
 
-/// The part of a segment in a cell, seen across the sweep.
+/// The extent of a segment within a cell, measured across the sweep.
 struct Span {
     double low, high;
     int segment;
 };
 
-/// Cuts off what lies outside the cell by more than the margin, of a segment in the whole that it
-/// is part of; false where nothing is left.
+/// Clips a segment that was clipped to the parent cell to this cell plus the margin; false if
+/// nothing is left.
 bool clip(Segment2& part, const PlaneCell& cell, double margin) {
     const double side = cell.isBeyond ? 1 : -1;
     const double a = side * (part.a.dot(cell.across) - cell.at) + margin;
@@ -45,7 +45,7 @@ bool clip(Segment2& part, const PlaneCell& cell, double margin) {
     return true;
 }
 
-/// Twice the angle, so that to and fro are one.
+/// Doubles the angle, so that opposite directions are equal.
 Eigen::RowVector2d doubledDirection(const Segment2& s) {
     const Eigen::RowVector2d d = s.b - s.a;
     const double length = d.norm();
@@ -74,11 +74,11 @@ public:
     }
 
 private:
-    /// What a cell holds.
+    /// The contents of a cell.
     struct Content {
         PlaneCell cell;
         std::vector<int> here;        ///< segments
-        std::vector<Segment2> parts;  ///< of each what lies in the cell
+        std::vector<Segment2> parts;  ///< the part of each segment in the cell
         Eigen::RowVector2d across;    ///< the direction of the sweep
         std::vector<Span> spans;
         std::size_t pairs = 0;  ///< that the sweep leaves
@@ -91,7 +91,7 @@ private:
         content.pairs = overlaps(content.spans);
     }
 
-    /// The parts on either side of a line through the middle of the segments' middles.
+    /// The segments on either side of a line through the mean of their midpoints.
     Halves halvesAcross(const Content& content, const Eigen::RowVector2d& across) const {
         std::vector<double> midpoints;
         midpoints.reserve(content.parts.size());
@@ -116,8 +116,8 @@ private:
         return halves;
     }
 
-    /// Divided so that few pairs are left. The half with fewer comes first: what its
-    /// division saves is there for the other.
+    /// Halved so that few pairs are left. The half with fewer comes first: the pairs that its
+    /// division saves are spare for the other.
     Halves halvesOf(const Content& content) const {
         const Eigen::RowVector2d along(-content.across.y(), content.across.x());
         Halves halves = halvesAcross(content, content.across);
@@ -134,8 +134,8 @@ private:
         return halves;
     }
 
-    /// @param spare  by how many pairs the divisions around this cell may still add to those there
-    ///               were; less what they add in this cell, or more by what they save
+    /// @param spare  by how many pairs the divisions around this cell may still exceed the number
+    ///               before; reduced by the pairs added in this cell, increased by those saved
     bool inCell(const Content& content, int depth, double& spare) const {
         if (depth == kMaxDepth || content.here.size() < kFewSegments ||
             content.pairs <= kPairsEach * content.here.size()) {
@@ -222,7 +222,7 @@ bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
         low = low.cwiseMin(s.a).cwiseMin(s.b);
         high = high.cwiseMax(s.a).cwiseMax(s.b);
     }
-    // So that no place of a meeting is lost to a rounded clipping.
+    // So that rounding in clipping loses no meeting place.
     margin = std::max(margin, 4e-12 * (high - low).maxCoeff());
     return Search(segments, margin, visit).run(segments);
 }

@@ -12,11 +12,11 @@ struct Segment2 {
     Eigen::RowVector2d a, b;
 };
 
-/// Part of the plane: what lies on one side of a line, in a larger part.
+/// Part of the plane: one side of a line within a larger part.
 struct PlaneCell {
     const PlaneCell* whole = nullptr;  ///< null: this one is the plane
-    Eigen::RowVector2d across{0, 0};   ///< of the line
-    double at = 0;                     ///< the line's place along it
+    Eigen::RowVector2d across{0, 0};   ///< the normal of the line
+    double at = 0;                     ///< the line's position along it
     bool isBeyond = true;              ///< the line belongs to this side
 
     bool owns(const Eigen::RowVector2d& p) const {
@@ -24,17 +24,17 @@ struct PlaneCell {
     }
 };
 
-/// Told of two segments (the smaller index first) that may meet in the cell; false: look no
-/// further.
+/// Called with two segments (the smaller index first) that may meet in the cell; return false to
+/// stop the search.
 using PairVisitor = std::function<bool(int, int, const PlaneCell&)>;
 
 /// Finds the pairs of segments that may meet within `margin`. The cells divide the plane: a pair
-/// that meets in a place is named for the cell that owns this place, and maybe for others too. By
-/// a sweep across the direction in which most of a cell's segments run; a cell in which that leaves
-/// many pairs is halved, along this direction or across it. So spirals, combs, stars of spikes that
-/// nearly meet and fine details of large outlines cost about n log n, and scribbles what their
-/// crossings do.
-/// Deterministic, in an order of its own. Returns false where the visitor ended it.
+/// that meets at a place is reported for the cell that owns this place, and maybe for others too.
+/// Sweeps across the direction in which most of a cell's segments run; if that leaves many pairs,
+/// the cell is halved along or across this direction. Spirals, combs, stars of spikes that nearly
+/// meet and fine details of large outlines cost about n log n, scribbles as much as their
+/// crossings.
+/// Deterministic, in no particular order. Returns false if the visitor stopped it.
 bool visitSegmentPairs(const std::vector<Segment2>& segments, double margin,
                        const PairVisitor& visit);
 

@@ -11,7 +11,7 @@
 namespace toile::geometry {
 namespace {
 
-/// Between two looks at whether the search is still wanted: well below a millisecond.
+/// Vertices between two checks for cancellation: well below a millisecond.
 constexpr int kVerticesPerPoll = 1024;
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace toile::geometry {
 /// The edges of a graph, #E x 2: the two vertices of each.
 using VertexPairs = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// Shortest ways along edges from a set of sources to everywhere (Dijkstra).
+/// Shortest paths along edges from a set of sources to all vertices (Dijkstra).
 struct ShortestForest {
     std::vector<double> distance;  ///< per vertex; infinite where not reached
     std::vector<int> parentEdge;   ///< per vertex: edge towards its source, or -1
@@ -23,9 +23,9 @@ struct ShortestForest {
 };
 
 /// @param sources  each a set of vertices at distance zero
-/// @param stopAt   ends early once this vertex is settled; -1: never
-/// @param progress  polled; cancelled, the search ends where it is
-/// Preconditions: weights are not negative, one per edge. Equal ways are decided by index.
+/// @param stopAt   stops once this vertex is settled; -1: never
+/// @param progress  polled; if cancelled, the search stops early
+/// Preconditions: weights are not negative, one per edge. Ties are decided by index.
 /// Cost: O(#E log #E). Pure.
 ShortestForest shortestForest(const VertexPairs& edges, int vertexCount,
                               const std::vector<double>& weights,

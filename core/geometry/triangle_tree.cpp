@@ -7,7 +7,7 @@ namespace toile::geometry {
 
 namespace {
 
-/// Spreads the bits of a number so that Dim - 1 free places follow each.
+/// Spreads the bits of a number so that each is followed by Dim - 1 zero bits.
 template <int Dim>
 std::uint32_t spread(std::uint32_t bits) {
     if constexpr (Dim == 2) {
@@ -69,7 +69,7 @@ TriangleTree<Dim, Scalar>::TriangleTree(const Scalar* points, std::size_t stride
         const Scalar *a = corner(t, 0), *b = corner(t, 1), *c = corner(t, 2);
         std::uint32_t place = 0;
         for (std::size_t k = 0; k < Dim; ++k) {
-            // Where coordinates are so large that their sum is none, any place will do.
+            // If coordinates are so large that their sum is not finite, any cell will do.
             const Scalar cell = (a[k] + b[k] + c[k] - 3 * all.low[k]) * scale[k];
             const Scalar bounded = cell > 0 ? std::min(cell, kFarthest) : Scalar{0};
             place |= spread<Dim>(static_cast<std::uint32_t>(bounded)) << k;

@@ -10,9 +10,9 @@
 
 namespace toile::geometry {
 
-/// Boxes within boxes around triangles, for finding the few that a ray or a point may meet. Built
-/// once, in order of the places the triangles have on a curve that fills space (Morton's), which
-/// needs one sort and no choice of planes: 0.1 s for a million. Reading is thread-safe.
+/// A bounding box tree over triangles, for finding the few that a ray or a point may meet. Built
+/// once, in the order of the triangles on a space-filling curve (Morton's), which needs one sort
+/// and no choice of planes: 0.1 s for a million. Reading is thread-safe.
 /// @tparam Dim     3 for cloth in space, 2 for flat pieces
 /// @tparam Scalar  of the coordinates: float or double
 template <int Dim, class Scalar = float>
@@ -21,26 +21,27 @@ public:
     struct Box {
         std::array<Scalar, Dim> low, high;
     };
-    /// Where no box is met.
+    /// Distance of a box that is not met.
     static constexpr double kMissed = std::numeric_limits<double>::infinity();
 
     TriangleTree() = default;
-    /// @param points     coordinates of vertex 0, finite; of vertex i `stride` numbers further each
+    /// @param points     finite coordinates; vertex i starts at i * `stride`
     /// @param triangles  three vertices each
     /// Cost: n log n.
     TriangleTree(const Scalar* points, std::size_t stride,
                  std::span<const std::uint32_t> triangles);
 
     bool empty() const { return order_.empty(); }
-    /// That it takes in memory.
+    /// Memory used.
     std::size_t bytes() const {
         return boxes_.capacity() * sizeof(Box) + order_.capacity() * sizeof(std::uint32_t);
     }
 
-    /// Looks at boxes from the outermost inwards, nearer ones first.
-    /// @param distanceTo  of a Box: how far off it is, kMissed where what is within need not be
-    ///                    looked at; asked again and again, it may come to know better
-    /// @param visit       a triangle within a box that was met
+    /// Visits boxes from the outermost inwards, nearer ones first.
+    /// @param distanceTo  distance of a Box, kMissed if its contents can be skipped; called
+    /// repeatedly, and may
+    ///                    skip a box later because something nearer was found meanwhile
+    /// @param visit       called with each triangle in a box that was met
     template <class DistanceTo, class Visit>
     void search(DistanceTo&& distanceTo, Visit&& visit) const {
         if (empty()) {
@@ -51,7 +52,7 @@ public:
         open[count++] = 0;
         while (count > 0) {
             const std::uint32_t node = open[--count];
-            // Once more: something nearer may have been found since.
+            // Check again: something nearer may have been found since.
             if (distanceTo(boxes_[node]) == kMissed) {
                 continue;
             }
@@ -80,7 +81,7 @@ private:
     static constexpr std::size_t kDeepest = 64;
 
     /// Node i has the children 2 i + 1 and 2 i + 2; leaves come last, and their number is a power
-    /// of two: those past the last triangle have boxes that nothing meets.
+    /// of two: leaves past the last triangle have boxes that nothing meets.
     std::vector<Box> boxes_;
     std::vector<std::uint32_t> order_;  ///< triangles, leaf by leaf
     std::size_t firstLeaf_ = 0;
