@@ -14,9 +14,8 @@ namespace toile::geometry {
 /// thread-safe.
 class PointIndex {
 public:
-    /// @param points     stored as a reference. Callers may append to it as well, but the points
-    /// that
-    ///                   they append may not be found
+    /// @param points     stored as a reference. Callers may append too; their points may not be
+    ///                   found
     /// @param tolerance  in the unit of the points; 0: equal bits, with -0 equal to 0
     explicit PointIndex(std::vector<Eigen::Vector3d>& points, double tolerance = 0)
         : points_(points), tolerance_(tolerance) {}

@@ -38,9 +38,9 @@ public:
     }
 
     /// Visits boxes from the outermost inwards, nearer ones first.
-    /// @param distanceTo  distance of a Box, kMissed if its contents can be skipped; called
-    /// repeatedly, and may
-    ///                    skip a box later because something nearer was found meanwhile
+    /// @param distanceTo  distance of a Box, kMissed to skip its contents; called again before it
+    /// opens a
+    ///                    box, since something nearer may have been found
     /// @param visit       called with each triangle in a box that was met
     template <class DistanceTo, class Visit>
     void search(DistanceTo&& distanceTo, Visit&& visit) const {

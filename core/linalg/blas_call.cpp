@@ -10,13 +10,13 @@
 #include <sys/mman.h>
 #endif
 
-// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
+// Present if OpenBLAS provides the BLAS; weak because it may not.
 // NOLINTBEGIN(readability-identifier-naming): OpenBLAS names them
 #ifdef __ELF__
 extern "C" {
 int openblas_get_num_threads() __attribute__((weak));
 void openblas_set_num_threads(int count) __attribute__((weak));
-/// The first of its working buffers that nobody has.
+/// Allocates the first of its unused working buffers.
 void* blas_memory_alloc(int) __attribute__((weak));
 void blas_memory_free(void* buffer) __attribute__((weak));
 }
@@ -31,15 +31,15 @@ static void (*const blas_memory_free)(void*) = nullptr;
 namespace toile::linalg {
 namespace {
 
-constexpr std::size_t kBuffer = std::size_t{128} << 20U;  ///< OpenBLAS's, on x86-64
-constexpr std::size_t kBeside = std::size_t{16} << 20U;   ///< for all else meanwhile
+constexpr std::size_t kBuffer = std::size_t{128} << 20U;  ///< size of one of OpenBLAS's, on x86-64
+constexpr std::size_t kBeside = std::size_t{16} << 20U;   ///< for everything else meanwhile
 
 std::mutex blasMutex;
 int blasCalling = 0;             ///< threads that may call now
-int blasWithRoom = 0;            ///< as many at a time have their buffers
-std::vector<void*> blasBuffers;  ///< that OpenBLAS is known to have
+int blasWithRoom = 0;            ///< limit of those that have buffers at the same time
+std::vector<void*> blasBuffers;  ///< those that OpenBLAS is known to have
 
-/// Touches no memory. Memory that may be written: only that counts for RLIMIT_DATA.
+/// Touches no memory. Maps writable memory: only that counts for RLIMIT_DATA.
 bool hasRoomFor(std::size_t buffers) {
 #ifdef __linux__
     const std::size_t size = buffers * kBuffer + kBeside;
@@ -51,8 +51,8 @@ bool hasRoomFor(std::size_t buffers) {
 #endif
 }
 
-/// Holds buffers until OpenBLAS has one more than was known. Those who call meanwhile may need a
-/// further one each for what is held here.
+/// Holds buffers until OpenBLAS has one more than known. Threads that call meanwhile may each need
+/// one more for those held here.
 bool takeOneMoreBuffer() {
     if (blas_memory_alloc == nullptr || blas_memory_free == nullptr) {
         return hasRoomFor(1);

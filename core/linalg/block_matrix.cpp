@@ -6,7 +6,7 @@
 namespace toile::linalg {
 
 // Columns 2 v and 2 v + 1 hold, in order, the diagonal block's lower triangle and two rows for each
-// edge from v to a larger vertex; every place follows from the edge's number alone.
+// edge from v to a larger vertex, so positions follow from the edge's index alone.
 BlockMatrix::BlockMatrix(const geometry::VertexPairs& edges, int vertexCount)
     : edges_(edges), firstEdge_(static_cast<std::size_t>(vertexCount) + 1, 0) {
     for (int e = 0; e < edges.rows(); ++e) {

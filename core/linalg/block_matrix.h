@@ -14,8 +14,8 @@ namespace toile::linalg {
 using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 /// A symmetric matrix of 2 x 2 blocks, one per vertex and one per edge of a graph: unknowns 2 v and
-/// 2 v + 1 are x and y of vertex v. The pattern is laid out once; values are summed into it again
-/// and again, each in constant time.
+/// 2 v + 1 are x and y of vertex v. The pattern is built once; values can be summed into it
+/// repeatedly, each in constant time.
 class BlockMatrix {
 public:
     /// @param edges  pairs (smaller, larger), sorted, each once
@@ -28,20 +28,20 @@ public:
     double largestOnDiagonal(int v) const;
     /// Symmetric block on the diagonal.
     void addVertex(int v, const Eigen::Matrix2d& block);
-    /// Block in the rows of the edge's larger vertex and the columns of its smaller one.
+    /// Block at the rows of the edge's larger vertex and the columns of its smaller one.
     void addEdge(int e, const Eigen::Matrix2d& block);
-    /// Number of the edge between two vertices, -1 where there is none. Cost: a binary search.
+    /// Index of the edge between two vertices, -1 if there is none. Cost: a binary search.
     int findEdge(int v, int w) const;
 
     /// The matrix times x.
     BlockVector product(const BlockVector& x) const;
     /// The blocks above the diagonal times x.
     BlockVector upperProduct(const BlockVector& x) const;
-    /// Gauss-Seidel's sweep from the first vertex to the last: solves with the diagonal blocks and
+    /// Gauss-Seidel sweep from the first vertex to the last: solves with the diagonal blocks and
     /// those below. Precondition: the diagonal blocks are positive definite.
     /// @param x  the right side, then the solution
     void sweepForth(BlockVector& x) const;
-    /// The sweep back, its transpose: solves with the diagonal blocks and those above.
+    /// The backward sweep, its transpose: solves with the diagonal blocks and those above.
     void sweepBack(BlockVector& x) const;
 
     const SymmetricMatrix& matrix() const { return matrix_; }

@@ -42,15 +42,15 @@ cholmod_sparse cholmodView(const SymmetricMatrix& matrix) {
 }
 
 CholmodWorkspace::CholmodWorkspace() {
-    // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces
-    // are solved side by side already: no parallel regions, on the calling thread.
+    // CHOLMOD opens four OpenMP threads per large supernode, whatever the machine has. Pieces are
+    // solved in parallel already, so allow no parallel regions on the calling thread.
     omp_set_max_active_levels(0);
     useOneBlasThread();
     cholmod_start(&common);
-    common.print = 0;  // errors are values here, not text on a terminal
+    common.print = 0;  // errors are returned as values, not printed
     common.error_handler = nullptr;
-    // Minimum degree, or an order that is given: CHOLMOD would otherwise try METIS above a fill
-    // threshold, which never pays for a few solves (the floor's table in docs/performance.md).
+    // Minimum degree, or a given order: otherwise CHOLMOD tries METIS above a fill threshold, which
+    // never pays for a few solves (the floor's table in docs/performance.md).
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_AMD;
     common.postorder = 1;
@@ -63,7 +63,7 @@ CholmodWorkspace::CholmodWorkspace() {
     common.zrelax[0] = 0.8;
     common.zrelax[1] = 0.2;
     common.zrelax[2] = 0.1;
-    common.final_ll = 1;  // L L^T: an indefinite matrix is refused, not factorised
+    common.final_ll = 1;  // L L^T: rejects indefinite matrices
 }
 
 CholmodWorkspace::~CholmodWorkspace() {

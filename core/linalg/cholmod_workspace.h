@@ -9,11 +9,11 @@
 
 namespace toile::linalg {
 
-/// Asks for large pages under numbers that are about to be written: that the system hands out small
-/// ones, each cleared first, is a tenth of the time of a factorisation.
+/// Requests large pages for memory that is about to be written: clearing and mapping small pages
+/// takes a tenth of the time of a factorisation.
 void useLargePages(double* numbers, std::size_t count);
 
-/// CHOLMOD's view of our arrays; it reads them and keeps nothing.
+/// Presents our arrays to CHOLMOD, which reads them and keeps no reference.
 cholmod_sparse cholmodView(const SymmetricMatrix& matrix);
 
 /// CHOLMOD's settings and working memory, for one thread at a time. Side effect: OpenMP regions on

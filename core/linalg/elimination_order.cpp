@@ -13,11 +13,11 @@
 namespace toile::linalg {
 namespace {
 
-constexpr int kUndivided = 16;  ///< so many unknowns are eliminated as they come
-constexpr double kLongest = 4;  ///< what lies between the sides of n unknowns, as a part of sqrt(n)
-constexpr int kSmallest = 4000;  ///< where n is less it need not be looked at
+constexpr int kUndivided = 16;   ///< a set of this size is not divided further
+constexpr double kLongest = 4;   ///< largest separator of n unknowns, as a multiple of sqrt(n)
+constexpr int kSmallest = 4000;  ///< smaller sets are not checked
 
-/// Each unknown's neighbours.
+/// The neighbours of each unknown.
 geometry::Buckets<> neighboursIn(const SymmetricMatrix& pattern) {
     return geometry::Buckets<>(pattern.size, [&pattern](auto add) {
         for (int j = 0; j < pattern.size; ++j) {
@@ -47,7 +47,7 @@ std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& 
     const geometry::Buckets<> neighbours = neighboursIn(pattern);
     std::vector<int> order(static_cast<std::size_t>(pattern.size));
     std::iota(order.begin(), order.end(), 0);
-    std::vector<int> cut(order.size(), 0);  // the last one that an unknown was on the near side of
+    std::vector<int> cut(order.size(), 0);  // last cut with an unknown on its near side
     int cuts = 0;
     std::vector<std::span<int>> left{order};
     while (!left.empty()) {
@@ -77,7 +77,7 @@ std::vector<int> eliminationOrder(const SymmetricMatrix& pattern, const Places& 
 }
 
 std::vector<int> dissectedOrder(const SymmetricMatrix& pattern, int together) {
-    std::vector<int> start{0}, row;  // of the first unknown of those that stay together
+    std::vector<int> start{0}, row;  // first unknown of each group that stays together
     for (int j = 0; j < pattern.size; j += together) {
         for (int k = pattern.columnStart[j]; k < pattern.columnStart[j + 1]; ++k) {
             if (pattern.row[k] % together == 0) {

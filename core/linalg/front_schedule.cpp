@@ -18,7 +18,7 @@ public:
     FrontSchedule(const FrontTree& tree, FrontSense sense, const std::function<bool(int)>& work)
         : tree_(tree), sense_(sense), work_(work), left_(tree.tasks.size()) {
         waitsFor_.reserve(left_);
-        ready_.reserve(left_);  // later nothing may be thrown
+        ready_.reserve(left_);  // allocate now: nothing may be thrown later
         for (int t = 0; t < static_cast<int>(tree.tasks.size()); ++t) {
             waitsFor_.push_back(sense == FrontSense::Upwards
                                     ? static_cast<int>(tree.taskChildren[t].size())
@@ -29,7 +29,7 @@ public:
         }
     }
 
-    /// Until there is no more to do.
+    /// Works until no task is left.
     void join() {
         std::unique_lock lock(mutex_);
         while (true) {
@@ -50,7 +50,7 @@ public:
         }
     }
 
-    /// When all have left. @throws what a task has thrown
+    /// After all threads have left. @throws the exception of a task
     bool isRefused() const {
         if (fault_) {
             std::rethrow_exception(fault_);
@@ -68,8 +68,7 @@ private:
         }
     }
 
-    /// Of those that are ready the one with the longest way to the root still before it, or below
-    /// it the most.
+    /// The ready task with the longest path to the root.
     int takeReady() {
         const auto next = std::ranges::max_element(
             ready_, {}, [this](int t) { return std::pair(tree_.tasks[t].way, t); });
@@ -96,7 +95,7 @@ private:
     const std::function<bool(int)>& work_;
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<int> waitsFor_;  ///< other tasks, of each
+    std::vector<int> waitsFor_;  ///< per task, the number of other tasks
     std::vector<int> ready_;
     std::size_t left_;
     bool isRefused_ = false;
@@ -119,7 +118,7 @@ FrontsDone doFronts(const FrontTree& tree, FrontSense sense, int threads,
         while (static_cast<int>(others.size()) + 1 < blas.room()) {
             others.emplace_back([&schedule] { schedule.join(); });
         }
-    } catch (const std::exception&) {  // the system has no more threads, or no memory for one
+    } catch (const std::exception&) {  // no more threads, or no memory for one
     }
     schedule.join();
     for (std::thread& other : others) {

@@ -8,17 +8,17 @@
 namespace toile::linalg {
 
 enum class FrontSense {
-    Upwards,   ///< a task after all that wait for it
-    Downwards  ///< and before
+    Upwards,   ///< a task runs after all its children
+    Downwards  ///< a task runs before its children
 };
 
 enum class FrontsDone { All, Refused, NoRoom };
 
-/// Does all tasks of a tree, each once, those that do not wait for each other side by side; within
-/// a `BlasCall`, by as many of the threads as there is room for.
-/// @param work  does a task. False: it cannot be done, and nothing else need be. What it throws is
-///              thrown on the calling thread, when the others have ended
-/// @return NoRoom: the calling thread itself has none
+/// Runs every task of a tree once, independent ones in parallel; within a `BlasCall`, on as many of
+/// the threads as there is memory for.
+/// @param work  runs a task. False: it failed, and the others need not run. Its exceptions are
+///              rethrown on the calling thread after the others have ended
+/// @return NoRoom: there is no memory even for the calling thread
 FrontsDone doFronts(const FrontTree& tree, FrontSense sense, int threads,
                     const std::function<bool(int)>& work);
 

@@ -11,7 +11,7 @@
 namespace toile::linalg {
 namespace {
 
-/// What is below this part of all the work is one task: enough of them to keep a few threads busy.
+/// A subtree with less than this part of all work is one task, so that a few threads stay busy.
 constexpr double kWholeTask = 1.0 / 24;
 
 /// CHOLMOD's supernodes are the fronts.
@@ -47,7 +47,7 @@ Result<void> layFronts(const SymmetricMatrix& pattern, const std::vector<int>& o
     return {};
 }
 
-/// Which front eliminates each place of the order.
+/// The front that eliminates each position of the order.
 std::vector<int> frontOfPlace(const FrontTree& tree) {
     std::vector<int> frontOf(tree.order.size());
     for (int s = 0; s < static_cast<int>(tree.fronts.size()); ++s) {
@@ -78,7 +78,7 @@ void findParents(const std::vector<int>& frontOf, FrontTree& tree) {
     }
 }
 
-/// Where the matrix's entries go.
+/// Finds the positions of the matrix's entries.
 void placeEntries(const SymmetricMatrix& pattern, const std::vector<int>& frontOf,
                   FrontTree& tree) {
     std::vector<int> placeOf(tree.order.size());
@@ -104,7 +104,7 @@ void placeEntries(const SymmetricMatrix& pattern, const std::vector<int>& frontO
     }
 }
 
-/// Multiplications of each front.
+/// Number of multiplications of a front.
 double workOf(const Front& front) {
     const double columns = front.columns, left = front.left();
     return columns * (columns * columns / 3 + columns * left + left * left);
@@ -112,7 +112,7 @@ double workOf(const Front& front) {
 
 void findTasks(FrontTree& tree) {
     const int count = static_cast<int>(tree.fronts.size());
-    std::vector<double> below(tree.fronts.size());  // work of all below it, and its own
+    std::vector<double> below(tree.fronts.size());  // work of a front and all below it
     std::vector<int> firstBelow(tree.fronts.size());
     double whole = 0;
     for (int s = 0; s < count; ++s) {
@@ -124,7 +124,7 @@ void findTasks(FrontTree& tree) {
         }
     }
     const auto isShared = [&](int s) { return s < 0 || below[s] > kWholeTask * whole; };
-    std::vector<int> taskOf(tree.fronts.size(), -1);  // of its last front
+    std::vector<int> taskOf(tree.fronts.size(), -1);  // of the last front of each task
     for (int s = 0; s < count; ++s) {
         if (isShared(tree.fronts[s].parent) || isShared(s)) {
             taskOf[s] = static_cast<int>(tree.tasks.size());
@@ -149,8 +149,8 @@ void findTasks(FrontTree& tree) {
     });
 }
 
-/// Each task has two stacks in turns: a front at an even depth leaves its rest on one, and takes up
-/// from the other what its children left on top of it.
+/// Each task alternates between two stacks: a front at an even depth pushes its remainder on one,
+/// and pops those of its children from the other.
 void layStacks(FrontTree& tree) {
     std::vector<unsigned char> depth(tree.fronts.size());
     for (int s = static_cast<int>(tree.fronts.size()) - 1; s >= 0; --s) {

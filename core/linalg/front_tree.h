@@ -10,45 +10,45 @@
 
 namespace toile::linalg {
 
-/// A dense matrix that is eliminated at a time: that of some unknowns in a row and of those later
-/// ones that they act on.
+/// A dense matrix that is eliminated in one step: consecutive unknowns and the later ones that they
+/// are coupled to.
 struct Front {
-    int first = 0;             ///< place of its first unknown in the order of elimination
-    int columns = 0;           ///< unknowns that it eliminates
+    int first = 0;             ///< position of its first unknown in the elimination order
+    int columns = 0;           ///< number of unknowns that it eliminates
     int rows = 0;              ///< these and the later ones
-    int parent = -1;           ///< front that takes up what is left; its number is larger
+    int parent = -1;           ///< front that receives the remainder; a larger index
     std::size_t rowStart = 0;  ///< of its rows in `FrontTree::row` and `placeInParent`
     std::size_t start = 0;     ///< of its columns in the factor, each of `rows` numbers
-    std::size_t kept = 0;      ///< where what it leaves to its parent is in the working memory
+    std::size_t kept = 0;      ///< position of the remainder for its parent in working memory
 
     int left() const { return rows - columns; }
 };
 
-/// Fronts that one thread does in a row, the last of which has all others below it.
+/// Consecutive fronts for one thread, the last of which is above all others.
 struct FrontTask {
     int first = 0, last = 0;  ///< fronts
-    int parent = -1;          ///< task that waits for it; its number is larger
+    int parent = -1;          ///< task that waits for it; a larger index
     double way = 0;           ///< multiplications from here to the root
 };
 
-/// How a matrix is eliminated by fronts: which there are, what they hand on to each other, and
-/// which can be done side by side. Follows from the pattern and the order alone.
+/// How a matrix is eliminated by fronts: the fronts, the data they pass on, and which can
+/// run in parallel. Follows from the pattern and the order alone.
 struct FrontTree {
-    std::vector<int> order;            ///< the unknowns in the order of their elimination
+    std::vector<int> order;            ///< the unknowns in elimination order
     std::vector<Front> fronts;         ///< children before their parents
-    std::vector<int> row;              ///< of each front: its rows, by place in the order
-    std::vector<int> placeInParent;    ///< of each row past a front's own columns: which of the
-                                       ///< parent's rows it is
+    std::vector<int> row;              ///< of each front: its rows, as positions in the order
+    std::vector<int> placeInParent;    ///< of each row past a front's own columns: its index
+                                       ///< among the parent's rows
     geometry::Buckets<> children;      ///< of each front
-    geometry::Buckets<> entries;       ///< of each front: the matrix's entries that it begins with
-    std::vector<int> place;            ///< of each entry: where in its front's columns
+    geometry::Buckets<> entries;       ///< of each front: the matrix's entries that it starts with
+    std::vector<int> place;            ///< of each entry: position in its front's columns
     std::vector<FrontTask> tasks;      ///< children before their parents
     geometry::Buckets<> taskChildren;  ///< of each task
     std::size_t factorSize = 0;        ///< numbers in the factor
     std::size_t workSize = 0;          ///< numbers in working memory
 };
 
-/// Lays out the elimination.
+/// Builds the elimination tree.
 /// @param order  of the unknowns; empty: minimum degree
 /// Errors: OutOfMemory.
 Result<FrontTree> frontTree(const SymmetricMatrix& pattern, const std::vector<int>& order);

@@ -10,8 +10,8 @@
 #include "core/linalg/front_schedule.h"
 #include "core/linalg/front_tree.h"
 
-// Of the BLAS and LAPACK that CHOLMOD calls, what we call ourselves. Matrices lie column by column;
-// call them within a `BlasCall`.
+// The functions of BLAS and LAPACK that we call ourselves. Matrices are stored by columns; call
+// these within a `BlasCall`.
 // NOLINTBEGIN(readability-identifier-naming): Fortran names them
 extern "C" {
 /// Lower Cholesky factor in place; info > 0: not positive definite.
@@ -39,7 +39,7 @@ namespace {
 constexpr double kOne = 1, kMinusOne = -1, kNought = 0;
 constexpr int kStep = 1;
 
-/// Numbers that are written before they are read; none where there is no memory.
+/// Uninitialised numbers; null if there is no memory.
 std::unique_ptr<double[]> unwritten(std::size_t count) {
     std::unique_ptr<double[]> numbers(new (std::nothrow) double[count]);
     useLargePages(numbers.get(), count);
@@ -54,7 +54,7 @@ struct FrontalCholesky::State {
     std::unique_ptr<double[]> factor, work;
 
     double* columnsOf(const Front& front) { return factor.get() + front.start; }
-    /// Of the rows that a front leaves, which of its parent's they are.
+    /// Position in the parent's rows of each row that a front passes on.
     const int* placesOf(const Front& front) const {
         return tree.placeInParent.data() + front.rowStart + front.columns;
     }
@@ -66,7 +66,7 @@ struct FrontalCholesky::State {
     void back(int s, Eigen::VectorXd& x, std::vector<double>& left);
 };
 
-/// Adds what a child leaves, to the columns that are eliminated or to the rest.
+/// Adds a child's remainder to the columns that are eliminated or to the rest.
 void FrontalCholesky::State::takeUp(const Front& child, const Front& front, double* columns,
                                     double* rest, bool ofColumns) const {
     const int* const place = placesOf(child);
@@ -117,8 +117,8 @@ bool FrontalCholesky::State::eliminate(int s, const std::vector<double>& value) 
 }
 
 /// Solves with a front's columns.
-/// @param x     by place in the order
-/// @param left  of the rows that each front leaves, what it adds to them
+/// @param x     by position in the order
+/// @param left  per front, what it adds to the rows that it passes on
 void FrontalCholesky::State::forth(int s, Eigen::VectorXd& x, std::vector<double>& left) {
     const Front& front = tree.fronts[s];
     double* const own = x.data() + front.first;
@@ -141,7 +141,7 @@ void FrontalCholesky::State::forth(int s, Eigen::VectorXd& x, std::vector<double
 }
 
 /// Solves with a front's rows.
-/// @param left  of `forth`, to be written over
+/// @param left  from `forth`; overwritten
 void FrontalCholesky::State::back(int s, Eigen::VectorXd& x, std::vector<double>& left) {
     const Front& front = tree.fronts[s];
     double* const own = x.data() + front.first;

@@ -11,12 +11,12 @@
 
 namespace toile::linalg {
 
-/// A kept Cholesky factorisation of a symmetric positive definite matrix, for many matrices of one
-/// pattern and several threads: multifrontal ([DR83]) on CHOLMOD's supernodes. Branches of the tree
-/// of fronts are eliminated side by side, and each front adds up what its children leave in their
-/// order: the same bytes for any number of threads. Beside `SparseCholesky`, which is for few
-/// factorisations of many matrices, it knows beforehand where each entry goes, and keeps its
-/// memory. Not thread-safe. Side effect: as there.
+/// A stored Cholesky factorisation of a symmetric positive definite matrix, for many matrices of
+/// one pattern and several threads: multifrontal ([DR83]) on CHOLMOD's supernodes. Branches of the
+/// tree of fronts are eliminated in parallel, and each front sums its children in their order, so
+/// that the bytes do not depend on the number of threads. Unlike `SparseCholesky`, which suits few
+/// factorisations of many matrices, it precomputes the position of each entry and keeps its memory.
+/// Not thread-safe. Side effect: as there.
 class FrontalCholesky {
 public:
     explicit FrontalCholesky(int threads = 1);
@@ -24,8 +24,8 @@ public:
     FrontalCholesky(FrontalCholesky&&) noexcept;
     FrontalCholesky& operator=(FrontalCholesky&&) noexcept;
 
-    /// Lays out the factor; values are not looked at.
-    /// @param order  the unknowns in the order of their elimination; empty: minimum degree
+    /// Plans the factor; values are not read.
+    /// @param order  the unknowns in elimination order; empty: minimum degree
     /// Errors: OutOfMemory.
     Result<void> analyse(const SymmetricMatrix& pattern, const std::vector<int>& order = {});
 

@@ -84,7 +84,7 @@ Result<Eigen::MatrixXd> SparseCholesky::solve(const Eigen::MatrixXd& B) const {
     if (state_->factor->is_super != 0 && blas.room() == 0) {
         return Error{ErrorCode::OutOfMemory, {}, "back-substitution"};
     }
-    CholmodWorkspace workspace;  // its own: several threads may solve at a time
+    CholmodWorkspace workspace;  // a local one: several threads may solve at a time
     cholmod_dense right{};
     right.nrow = static_cast<std::size_t>(B.rows());
     right.ncol = static_cast<std::size_t>(B.cols());

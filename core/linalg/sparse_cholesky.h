@@ -21,12 +21,12 @@ struct SymmetricMatrix {
 };
 
 /// Collects entries (duplicates are summed) into a SymmetricMatrix. Entries above the diagonal are
-/// taken as their mirror image; add each off-diagonal pair once. Cost: linear.
+/// mirrored; add each off-diagonal pair once. Cost: linear.
 class SymmetricBuilder {
 public:
     explicit SymmetricBuilder(int size) : size_(size) {
         for (int i = 0; i < size; ++i) {
-            add(i, i, 0);  // is always there
+            add(i, i, 0);  // always present
         }
     }
 
@@ -41,12 +41,12 @@ private:
     std::vector<Eigen::Triplet<double>> entries_;
 };
 
-/// A kept Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
-/// small systems, supernodal for large ones). `factorise` does all at once; `analyse` and
-/// `refactorise` are its two halves, for several matrices of one pattern and for a look at the
-/// caller's progress in between. Thread-safety: any number may `solve` at a time,
-/// one may factorise; separate objects are independent. Side effect: OpenMP regions on the calling
-/// thread, and OpenBLAS, use one thread from then on.
+/// A stored Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD: simplicial for
+/// small systems, supernodal for large ones). `factorise` does everything; `analyse` and
+/// `refactorise` are its two halves, for several matrices of one pattern and to check the caller's
+/// progress in between. Thread-safety: any number of threads may `solve`, only one factorise;
+/// separate objects are independent. Side effect: OpenMP regions on the calling thread, and
+/// OpenBLAS, use one thread from then on.
 class SparseCholesky {
 public:
     SparseCholesky();
@@ -57,14 +57,13 @@ public:
     /// Errors: FactorisationFailed (not positive definite), OutOfMemory.
     Result<void> factorise(const SymmetricMatrix& matrix);
 
-    /// Orders the unknowns by minimum degree [ADD04] and lays out the factor; values are not looked
-    /// at.
-    /// @param order  the unknowns in the order of their elimination, where that is known better
+    /// Orders the unknowns by minimum degree [ADD04] and plans the factor; values are not read.
+    /// @param order  the unknowns in elimination order, if a better one is known
     /// Errors: OutOfMemory. Cost: a fifth to a third of a factorisation.
     Result<void> analyse(const SymmetricMatrix& pattern, std::vector<int> order = {});
 
     /// Factorises values in the pattern last given to `analyse` or `factorise`.
-    /// Precondition: one of them was called with this pattern, and had the memory.
+    /// Precondition: one of them was called with this pattern, without OutOfMemory.
     /// Errors: as `factorise`.
     Result<void> refactorise(const SymmetricMatrix& matrix);
 
@@ -72,7 +71,7 @@ public:
     /// Errors: OutOfMemory.
     Result<Eigen::MatrixXd> solve(const Eigen::MatrixXd& B) const;
 
-    /// About what the factor takes in memory.
+    /// Approximate memory of the factor.
     std::size_t bytes() const;
 
 private:

@@ -46,8 +46,8 @@ Result<Eigen::MatrixXd> solveUnsymmetric(const std::vector<Eigen::Triplet<double
     const auto size = static_cast<int>(B.rows());
     double control[UMFPACK_CONTROL];
     umfpack_di_defaults(control);
-    // Left to itself it may take a lopsided pattern of nearly symmetric values for an unsymmetric
-    // one, and order by columns only.
+    // By default UMFPACK may take an asymmetric pattern of nearly symmetric values for unsymmetric,
+    // and order by columns only.
     control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
     Factors factors;
     int status = umfpack_di_symbolic(size, size, start, row, A.valuePtr(), &factors.symbolic,
