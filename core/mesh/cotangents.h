@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// What the angles of a triangle follow from: at corner k the tangent is doubledArea / at[k].
+/// The values that give the angles of a triangle: at corner k the tangent is doubledArea / at[k].
 struct CornerProducts {
     double at[3];  ///< inner product of the two sides at each corner; they sum to half the sum
                    ///< of the squared sides
@@ -16,8 +16,8 @@ struct CornerProducts {
 };
 
 inline CornerProducts cornerProducts(const MeshArrays& mesh, int face) {
-    // Where two sides are more than a hundred times as long as the third, their cross product loses
-    // digits that one of them with the third keeps.
+    // If two sides are more than a hundred times as long as the third, their cross product loses
+    // digits that the product of one of them with the third keeps.
     constexpr double kNeedle = 1e-4;
     const int i = mesh.F(face, 0), j = mesh.F(face, 1), k = mesh.F(face, 2);
     const Eigen::Vector3d ij = mesh.V.row(j) - mesh.V.row(i);
@@ -28,8 +28,8 @@ inline CornerProducts cornerProducts(const MeshArrays& mesh, int face) {
 }
 
 /// Conformal weight of each edge: half the sum of the cotangents of the angles opposite to it
-/// ([DMA02] eq. 5 with the half of the Dirichlet energy). Scale-free. May be negative where those
-/// angles sum to more than pi. Precondition: no degenerate triangles.
+/// ([DMA02] eq. 5 with the half of the Dirichlet energy). Scale-free. Negative if those angles sum
+/// to more than pi. Precondition: no degenerate triangles.
 inline Eigen::VectorXd cotangentWeights(const MeshArrays& mesh, const EdgeTable& table) {
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(table.edges.rows());
     for (int f = 0; f < mesh.F.rows(); ++f) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kNamedLoops = 4;
 
-/// Counts a fault over the mesh and remembers where it was seen first.
+/// Counts a fault over the mesh and stores its first position.
 struct Fault {
     int count = 0;
     int firstVertex = -1;
@@ -34,7 +34,7 @@ public:
             DiskCheck& result)
         : mesh_(mesh), name_(name), table_(table), result_(result) {}
 
-    /// @param valid  the surface is known to be, but for its loops and its outline's edges
+    /// @param valid  the surface is known to be valid: check only loops and edges of the outline
     void run(bool valid) {
         if ((valid || isSurface()) && checkLoops() && (valid || hasShapes())) {
             checkOutlineEdges();
@@ -79,7 +79,7 @@ private:
     }
 
     bool checkFinite() {
-        // Positions may overflow on their way to millimetres.
+        // Positions may overflow in the conversion to millimetres.
         return mesh_.V.allFinite() || fail(ErrorCode::NotFinite, toile::worded("positions in mm"));
     }
 
@@ -111,17 +111,17 @@ private:
         return crowded.count == 0 || fail(ErrorCode::NonManifoldEdge, crowded, "edge");
     }
 
-    /// Tells a winding that can be turned (flood fill by parity) from a one-sided surface.
+    /// Distinguishes windings that can be turned (flood fill by parity) from a one-sided surface.
     bool checkOrientation() {
         Fault opposed;
-        geometry::DisjointSets sides(2 * faceCount());  // a face as it is, and the face flipped
+        geometry::DisjointSets sides(2 * faceCount());  // each face as given, and flipped
         for (int e = 0; e < edgeCount(); ++e) {
             if (uses(e).size() != 2) {
                 continue;
             }
             const int a = uses(e)[0], b = uses(e)[1];
             const int same =
-                tailOf(mesh_.F, a) == tailOf(mesh_.F, b) ? 1 : 0;  // both run the same way: opposed
+                tailOf(mesh_.F, a) == tailOf(mesh_.F, b) ? 1 : 0;  // same direction: opposed
             sides.join(2 * (a / 3), 2 * (b / 3) + same);
             sides.join(2 * (a / 3) + 1, 2 * (b / 3) + 1 - same);
             if (same != 0) {
@@ -139,7 +139,7 @@ private:
         return fail(ErrorCode::OpposedWinding, opposed, "edge");
     }
 
-    /// The faces around a vertex must hang together by edges.
+    /// The faces around a vertex must be connected by edges.
     bool checkFans() {
         geometry::DisjointSets corners(3 * faceCount());
         for (int e = 0; e < edgeCount(); ++e) {
@@ -161,7 +161,7 @@ private:
         return pinched.count == 0 || fail(ErrorCode::NonManifoldVertex, pinched, "vertex");
     }
 
-    /// Most pieces have one rim, which is followed here: half-edges would take a third more time.
+    /// Most pieces have one rim, which is followed here: half-edges would take a third longer.
     bool checkLoops() {
         std::vector<int> next(vertexCount(), -1);
         std::ptrdiff_t rimEdges = 0;

@@ -15,8 +15,8 @@
 namespace toile {
 namespace {
 
-/// A triangle's side, kept in the bucket of its smaller vertex: larger vertex and use (3 * face +
-/// k) in one number, in the order of both.
+/// A triangle's side, in the bucket of its smaller vertex: larger vertex and use (3 * face + k) in
+/// one number that sorts by both.
 using Side = std::uint64_t;
 
 Side makeSide(int larger, int use) {
@@ -42,7 +42,7 @@ EdgeTable buildEdgeTable(const Triangles& F, int vertexCount) {
         }
     });
     EdgeTable table;
-    table.edges.resize(sideCount, 2);  // more than there are
+    table.edges.resize(sideCount, 2);  // an upper bound
     table.faceEdges.resize(F.rows(), 3);
     table.use.reserve(static_cast<std::size_t>(sideCount));
     for (int v = 0; v < vertexCount; ++v) {
@@ -71,7 +71,7 @@ std::vector<RimLoop> rimsOf(const MeshArrays& mesh, const EdgeTable& table) {
             continue;
         }
         RimLoop& loop = loops.emplace_back();
-        // Edges are sorted, so this one begins or ends at the least vertex. The half-edges of a
+        // Edges are sorted, so this one begins or ends at the smallest vertex. The half-edges of a
         // border have the surface on their right.
         auto at = found.from().idx() < found.to().idx() ? found : found.next();
         while (std::exchange(isSeen[at.idx()], 1) == 0) {

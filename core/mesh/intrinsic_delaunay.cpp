@@ -18,17 +18,17 @@
 namespace toile {
 namespace {
 
-/// What rounding of a layout does to sin(alpha + beta): the more the flatter the triangles, as
-/// against their cotangents. Twice that separates an edge from the other diagonal.
+/// Rounding error of a layout in sin(alpha + beta): relative to the cotangents it is larger for
+/// flatter triangles. Twice this value separates an edge from the other diagonal.
 constexpr double kSineTolerance = 16 * std::numeric_limits<double>::epsilon();
-/// Negative by less than this part of its summands (and of one) a weight counts as zero: the four
-/// corners lie on a circle but for the rounding of their coordinates.
+/// A weight whose negative value is smaller than this part of its summands (and of one) counts as
+/// zero: the four corners are cocircular within the rounding of their coordinates.
 constexpr double kWeightTolerance = 1e-12;
 
-/// A triangulated surface without its place in space: every triangle flat in a plane of its own.
-/// Edges can be turned (flipped) within the surface, after which two triangles may share two edges
-/// and an edge may end where it began. Half-edge 3 f + k starts as the one from corner k of face f
-/// to corner k + 1; a flip keeps the numbers and changes what they stand for.
+/// A triangulated surface without an embedding: every triangle lies flat in its own plane. Edges
+/// can be flipped within the surface, after which two triangles may share two edges and an edge may
+/// be a loop. Half-edge 3 f + k starts as the one from corner k of face f to corner k + 1; a flip
+/// keeps the indices and changes the edges that they refer to.
 class FlippableSurface {
 public:
     /// @param mesh  a manifold, oriented surface without degenerate triangles  Cost: linear.
@@ -58,8 +58,8 @@ public:
         return -a.dot(b) / geometry::cross(a, b);
     }
 
-    /// True where the angles opposite to an interior edge sum to more than pi, by more than
-    /// rounding can say: of a square's two diagonals neither wants to be the other.
+    /// True if the angles opposite to an interior edge sum to more than pi by more than rounding,
+    /// so that neither of a square's two diagonals is flipped.
     bool wantsFlip(int h) const {
         const int t = twin(h);
         if (t < 0) {
@@ -83,7 +83,7 @@ public:
     }
 
     /// Replaces an edge by the other diagonal of its two triangles, laid out in a plane.
-    /// @return false, and nothing is done, where that would turn a triangle over
+    /// @return false, without a change, if that would turn a triangle over
     bool flip(int h) {
         const int t = twin(h);
         const int afterH = next(h);
@@ -91,10 +91,10 @@ public:
         const int afterT = next(t);
         const int beforeT = previous(t);
         if (t == afterH || t == beforeH) {
-            return false;  // a triangle folded around a vertex; the edge at its tip is the only one
+            return false;  // a triangle folded around a vertex; its edge is the only one at the tip
         }
-        // The twin's triangle is turned until both half-edges lie on each other: by the unit
-        // complex number -vector(h) / vector(t), times the other's length.
+        // Rotate the twin's triangle until both half-edges coincide: multiply by the unit complex
+        // number -vector(h) / vector(t), scaled by the other's length.
         const Eigen::Vector2d& u = halfedges_[h].vector;
         const Eigen::Vector2d& v = halfedges_[t].vector;
         const Eigen::Vector2d turn = Eigen::Vector2d(-u.dot(v), geometry::cross(u, v)).normalized();
@@ -141,8 +141,8 @@ private:
 
     int next(int h) const { return halfedges_[h].next; }
     int previous(int h) const { return next(next(h)); }
-    /// From the longest side and the shortest, so that the third is long too: as a difference of
-    /// two long ones a short side would keep few of its digits.
+    /// From the longest and the shortest side, so that the third is long too: computed as the
+    /// difference of two long sides, a short side would lose digits.
     void layOut(const MeshArrays& mesh, int face) {
         std::array<Eigen::Vector3d, 3> side;
         std::array<int, 3> byLength{0, 1, 2};
@@ -167,16 +167,16 @@ private:
     std::vector<Halfedge> halfedges_;
 };
 
-/// Flips between two looks at `Progress::isCancelled`; a power of two.
+/// Flips between two checks of `Progress::isCancelled`; a power of two.
 constexpr int kFlipsPerCancelCheck = 1 << 16;
 
-/// An edge of the new triangulation, kept in the bucket of its smaller vertex.
+/// An edge of the new triangulation, stored in the bucket of its smaller vertex.
 struct Link {
     int larger;
-    int halfedge;  ///< of its two the one of larger number
+    int halfedge;  ///< the larger of its two half-edges
 };
 
-/// A negative weight of an edge that does not want to be turned is rounding.
+/// A negative weight is rounded to zero if the edge is not to be flipped.
 double weightOf(const FlippableSurface& surface, int h) {
     const int twin = surface.twin(h);
     if (twin < 0) {
@@ -186,7 +186,7 @@ double weightOf(const FlippableSurface& surface, int h) {
     return weight < 0 && !surface.wantsFlip(h) ? 0 : weight;
 }
 
-/// Each edge once, sorted, parallel ones summed, in linear time as `buildEdgeTable` does it.
+/// Each edge once, sorted, parallel ones summed, in linear time as in `buildEdgeTable`.
 WeightedEdges collect(const FlippableSurface& surface, int vertexCount) {
     geometry::Buckets<Link> links(vertexCount, [&surface](auto add) {
         for (int h = 0; h < surface.halfedgeCount(); ++h) {
@@ -201,7 +201,7 @@ WeightedEdges collect(const FlippableSurface& surface, int vertexCount) {
     ends.reserve(2 * links.items().size());
     weights.reserve(links.items().size());
     for (int v = 0; v < vertexCount; ++v) {
-        // Stable, so that parallel edges are summed in one order everywhere.
+        // Stable, so that parallel edges are summed in the same order everywhere.
         std::ranges::stable_sort(links[v], {}, &Link::larger);
         int last = -1;
         for (const auto& [larger, halfedge] : links[v]) {
@@ -224,8 +224,8 @@ WeightedEdges collect(const FlippableSurface& surface, int vertexCount) {
 Result<IntrinsicDelaunay> intrinsicDelaunay(const MeshArrays& mesh, const EdgeTable& table,
                                             const Progress& progress) {
     FlippableSurface surface(mesh, table);
-    // First in, first out, in rounds: bad edges next to each other wait for each other's turn,
-    // which takes a fraction of the flips that following one of them through the mesh does.
+    // A queue, first in, first out: adjacent bad edges are flipped in rounds, which needs far fewer
+    // flips than following one of them through the mesh.
     std::vector<int> queue;
     std::vector<char> isWaiting(static_cast<std::size_t>(surface.halfedgeCount()), 0);
     const auto enqueue = [&](std::vector<int>& list, int h) {

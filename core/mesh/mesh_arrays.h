@@ -19,12 +19,12 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// #E x 2 vertex indices, each undirected edge once, smaller index first, sorted.
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
-/// The inner product of two fields of vectors.
+/// The inner product of two vector fields.
 inline double dot(const Points2& a, const Points2& b) {
     return a.cwiseProduct(b).sum();
 }
 
-/// A triangle mesh as plain arrays: what the measures and solvers work on.
+/// A triangle mesh as plain arrays, for the measures and solvers.
 struct MeshArrays {
     Points3 V;
     Triangles F;
@@ -52,8 +52,8 @@ inline int apexOf(const Triangles& F, int side) {
     return F.data()[previousSide(side)];
 }
 
-/// At right angles to a triangle, towards the side from which it runs anti-clockwise, and twice its
-/// area long.
+/// Normal of a triangle, on the side from which it runs anti-clockwise, with a length of twice its
+/// area.
 inline Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index face) {
     const Eigen::Vector3d a = mesh.V.row(mesh.F(face, 0)).transpose();
     const Eigen::Vector3d b = mesh.V.row(mesh.F(face, 1)).transpose();
@@ -61,7 +61,7 @@ inline Eigen::Vector3d doubleAreaNormal(const MeshArrays& mesh, Eigen::Index fac
     return (b - a).cross(c - a);
 }
 
-/// A boundary loop of vertices, surface on its left, starting at its least index.
+/// A boundary loop of vertices, surface on its left, starting at its smallest index.
 struct RimLoop {
     std::vector<int> vertices;
     double perimeter = 0;
@@ -69,8 +69,8 @@ struct RimLoop {
 
 /// The fans of triangles around vertices, as sets of corners: side 3 * f + k begins at corner k.
 
-/// Makes the corners at either end of an edge one fan, of two triangles with a side there; they may
-/// run the same way.
+/// Joins the corners at both ends of an edge into fans, for two triangles with a side there; their
+/// windings may disagree.
 inline void joinCorners(const Triangles& F, int side, int other, geometry::DisjointSets& fans) {
     const bool alike = tailOf(F, side) == tailOf(F, other);
     fans.join(side, alike ? other : nextSide(other));

@@ -47,15 +47,15 @@ Problems RepairNotes::problems(const std::string& piece) const {
 
 namespace {
 
-/// An edge of a face without height, in parts of its longest, that has no length either. Such
-/// needles given to their neighbours would only be passed around where these are as thin.
+/// An edge of a face without height also counts as having no length below this part of its longest.
+/// Giving such needles to neighbours that are as thin would only pass them around.
 constexpr double kFlatNeedle = 1e-8;
 
 bool repeatsCorner(const Triangles& F, int f) {
     return F(f, 0) == F(f, 1) || F(f, 1) == F(f, 2) || F(f, 2) == F(f, 0);
 }
 
-/// One round over all faces; false where no edge was without length.
+/// One round over all faces; false if no edge was collapsed.
 bool collapseRound(MeshPart& part, RepairNotes& notes) {
     MeshArrays& mesh = part.mesh;
     bool any = false;
@@ -111,8 +111,8 @@ void dropUnusableFaces(MeshPart& part, RepairNotes& notes) {
 }
 
 void collapseNeedles(MeshPart& part, RepairNotes& notes) {
-    // A collapse over a tiny length moves a corner and may leave a neighbour without length, but
-    // each time by eight digits less: the rounds are few.
+    // A collapse moves a corner by a tiny length and may leave a neighbour without length, but each
+    // time by eight digits less: few rounds are needed.
     while (collapseRound(part, notes)) {
     }
 }
@@ -137,9 +137,9 @@ EdgeTable dropDuplicates(MeshPart& part, RepairNotes& notes) {
 
 namespace {
 
-/// Giving flat triangles to their neighbours can bring two vertices of one place together in an
-/// edge, which the next round collapses; halving a sliver can make it flat. More rounds than this
-/// are not needed, only feared.
+/// Giving flat triangles to their neighbours can create an edge between coinciding vertices, which
+/// the next round collapses; halving a sliver can make it flat. An upper bound: known meshes need
+/// fewer rounds.
 constexpr int kMaxRounds = 8;
 
 void noteUnusedVertices(const MeshPart& part, RepairNotes& notes) {

@@ -14,7 +14,7 @@ struct Flat {
     double longest;
     int face;
 
-    /// For the queue: longest first, then least face.
+    /// Queue order: longest first, then smallest face.
     bool operator<(const Flat& o) const {
         return longest != o.longest ? longest < o.longest : face > o.face;
     }
@@ -78,20 +78,20 @@ private:
             note(toile::translatable("dropped in pairs"), side);
             zip(side, other);
         } else {
-            if (!shapeOf(part_.mesh, other / 3).flat) {  // else it is only passed on
+            if (!shapeOf(part_.mesh, other / 3).flat) {  // else it only moves on
                 note(toile::translatable("given to the neighbour"), side);
             }
             flip(side, other);
         }
     }
 
-    /// Side of the face of `side`, other than it, that has vertex v as an end.
+    /// The side of the face of `side`, other than it, that ends at vertex v.
     int sideAt(int side, int v) const {
         const int next = nextSide(side);
         return tailOf(F_, next) == v ? next : nextSide(next);
     }
 
-    /// Two flat faces on the same three vertices: both go, and what lay outside is joined.
+    /// Removes two flat faces on the same three vertices and joins the faces beyond them.
     void zip(int side, int other) {
         for (const int v : {tailOf(F_, side), headOf(F_, side)}) {
             const int a = sideAt(side, v);
@@ -106,7 +106,7 @@ private:
         gone_[other / 3] = 1;
     }
 
-    /// The neighbour pqd is divided at the flat face's vertex c, in its own winding: pcd and cqd.
+    /// Divides the neighbour pqd at the flat face's vertex c, in its own winding: pcd and cqd.
     void flip(int side, int other) {
         const int f = side / 3;
         const int g = other / 3;
@@ -120,7 +120,7 @@ private:
         const int dp = twin_[sideAt(other, p)];
         F_.row(f) << p, c, d;
         F_.row(g) << c, q, d;
-        part_.sourceFace[f] = part_.sourceFace[g];  // its area is the neighbour's
+        part_.sourceFace[f] = part_.sourceFace[g];  // its area comes from the neighbour
         gluing_.join(3 * f, pc);
         gluing_.join(3 * f + 1, 3 * g + 2);
         gluing_.join(3 * f + 2, dp);

@@ -12,14 +12,14 @@
 namespace toile {
 namespace {
 
-/// Pairs are compared in steps of this angle, so that rounding does not choose among equals.
+/// Pairs are compared in steps of this angle, so that rounding does not decide between equals.
 constexpr double kAngleStep = 1e-6;
-/// What counts against a pair whose windings disagree, and against one that nothing else joins: as
-/// if it bent so much more. A fin then never takes the place of the surface that it stands on, and
-/// two solids that touch along an edge stay two.
+/// Added to the bend of a pair whose windings disagree, and of one that nothing else joins. So a
+/// fin never replaces the surface that it is attached to, and two solids that touch along an edge
+/// stay separate.
 constexpr double kHandicap = std::numbers::pi / 2;
-/// Where more faces than this share one edge, no pair means anything, and looking at all of them
-/// would be quadratic: all are cut free.
+/// If more faces than this share one edge, pairs are meaningless, and comparing all would be
+/// quadratic: all are separated.
 constexpr std::size_t kMaxFacesPaired = 64;
 
 /// Two faces that might be joined at an edge. The order of the members is the order of preference.
@@ -27,7 +27,7 @@ struct Pair {
     int cost;  ///< in steps: the bend, with handicaps
     int edge;
     int a, b;  ///< sides
-    int turn;  ///< 1 where their windings disagree
+    int turn;  ///< 1 if their windings disagree
 
     bool operator<(const Pair& other) const {
         return std::tie(cost, edge, a, b, turn) <
@@ -72,7 +72,7 @@ private:
             collectPairs(e, sides, pairs);
         }
         std::sort(pairs.begin(), pairs.end());
-        // Components as they are, and flipped: a join may not make the two one.
+        // Each component as given, and flipped: a join must not make the two one.
         geometry::DisjointSets ways(2 * static_cast<int>(sides.oneSided.size()));
         for (std::size_t c = 0; c < sides.oneSided.size(); ++c) {
             if (sides.oneSided[c] != 0) {
@@ -114,8 +114,8 @@ private:
         }
     }
 
-    /// How far two faces are from going straight on across an edge, in radians. A flat face has no
-    /// direction and continues nothing: as bad as a fold.
+    /// The angle between two faces across an edge, in radians; 0 if they continue straight. A flat
+    /// face has no direction and counts as a fold.
     double bend(int e, int a, int b) const {
         if (shapeOf(mesh_, a / 3).flat || shapeOf(mesh_, b / 3).flat) {
             return std::numbers::pi;
@@ -125,7 +125,7 @@ private:
         return std::atan2(p.cross(q).norm(), -p.dot(q));
     }
 
-    /// Unit direction from the edge into a face, square to the edge.
+    /// Unit direction from the edge into a face, perpendicular to the edge.
     Eigen::RowVector3d away(int e, int side) const {
         const Eigen::RowVector3d origin = mesh_.V.row(table_.edges(e, 0));
         const Eigen::RowVector3d along = (mesh_.V.row(table_.edges(e, 1)) - origin).normalized();
@@ -147,13 +147,13 @@ Gluing glue(const MeshArrays& mesh, const EdgeTable& table, RepairNotes& notes) 
 
 namespace {
 
-/// The way that is turned has the larger area by more than rounding; where the two are equal, the
+/// Whether the flipped winding has the larger area by more than rounding; if both are equal, the
 /// first face decides.
 bool outweighs(double turned, double kept) {
     return turned > kept * (1 + 1e-9);
 }
 
-/// Both sides run the same way: the faces look to opposite sides.
+/// Both sides run the same way: the faces have opposite orientations.
 bool isOpposed(const Triangles& F, int side, int twin) {
     return tailOf(F, side) == tailOf(F, twin);
 }
@@ -221,7 +221,7 @@ void turnWindings(MeshPart& part, Gluing& gluing, RepairNotes& notes) {
     if (!sides.anyTurn) {
         return;
     }
-    // A face keeps its first corner, so its first and last side change places.
+    // A face keeps its first corner, so its first and last side are swapped.
     const auto moved = [&](int side) {
         return side >= 0 && sides.turn[side / 3] != 0 ? 3 * (side / 3) + 2 - side % 3 : side;
     };

@@ -72,7 +72,7 @@ std::vector<int> doubledFaces(const Triangles& F, const EdgeTable& table, Eigen:
     std::vector<int> doubled;
     const auto uses = table.usesOf(edge);
     if (uses.size() < 2 || (uses.size() == 2 && apexOf(F, uses[0]) != apexOf(F, uses[1]))) {
-        return doubled;  // most edges
+        return doubled;  // true for most edges
     }
     std::vector<std::pair<int, int>> apexes;  // third vertex, face
     for (const int side : uses) {

@@ -17,7 +17,7 @@ void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
     }
     const auto vertexCount = static_cast<int>(part.mesh.V.rows());
     std::vector<char> isTaken(static_cast<std::size_t>(vertexCount), 0);
-    std::vector<int> vertexOf(static_cast<std::size_t>(F.size()), -1);  // at a fan's least corner
+    std::vector<int> vertexOf(static_cast<std::size_t>(F.size()), -1);  // at a fan's first corner
     std::vector<int> copies;
     for (int corner = 0; corner < static_cast<int>(F.size()); ++corner) {
         int& v = F.data()[corner];
@@ -32,7 +32,7 @@ void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
     }
     std::vector<char> isNoted(gluing.cutAtVertex);
     for (const int v : copies) {
-        if (isNoted[v] == 0) {  // the ends of edges cut apart are part of that note
+        if (isNoted[v] == 0) {  // the ends of separated edges are part of that note
             isNoted[v] = 1;
             notes.add(ErrorCode::VerticesSplit, "vertex", translatable("split"),
                       part.mesh.V.row(v));
@@ -45,7 +45,7 @@ void separateFans(MeshPart& part, const Gluing& gluing, RepairNotes& notes) {
 
 namespace {
 
-/// One round: each face is halved at most once, so that the sides found stay what they are.
+/// One round: each face is halved at most once, so that the sides found remain valid.
 class EdgeSplitter {
 public:
     EdgeSplitter(MeshPart& part, Gluing& gluing, RepairNotes& notes)
@@ -55,13 +55,13 @@ public:
           notes_(notes),
           touched_(part.mesh.F.rows(), 0) {}
 
-    /// Returns false where no edge was doubled.
+    /// Returns false if no edge was doubled.
     bool round() {
         collect();
         if (chosen_.empty()) {
             return false;
         }
-        // Make room once: a vertex for each edge, a face for each side.
+        // Reserve once: a vertex for each edge, a face for each side.
         int sideCount = 0;
         std::vector<int> ends;
         for (const int side : chosen_) {
@@ -87,7 +87,7 @@ private:
             const std::span<const int> uses = table.usesOf(e);
             for (const int side : uses.subspan(1)) {
                 const int other = twin_[side];
-                // Uses are sorted: a joined edge is seen at its smaller side.
+                // Uses are sorted: handle a joined edge at its smaller side.
                 if (other == uses[0] || (other >= 0 && other < side)) {
                     continue;
                 }
@@ -121,7 +121,7 @@ private:
         ++nextVertex_;
     }
 
-    /// abc, with `side` from a to b, becomes amc and a new face mbc. Returns the side from m to b.
+    /// Divides abc, with `side` from a to b, into amc and a new face mbc. Returns side mb.
     int halve(int side) {
         int* corner = part_.mesh.F.data();
         const int next = nextSide(side);

@@ -45,7 +45,7 @@ std::unique_ptr<TriMesh> buildTriMesh(const MeshArrays& mesh, const EdgeTable& t
             made->set_next_halfedge_handle(round[k], round[(k + 1) % 3]);
             made->set_halfedge_handle(Vertex(F(f, k)), round[k]);
         }
-        made->set_halfedge_handle(Face(f), round[2]);  // the round starts at its head
+        made->set_halfedge_handle(Face(f), round[2]);  // the loop starts at its head
     }
     for (const int side : border) {
         const Halfedge back = made->opposite_halfedge_handle(along(side));

@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-/// Of the median edge: above the last digit that mesh files carry, below anything cut from cloth.
+/// Relative to the median edge: more than the last digit in mesh files, less than any cut cloth.
 constexpr double kToleranceOfMedianEdge = 1e-3;
-/// Of the vertices used, how many must belong to one face for a file of loose faces, and how many
-/// of them must lie on an earlier one (a closed mesh of loose triangles has five of six).
+/// A file has loose faces if this share of its used vertices belong to one face, and the second
+/// share of them lie on an earlier one (five of six in a closed mesh of loose triangles).
 constexpr double kLooseShare = 0.95;
 constexpr double kCoincidentShare = 1.0 / 3;
 

@@ -18,7 +18,7 @@ struct Side {
     double x0, y0, x1, y1;
 };
 
-/// The edges of a moved shape that reach into a box.
+/// The edges of a moved shape that intersect a box.
 void sidesIn(const Shape& shape, double dx, double dy, const Box& box, std::vector<Side>& sides) {
     sides.clear();
     const std::size_t count = shape.x.size();
@@ -32,8 +32,8 @@ void sidesIn(const Shape& shape, double dx, double dy, const Box& box, std::vect
     }
 }
 
-/// Inside is left of a side, and what lies on its line is outside: so shapes that touch do not
-/// cross, and those that meet cross also where it is at their corners.
+/// The left of a side is inside, and points on its line are outside: so shapes that only touch do
+/// not cross, and those that overlap cross also if they meet at their corners.
 bool doCross(const Side& a, const Side& b) {
     const double ax = a.x1 - a.x0, ay = a.y1 - a.y0;
     const double s0 = ax * (b.y0 - a.y0) - ay * (b.x0 - a.x0);
@@ -63,12 +63,12 @@ bool isInShape(const Shape& shape, double x, double y) {
     return isIn;
 }
 
-/// Whether the largest circles meet: most pairs that collide are known by them.
+/// Whether the largest circles intersect, which detects most collisions.
 bool doLargestMeet(const Circles& a, const Circles& b, float dx, float dy) {
     for (std::size_t i = 0; i < kCircleLanes; ++i) {
         for (std::size_t k = 0; k < kCircleLanes; ++k) {
             const float x = b.x[k] + dx - a.x[i], y = b.y[k] + dy - a.y[i];
-            // A little less, as single precision rounds.
+            // Slightly less, because single precision rounds.
             const float reach = 0.9999f * (a.radius[i] + b.radius[k]);
             if (a.radius[i] > 0 && b.radius[k] > 0 && x * x + y * y < reach * reach) {
                 return true;
@@ -78,7 +78,7 @@ bool doLargestMeet(const Circles& a, const Circles& b, float dx, float dy) {
     return false;
 }
 
-/// A point of each ring, and the middle of the largest circle, as none of the edges cross.
+/// Tests a point of each ring and the centre of the largest circle, if no edges cross.
 bool isAPartInside(const Shape& a, const Shape& b, double dx, double dy) {
     return isInShape(b, static_cast<double>(a.circles.x[0]) - dx,
                      static_cast<double>(a.circles.y[0]) - dy) ||

@@ -6,10 +6,10 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// Whether the insides of two shapes meet, the second one moved by (dx, dy); in plain arithmetic,
-/// so within rounding of their rims it may err.
-/// Cost: a few operations where their largest circles or their boxes tell, else linear in their
-/// edges and the product of those in the common part of their boxes. Pure.
+/// Whether the interiors of two shapes intersect, the second one moved by (dx, dy); in floating
+/// point, so it may err within rounding of their boundaries.
+/// Cost: a few operations if their largest circles or their boxes decide, else linear in their
+/// edges plus the product of those in the common part of their boxes. Pure.
 bool doCollide(const Shape& a, const Shape& b, double dx, double dy);
 
 /// How badly two shapes that collide do so, in mm^2 or so: by how deep their circles lie in each

@@ -14,13 +14,13 @@ using geometry::exactOrientation;
 using geometry::Polygon;
 using Point = Eigen::RowVector2d;
 
-/// The wedge of an area at a point of its rim: inside is anti-clockwise of the way to `next`, up to
-/// the way to `last`.
+/// The wedge of an area at a point of its boundary: the inside is anti-clockwise from the direction
+/// to `next` up to the direction to `last`.
 struct Wedge {
     Point next, last;
 };
 
-/// Whether two ways from a point, known to be in line with it, go the same way.
+/// Whether two points, known to be collinear with `from`, lie in the same direction from it.
 bool isSameSide(const Point& from, const Point& a, const Point& b) {
     return a.x() != from.x() ? (a.x() > from.x()) == (b.x() > from.x()) && b.x() != from.x()
                              : (a.y() > from.y()) == (b.y() > from.y());
@@ -30,7 +30,7 @@ bool isSameWay(const Point& from, const Point& a, const Point& b) {
     return exactOrientation(from, a, b) == 0 && isSameSide(from, a, b);
 }
 
-/// Whether a way from the point goes strictly into the wedge.
+/// Whether a direction from the point leads strictly into the wedge.
 bool goesInto(const Point& from, const Point& to, const Wedge& wedge) {
     if (isSameWay(from, to, wedge.next) || isSameWay(from, to, wedge.last)) {
         return false;
@@ -53,7 +53,7 @@ struct Edge {
     Point before, from, to;
 };
 
-/// The edges that reach into a box.
+/// The edges that intersect a box.
 std::vector<Edge> edgesIn(const Rings& rings, const Point& low, const Point& high) {
     std::vector<Edge> edges;
     for (const Polygon& ring : rings) {
@@ -74,8 +74,8 @@ bool isInBox(const Point& p, const Edge& edge) {
            (p.array() <= edge.from.cwiseMax(edge.to).array()).all();
 }
 
-/// Whether the way over a point goes from one side of another to its other side. Where they run
-/// along each other it is taken for touching.
+/// Whether the path through a point crosses from one side of another to its other side. If they
+/// overlap along an edge, they only touch.
 bool goesAcross(const Point& at, const Wedge& way, const Wedge& other) {
     const auto isAlong = [&](const Point& end) {
         return isSameWay(at, end, other.next) || isSameWay(at, end, other.last);
@@ -84,9 +84,9 @@ bool goesAcross(const Point& at, const Wedge& way, const Wedge& other) {
            goesInto(at, way.next, other) != goesInto(at, way.last, other);
 }
 
-/// What two edges say: they cross, or meet at a point where one of them begins and the ways over it
-/// do what is asked for. The point where an edge ends is looked at with the next one.
-/// @param says  of the point and the wedges of `a` and `b` there
+/// Tests two edges: they cross, or meet at the start point of one of them and the paths through it
+/// satisfy the predicate. The end point of an edge is tested with the next edge.
+/// @param says  predicate on the point and the wedges of `a` and `b` there
 template <typename Says>
 bool doEdgesMeet(const Edge& a, const Edge& b, Says says) {
     const int a0 = exactOrientation(b.from, b.to, a.from);
@@ -130,7 +130,7 @@ int sideOf(const Point& p, const Rings& rings) {
     return isIn ? 1 : -1;
 }
 
-/// Whether a ring, none of whose edges cross, lies inside.
+/// Whether a ring lies inside, if no edges cross.
 bool isARingInside(const Rings& rings, const Rings& other) {
     return std::ranges::any_of(rings, [&other](const Polygon& ring) {
         for (Eigen::Index k = 0; k < ring.rows(); ++k) {

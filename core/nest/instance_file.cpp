@@ -15,7 +15,7 @@ using geometry::Polygon;
 constexpr double kMaxNumber = 1e7;
 constexpr int kMaxCopiesOfItem = 100'000;
 
-/// A list of points; the last one may repeat the first.
+/// A list of points; the last point may repeat the first.
 Polygon readRing(JsonFields& fields, const JsonDocument& list, const std::string& place) {
     Polygon ring(list.is_array() ? static_cast<Eigen::Index>(list.size()) : 0, 2);
     for (Eigen::Index k = 0; k < ring.rows(); ++k) {

@@ -10,10 +10,10 @@
 
 namespace toile {
 
-/// Reads an instance of the nesting problem as they are published (JSON; `strip_height` and `items`
-/// with `demand`, `allowed_orientations` in degrees and `shape`: a "simple_polygon" or a "polygon"
-/// with holes). An item whose orientations are not said turns freely. Its numbers are taken as mm.
-/// An item is named by its `id`.
+/// Reads a nesting instance in the published format (JSON; `strip_height` and `items` with
+/// `demand`, `allowed_orientations` in degrees and `shape`: a "simple_polygon" or a "polygon" with
+/// holes). An item without orientations turns freely. Numbers are taken as mm. An item is named by
+/// its `id`.
 /// @param name  of the file, for errors
 /// Errors: MalformedFile naming the file and the place. Cost: linear.
 Result<NestInstance> parseNestInstance(std::string_view text, const std::string& name);

@@ -24,8 +24,8 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kNestGrid = 1e-5;   // mm: of the whole numbers that Clipper works with
-constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap are wider than it
+constexpr double kNestGrid = 1e-5;   // mm: Clipper's integer grid
+constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap exceed it
 constexpr double kLeastSide = 1e-3;  // mm: of an outline's box
 
 bool isUsable(const NestPlacement& placement) {
@@ -33,7 +33,7 @@ bool isUsable(const NestPlacement& placement) {
            std::abs(placement.y) <= kMostSize;
 }
 
-/// The rings without points that repeat the one before.
+/// The rings without points that repeat their predecessor.
 Rings withoutRepeats(const Rings& rings) {
     Rings result;
     for (const Polygon& ring : rings) {
@@ -58,8 +58,8 @@ ClipperLib::Path gridPathOf(const Polygon& ring) {
     return path;
 }
 
-/// Whether the outline goes once round what is inside, and the holes lie there and apart: then what
-/// is left has the area of the outline less theirs. Rings that run along themselves cross nowhere.
+/// Whether the outline winds once around its inside, and the holes lie in it and apart: then the
+/// areas of the rings add up to that of the difference. Overlapping edges do not count as crossing.
 /// @param rings  wound, none crossing another
 bool areWoundOnce(const Rings& rings) {
     ClipperLib::Clipper clipper;

@@ -8,18 +8,18 @@
 // For the sources of this folder, of core/marker and core/reading.
 namespace toile::nest {
 
-constexpr double kMostSize = 1e7;  ///< mm: of coordinates, so that Clipper's grid holds them
+constexpr double kMostSize = 1e7;  ///< mm: largest coordinate, so that Clipper's grid can hold it
 
 Error wrongItem(const NestItem& item, const Wording& what);
 
-/// Wound, without points that repeat the one before. The square of the points.
-/// Errors: MalformedFile naming the subject whose rings are not usable.
+/// Oriented, without points that repeat their predecessor. Cost: quadratic in the points.
+/// Errors: MalformedFile naming the subject whose rings are unusable.
 Result<Rings> usableRings(const Subject& subject, const Rings& rings);
-/// Those of an item. Errors: also where copies, angles, lattice or fixed place are not usable.
+/// The rings of an item. Errors: also if copies, angles, lattice or fixed place are unusable.
 Result<Rings> usableRings(const NestItem& item);
 
-/// Such rings farther out by `distance`, holes smaller: at least so far, as arcs are drawn outside.
-/// Errors: MalformedFile naming the subject where nothing is left.
+/// Offsets rings outwards by `distance`, holes shrink: at least so far, as arcs are drawn outside.
+/// Errors: MalformedFile naming the subject if no area is left.
 Result<Rings> grownRings(const Subject& subject, const Rings& rings, double distance);
 
 }  // namespace toile::nest

@@ -66,7 +66,7 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
     thread_local std::vector<std::uint32_t> near;
     near.resize(all() + 1);
     std::size_t found = 0;
-    for (std::size_t other = 0; other < all(); ++other) {  // without a branch
+    for (std::size_t other = 0; other < all(); ++other) {  // branchless
         near[found] = static_cast<std::uint32_t>(other);
         const unsigned meetsAlong = unsigned{left_[other] < right} & unsigned{right_[other] > left};
         const unsigned meetsAcross =
@@ -111,7 +111,7 @@ void Lay::setPose(std::size_t copy, const Pose& pose) {
     poses_[copy] = pose;
     const Shape& shape = shapeOf(copy, pose, owned_[copy]);
     shapes_[copy] = &shape;
-    // A loss like that of a pair one upon the other, so that it looks for another turn.
+    // A loss like that of full overlap, so that the copy looks for another rotation.
     const bool fits = problem_->itemOf(copy).isFixed || moveInside(copy, shape, poses_[copy]);
     excess_[copy] = fits ? 0 : shape.diameter * shape.diameter;
     setBox(copy);

@@ -9,12 +9,11 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// All copies placed inside a strip that ends at some length, overlaps allowed, and what each pair
-/// of them, or of a copy and an obstacle, loses by it. Weights make a pair matter more to those who
-/// look for better places.
+/// All copies placed inside a strip of some length, overlaps allowed, and the loss of each pair of
+/// copies, or of a copy and an obstacle. Weights emphasise pairs in the search for better places.
 class Lay {
 public:
-    /// The problem must outlive it.
+    /// The problem must outlive this object.
     Lay(const Problem& problem, const std::vector<Pose>& poses, double length);
     Lay(const Lay&) = delete;
     Lay& operator=(const Lay&) = delete;
@@ -27,35 +26,35 @@ public:
     double length() const { return length_; }
     std::size_t count() const { return problem_->copies.size(); }
     const Shape& shape(std::size_t copy) const { return *shapes_[copy]; }
-    /// Sum over the pairs that collide, without weights, and the copies that are longer than the
-    /// strip as they are turned; exactly 0 where there are none.
+    /// Sum over the pairs that collide, without weights, plus the copies that are too long for the
+    /// strip in their rotation; exactly 0 if there are none.
     double loss() const;
     double weightedLossOf(std::size_t copy) const;
-    /// Where the last copy ends.
+    /// The end of the last copy.
     double usedLength() const;
 
-    /// The sum of weighted losses that the copy would have with this shape at (x, y); stops, with
-    /// what it has, as soon as that is `enough`.
+    /// The sum of weighted losses of the copy with this shape at (x, y); stops early, with a
+    /// partial sum, once that reaches `enough`.
     double lossAt(std::size_t copy, const Shape& shape, double x, double y,
                   double enough = std::numeric_limits<double>::infinity()) const;
     void place(std::size_t copy, const Pose& pose);
     void placeAll(const std::vector<Pose>& poses, double length);
 
-    /// The pose moved to the nearest place that the copy's rules allow; false where there is none.
+    /// Moves the pose to the closest place that the copy's rules allow; false if there is none.
     bool moveInside(std::size_t copy, const Shape& shape, Pose& pose) const;
     const Shape& shapeOf(std::size_t copy, const Pose& pose, Shape& own) const {
         return nest::shapeOf(problem_->itemOf(copy), pose, own);
     }
 
     void resetWeights();
-    /// Pairs that collide grow in proportion to their loss, the others fade ([GVW25]).
+    /// Weights of colliding pairs grow in proportion to their loss, the others decay ([GVW25]).
     void raiseWeights();
 
 private:
-    /// Copies, then obstacles.
+    /// Number of copies and obstacles.
     std::size_t all() const { return poses_.size(); }
     double& lossOf(std::size_t a, std::size_t b) { return losses_[a * all() + b]; }
-    /// Of a copy with this shape at (x, y) and another one or an obstacle; 0: they do not collide.
+    /// Loss of a copy with this shape at (x, y) with a copy or obstacle; 0: no collision.
     double lossWith(std::size_t copy, const Shape& shape, double x, double y,
                     std::size_t other) const;
     void setPose(std::size_t copy, const Pose& pose);
@@ -64,11 +63,11 @@ private:
 
     const Problem* problem_;
     double length_;
-    std::vector<Pose> poses_;  // of obstacles at the origin
+    std::vector<Pose> poses_;  // of obstacles: at the origin
     std::vector<Shape> owned_;
     std::vector<const Shape*> shapes_;
     std::vector<double> left_, bottom_, right_, top_;  ///< of all boxes
-    std::vector<double> excess_;                       ///< of copies that do not fit as they lie
+    std::vector<double> excess_;                       ///< of copies too large for the strip
     std::vector<double> losses_, weights_;             ///< of pairs, symmetric
 };
 

@@ -52,9 +52,9 @@ Rings mirrored(const Rings& rings) {
     return turned;
 }
 
-constexpr double kBetweenSteps = 0.01;  // of the diameter: by how much sides at most differ
+constexpr double kBetweenSteps = 0.01;  // of the diameter: largest difference of sides
 
-/// How small box sides can be at a variant's further turns, looked at in steps.
+/// The smallest box sides over a variant's further rotations, sampled in steps.
 struct LeastSides {
     double along = HUGE_VAL, across = HUGE_VAL;
 };
@@ -72,7 +72,7 @@ LeastSides leastSides(const Shape& shape, double tolerance) {
     return least;
 }
 
-/// Whether a variant that turns no further has a place in an empty strip.
+/// Whether a variant without further rotation fits in an empty strip.
 bool hasPlace(const Problem& problem, const Item& item, const Variant& variant) {
     Item alone;
     alone.lattice = item.lattice;
@@ -90,9 +90,9 @@ Shape shapeOfItem(const Item& item, bool isMirrored, bool isBareToo) {
     return shape;
 }
 
-/// The variants of an item that fit the strip; takes time for their circles.
-/// @param bare, grown  its rings, and by half the gap
-/// @param isBareToo  they are looked at without the gap, too
+/// The variants of an item that fit the strip; slow because of their circles.
+/// @param bare, grown  its rings, and its rings offset by half the gap
+/// @param isBareToo  also prepare the shapes without the gap
 /// Errors: PageTooSmall naming an item that fits at none of its angles.
 Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare, Rings grown,
                       bool isBareToo) {
@@ -140,7 +140,7 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
     return item;
 }
 
-/// Of the copy added last: it lies outside, or on another fixed one.
+/// For the copy added last: it lies outside, or on another fixed one.
 std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
     const auto askedOf = [&](std::size_t copy) -> const NestItem& {
         return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
@@ -171,7 +171,7 @@ double areaOf(const Rings& rings) {
     return area;
 }
 
-/// Where shapes end that fill the stretches from the first on, as long as this together.
+/// The end of shapes that fill the stretches from the first on, with this total length.
 double endOfArea(const Problem& problem, double length) {
     for (const Stretch& stretch : problem.stretches) {
         if (length <= stretch.to - stretch.from) {
@@ -182,7 +182,7 @@ double endOfArea(const Problem& problem, double length) {
     return problem.stretches.back().to;
 }
 
-/// What the bands leave.
+/// The stretches that the bands leave free.
 std::optional<Error> addStretches(Problem& problem, const NestInstance& instance) {
     auto bands = instance.bands;
     if (!std::ranges::all_of(bands, [](const NestBand& band) {

@@ -35,7 +35,7 @@ struct Laid {
     double right() const { return x + shape->box.right; }
 };
 
-/// What lies somewhere along the strip, by where it begins.
+/// Copies and obstacles along the strip, sorted by their start.
 class LaidAlong {
 public:
     explicit LaidAlong(double cell) : cell_(cell) {}
@@ -48,7 +48,7 @@ public:
         end_ = std::max(end_, laid.right());
     }
     double end() const { return end_; }
-    /// Each that reaches into this, in some order.
+    /// Calls `does` for each that intersects the range, in any order.
     template <typename Does>
     void forEach(double left, double right, Does does) const {
         const std::size_t last = std::min(cellOf(right) + 1, cells_.size());
@@ -74,8 +74,8 @@ private:
 constexpr Patience kCrowded{60, 2};
 constexpr std::int64_t kMaxEvaluations = 200'000;
 
-/// A nest on cloth that ends, for copies that laying one after the other found no room for: from
-/// these poses, overlaps allowed, by separation. None where that has not found one after a while.
+/// A nest on limited cloth, for copies for which sequential placement found no room: from these
+/// poses, overlaps allowed, by separation. Nothing if that fails after a while.
 std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>& poses,
                                  const Progress& progress) {
     const double end = problem.stretches.back().to;
@@ -97,21 +97,20 @@ std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>
                : std::nullopt;
 }
 
-constexpr int kTurnsTried = 8;         // of shapes that turn freely, to each side
-constexpr double kApart = 1e-6;        // mm: more than rounding moves
-constexpr std::size_t kMostRows = 60;  // that a copy is tried at
-constexpr int kEvenRows = 20;          // and beside obstacles
-/// Of more copies, one is looked for a place for only from near the last one like it on, in fewer
-/// rows: all else was tried for that.
+constexpr int kTurnsTried = 8;         // rotations per side, for shapes that turn freely
+constexpr double kApart = 1e-6;        // mm: exceeds rounding
+constexpr std::size_t kMostRows = 60;  // rows at which a copy is tried
+constexpr int kEvenRows = 20;          // rows added beside obstacles
+/// For more copies than this, a place is searched only from near the last copy of the same item on,
+/// in fewer rows: all else was tried for that one.
 constexpr std::size_t kManyCopies = 150, kMaxRowsOfMany = 30;
-constexpr int kOrdersTried = 8;         // where the cloth ends
+constexpr int kOrdersTried = 8;         // if the cloth ends
 constexpr double kMinStepShare = 1e-3;  // of the strip's width
 
-/// Lays one after the other.
+/// Places copies one after the other.
 class FirstNest {
 public:
-    /// @param byBoxes  no box reaches into another: for shapes that meet in a way that only exact
-    /// arithmetic sees
+    /// @param byBoxes  keep boxes apart: for shapes whose overlap only exact arithmetic detects
     FirstNest(const Problem& problem, bool byBoxes, const Progress& progress)
         : problem_(problem),
           progress_(progress),
@@ -121,7 +120,7 @@ public:
           laid_(problem.width() / 8),
           nearest_(problem.items.size()) {}
 
-    /// The copy that found no room, or none.
+    /// Returns the copy that found no room, or nothing.
     std::optional<std::size_t> lay(const std::vector<std::size_t>& order) {
         for (const std::size_t copy : order) {
             const Item& item = problem_.itemOf(copy);
@@ -144,13 +143,13 @@ public:
 private:
     bool areMany() const { return poses_.size() > kManyCopies; }
 
-    /// Where to look for a place from: the left of a copy's box.
+    /// Where the search for a place starts: the left of a copy's box.
     double from(std::size_t copy, const Shape& shape) const {
         const double last = nearest_[static_cast<std::size_t>(problem_.copies[copy].item)];
         return std::max(problem_.low, areMany() ? last - (shape.box.right - shape.box.left) : 0);
     }
 
-    /// Of all angles and rows the place that ends first, then lowest.
+    /// Over all angles and rows, the place that ends first, then lowest.
     std::optional<Pose> bestPose(std::size_t copy) {
         const Item& item = problem_.itemOf(copy);
         std::optional<Pose> best;
@@ -180,7 +179,7 @@ private:
         return best || item.tolerance == 0 ? best : upright(copy);
     }
 
-    /// One whose only fitting turns are between those tried: at the finest steps, past all others.
+    /// For a copy that only fits between the rotations tried: finest steps, beyond the others.
     std::optional<Pose> upright(std::size_t copy) const {
         const Item& item = problem_.itemOf(copy);
         const double right = std::max(problem_.low, laid_.end()) + kApart;
@@ -205,7 +204,7 @@ private:
         return best;
     }
 
-    /// Where it would lie on the edges or on, or under, the boxes of others, as its rules allow.
+    /// Allowed rows where it touches the edges, or the boxes of others from above or below.
     std::vector<double> rowsFor(const Item& item, const Shape& shape, const Pose& pose,
                                 double from) const {
         const double bottom = shape.box.bottom, top = shape.box.top;
@@ -243,7 +242,7 @@ private:
         }
         std::vector<double> list(places.begin(), places.end());
         const std::size_t limit = areMany() ? kMaxRowsOfMany : kMostRows;
-        if (list.size() > limit) {  // evenly chosen, with the edges
+        if (list.size() > limit) {  // evenly chosen, including the edges
             for (std::size_t k = 0; k < limit; ++k) {
                 list[k] = list[k * (list.size() - 1) / (limit - 1)];
             }
@@ -252,8 +251,8 @@ private:
         return list;
     }
 
-    /// As far left as it goes along a row from there on, by way of the ends of the boxes that it
-    /// hits; infinite where there is no place that ends before `enough`.
+    /// The leftmost place along a row from there on, skipping past the boxes that it hits; infinite
+    /// if there is no place that ends before `enough`.
     double leftmost(std::size_t copy, const Shape& shape, const Pose& row, double from,
                     double enough) const {
         const Item& item = problem_.itemOf(copy);
@@ -282,7 +281,7 @@ private:
             }
             const double further =
                 nextAlong(problem_, track, shape, after > x ? after : std::nextafter(x, HUGE_VAL));
-            // On a track the nearest place may be this one again.
+            // On a track the closest place may be this one again.
             x = further > x ? further : nextAlong(problem_, track, shape, x + 2 * kApart);
         }
         return HUGE_VAL;
@@ -312,10 +311,10 @@ private:
     std::vector<Pose> poses_;
     std::vector<Shape> owned_;
     LaidAlong laid_;
-    std::vector<double> nearest_;  ///< where the last of an item begins
+    std::vector<double> nearest_;  ///< start of the last copy of each item
 };
 
-/// The fixed ones, then the largest.
+/// The fixed copies first, then the largest.
 std::vector<std::size_t> orderOf(const Problem& problem) {
     std::vector<std::size_t> order(problem.copies.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -328,7 +327,7 @@ std::vector<std::size_t> orderOf(const Problem& problem) {
     return order;
 }
 
-/// A first nest, valid: the largest copies first, each as far to the left as it goes.
+/// A first valid nest: the largest copies first, each as far to the left as possible.
 /// Errors: PageTooSmall naming the item of a copy that finds no room; Cancelled.
 Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
                         const Progress& progress) {
@@ -355,7 +354,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
         if (!failed) {
             break;
         }
-        // What found no room goes first.
+        // Try the copy that found no room first.
         const auto first = std::ranges::find_if(order, isMovable);
         const auto at = std::ranges::find(order, *failed);
         if (first == at) {
@@ -383,7 +382,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
 namespace toile {
 namespace {
 
-constexpr int kCompressEvery = 5;  // rounds, where exploring is stuck
+constexpr int kCompressEvery = 5;  // rounds, if exploring makes no progress
 constexpr int kMaxSearches = 64;
 
 }  // namespace
@@ -409,7 +408,7 @@ struct Nester::State {
         best.optimal = found.poses.empty() || !(found.length > problem.leastLength * (1 + 1e-12));
     }
 
-    /// The searches side by side, as many at once as there are threads.
+    /// Runs the searches in parallel, as many at once as there are threads.
     void run(bool mayCompress, const Progress& progress) {
         std::atomic<std::size_t> next{0};
         const auto work = [&] {

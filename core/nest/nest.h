@@ -13,10 +13,10 @@
 
 namespace toile {
 
-/// Lays shapes on a strip of given width as densely as it can ([GVW25]): the strip runs along x
+/// Places shapes on a strip of given width as densely as possible ([GVW25]): the strip runs along x
 /// from 0, its width along y from 0. All lengths in mm, angles in radians.
 
-/// Where a copy lies: a point p of its shape is mirrored (x changes its sign), then turned
+/// The placement of a copy: a point p of its shape is mirrored (x changes its sign), then turned
 /// anti-clockwise, then moved.
 struct NestPlacement {
     int item = 0;
@@ -27,43 +27,43 @@ struct NestPlacement {
     bool operator==(const NestPlacement&) const = default;
 };
 
-/// Where a point of a shape may lie, as on cloth with stripes: per axis at `phase` and whole
+/// Allowed positions of a point of a shape, as on cloth with stripes: per axis at `phase` and whole
 /// multiples of `step` from there (to a millionth of a mm). A step of 0: anywhere along that axis;
-/// an infinite one: only there.
+/// an infinite one: only at `phase`.
 struct NestLattice {
     Eigen::Vector2d anchor, phase, step;  ///< the anchor in the shape's own coordinates
 };
 
-/// A shape and how its copies may lie.
+/// A shape and the constraints on its copies.
 struct NestItem {
     std::string name;
     /// The outline, then its holes; closed, first point not repeated, either winding. No ring
     /// crosses itself or another; the holes lie inside.
     std::vector<geometry::Polygon> rings;
     int demand = 1;                 ///< copies
-    std::vector<double> angles{0};  ///< by which it may be turned; at least one
-    double tolerance = 0;           ///< and so much more, to both sides; from pi on: freely
+    std::vector<double> angles{0};  ///< allowed rotations; at least one
+    double tolerance = 0;           ///< further rotation to either side; from pi on: freely
     bool mayMirror = false;
-    /// Where its one copy lies, whatever angles and lattice say. `item` is not looked at.
+    /// Fixed placement of its one copy, overriding angles and lattice. `item` is ignored.
     std::optional<NestPlacement> fixed{};
     std::optional<NestLattice> lattice{};
-    /// Its lowest point lies on the strip's edge at y = 0, a fold, where no border is kept; across
-    /// the strip the lattice says nothing, and it turns by no tolerance. A fixed one may lie above.
+    /// Its lowest point lies on the strip's edge at y = 0, a fold, without a border; across the
+    /// strip the lattice is ignored, and so is the tolerance. A fixed copy can lie above.
     bool touchesEdge = false;
 };
 
-/// Where copies may not lie: a hole of the cloth, or a rectangle with a hide as its hole. The
-/// border is kept from it where nothing else is said, but no gap. Obstacles may lie on each other
-/// and beyond the strip, and count as cloth in what is used.
+/// An area where copies may not lie: a hole of the cloth, or a rectangle with a hide as its hole.
+/// Copies keep the border from it unless `apart` is set, but no gap. Obstacles may overlap and
+/// extend beyond the strip, and count as cloth in `use`.
 struct NestObstacle {
     std::string name;
-    std::vector<geometry::Polygon> rings;  ///< as those of an item
-    std::vector<int> items;                ///< that may not lie there; empty: none may
-    std::optional<double> apart{};         ///< kept from it instead of the border
+    std::vector<geometry::Polygon> rings;  ///< like those of an item
+    std::vector<int> items;                ///< that must avoid it; empty: all items
+    std::optional<double> apart{};         ///< distance to it instead of the border
 };
 
-/// A stretch of the strip where nothing lies, between sheets laid one after the other: from <= to,
-/// and `to` may be infinite, where the cloth ends. The border is kept from its ends.
+/// A range of the strip where nothing may lie, between consecutive sheets: from <= to, and `to` may
+/// be infinite at the end of the cloth. Copies keep the border from its ends.
 struct NestBand {
     double from = 0, to = 0;
 };
@@ -77,15 +77,15 @@ struct NestInstance {
 };
 
 struct NestOptions {
-    double gap = 0;     ///< between two copies at least
-    double border = 0;  ///< between a copy and the edges of the strip, also at both its ends
+    double gap = 0;     ///< minimum distance of two copies
+    double border = 0;  ///< distance of copies to the edges of the strip, also at both its ends
     std::uint64_t seed = 1;
-    /// Searches that go on side by side, and share the best after each round. The nest depends on
-    /// their number, and so it is stated, and never that of the machine's cores.
+    /// Searches that run in parallel and share the best nest after each round. The nest depends on
+    /// their number, so it is an explicit option and not the machine's number of cores.
     int searches = 2;
-    /// Places that each search looks at in a round; states the nest, too.
+    /// Places that each search tries in a round; the nest depends on it, too.
     std::int64_t evaluations = 50'000;
-    int threads = 0;  ///< to work with, 0: as the machine has; the nest does not depend on it
+    int threads = 0;  ///< number of threads, 0: all cores; does not affect the nest
 };
 
 struct NestResult {
@@ -93,29 +93,27 @@ struct NestResult {
     double length = 0;                      ///< of the strip, with the border at its end
     double use = 0;                         ///< area of the shapes / (width x length)
     int rounds = 0;
-    bool valid = false;    ///< nothing overlaps and all is inside, by exact arithmetic
-    bool optimal = false;  ///< as short as the areas and sizes let any nest be: no use to go on
+    bool valid = false;    ///< by exact arithmetic, nothing overlaps and all is inside
+    bool optimal = false;  ///< as short as areas and sizes allow: stop searching
 };
 
-/// The rings of an item as they lie; whole quarter turns without rounding.
+/// The rings of an item as placed; whole quarter turns without rounding.
 std::vector<geometry::Polygon> placedRings(const NestItem& item, const NestPlacement& placement);
 
-/// The error of Nester::make where more copies are asked for than are laid at once.
+/// The error of Nester::make if more copies are requested than are supported.
 std::optional<Error> wrongCopies(const std::string& name, std::int64_t copies);
 
-/// Improves a nest round by round, for as long as one lets it. After round k the nest depends on
-/// instance and options alone, and of these not on `threads`. The best so far is valid from the
-/// start.
+/// Improves a nest round by round, as long as the caller continues. After round k the nest depends
+/// on instance and options alone, but not on `threads`. The best so far is valid from the start.
 class Nester {
 public:
-    /// With a first nest, laid one by one. The instance is kept.
-    /// Errors: PageTooSmall naming the item that does not fit the strip at any of its angles or
-    /// finds no room, or the instance where width, gap and border leave no strip; MalformedFile
-    /// naming an item without an area, with an unusable ring, number, lattice or angle, or a fixed
-    /// one that lies outside, in a band, on an obstacle or on another fixed one; MalformedFile
-    /// naming an obstacle with unusable rings, the instance with an unusable band or with more
-    /// copies than are laid at once; Cancelled. What has no copies is not looked at. Cost: about
-    /// n^2 m in n copies, m points each, and m^2.
+    /// Creates a first nest, one copy at a time. The instance is copied. Errors: PageTooSmall
+    /// naming the item that does not fit the strip at any of its angles or finds no room, or the
+    /// instance if width, gap and border leave no strip; MalformedFile naming an item without an
+    /// area, with an unusable ring, number, lattice or angle, or a fixed one that lies outside, in
+    /// a band, on an obstacle or on another fixed one; MalformedFile naming an obstacle with
+    /// unusable rings, the instance with an unusable band or with too many copies; Cancelled. Items
+    /// without copies are not checked. Cost: about n^2 m in n copies, m points each, and m^2.
     static Result<Nester> make(NestInstance instance, const NestOptions& options,
                                const Progress& progress = {});
     ~Nester();
@@ -124,8 +122,8 @@ public:
 
     const NestInstance& instance() const;
     const NestResult& best() const;
-    /// One round: a fixed amount of search, usually about a tenth of a second for each search. A
-    /// cancelled round adds nothing to the best.
+    /// Runs one round: a fixed amount of search, usually about a tenth of a second for each search.
+    /// A cancelled round does not change the best nest.
     void step(const Progress& progress);
 
 private:

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// Light enough for black lines, told apart when two lie side by side.
+/// Light enough for black lines, and distinguishable side by side.
 constexpr std::array kItemColours{"#a8c8e8", "#f2c6a0", "#b5d8b0", "#e8b4bc", "#d0c4e6", "#ece2a0",
                                   "#a6d8d4", "#d8c4b0", "#c8d0d8", "#e4c0e0", "#cfe0a4", "#f0b8a4"};
 constexpr double kStrokeShare = 0.002;  // of the strip's width

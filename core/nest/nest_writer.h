@@ -7,12 +7,12 @@
 
 namespace toile {
 
-/// A nest as JSON: what it measures, and where each copy lies, angles in degrees. No time in it:
-/// the same nest has the same bytes.
+/// A nest as JSON: its measures and the placement of each copy, angles in degrees. Without times,
+/// so that the same nest gives the same bytes.
 std::string nestReport(const NestInstance& instance, const NestOptions& options,
                        const NestResult& result);
 
-/// A picture of it as SVG, in mm: the strip along x, an item a colour.
+/// A picture of the nest as SVG, in mm: the strip along x, one colour per item.
 std::string nestPicture(const NestInstance& instance, const NestResult& result);
 
 }  // namespace toile

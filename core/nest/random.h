@@ -6,12 +6,12 @@
 
 namespace toile::nest {
 
-/// A generator whose numbers are the same everywhere (SplitMix64), as the distributions of the
-/// standard library are not.
+/// A random generator with the same numbers on every platform (SplitMix64), unlike the
+/// distributions of the standard library.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : state_(seed) {}
-    /// Another stream for each of three numbers.
+    /// A different stream for each triple of numbers.
     Random(std::uint64_t seed, std::uint64_t a, std::uint64_t b) : state_(seed) {
         state_ = next() ^ (a * 0xd1342543de82ef95u);
         state_ = next() ^ (b * 0xda942042e4dd58b5u);
@@ -27,7 +27,7 @@ public:
     /// In [0, 1).
     double share() { return static_cast<double>(next() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + share() * (high - low); }
-    /// One of 0 to count - 1; count > 0.
+    /// A number from 0 to count - 1; count > 0.
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
 
 private:

@@ -7,13 +7,13 @@
 namespace toile::nest {
 namespace {
 
-constexpr double kOffTrack = 1e-6;  // mm: so near to it is on it
+constexpr double kOffTrack = 1e-6;  // mm: closer counts as on the track
 
 bool isWithin(double at, double least, double most, double from, double to) {
     return at + least >= from && at + most <= to;
 }
 
-/// Anywhere between the walls.
+/// Any position between the walls.
 bool clampBetween(double least, double most, double from, double to, double& at) {
     if (!(most - least <= to - from)) {
         return false;
@@ -79,7 +79,7 @@ bool moveBetween(const Track& track, double least, double most, double from, dou
             }
         }
     }
-    // What rounding put beyond a wall goes back.
+    // Move places back that rounding put beyond a wall.
     double inside = best;
     if (!std::isfinite(best) || !clampBetween(least, most, from, to, inside) ||
         !(std::abs(inside - best) <= kOffTrack / 2)) {

@@ -13,9 +13,9 @@
 namespace toile::nest {
 namespace {
 
-constexpr std::size_t kRefined = 3;                // of the best places
+constexpr std::size_t kRefined = 3;                // number of best places
 constexpr double kGrowth = 1.1, kShrinking = 0.5;  // of the steps of a descent
-/// First and last step of a descent, as shares of the box's smaller side; of turns, in radians.
+/// First and last step of a descent, as shares of the box's smaller side; rotations in radians.
 struct Steps {
     double first, last, firstTurn, lastTurn;
 };
@@ -27,7 +27,7 @@ struct Tried {
     double loss = HUGE_VAL;
 };
 
-/// The best few places, none of them next to another; those not yet found have no finite loss.
+/// The best few places, none adjacent to another; unused entries have infinite loss.
 class BestPlaces {
 public:
     explicit BestPlaces(double apart) : apart_(apart) {}
@@ -106,7 +106,7 @@ public:
         return evaluate(shape, pose, enough);
     }
 
-    /// Two steps opposite each other along a way chosen at random, again and again.
+    /// Tries two opposite steps in a random direction, repeatedly.
     void descend(Tried& best, const Steps& steps) {
         const bool turns = item_.tolerance > 0;
         double stepX = steps.first * side_, stepY = stepX, stepTurn = steps.firstTurn;
@@ -130,7 +130,7 @@ public:
                 }
             }
             const double factor = isBetter ? kGrowth : kShrinking;
-            // A slanting way changes both a little less.
+            // A diagonal step changes both by a little less.
             const double both = isBetter ? 1.0488088481701516 : 0.7071067811865476;
             stepX *= x == 0 ? 1 : y == 0 ? factor : both;
             stepY *= y == 0 ? 1 : x == 0 ? factor : both;
@@ -174,7 +174,7 @@ constexpr double kFirstSqueeze = 0.0005, kMinSqueeze = 0.00001, kSqueezeFading =
 constexpr double kShareOfLarge = 0.75;  // of the hulls' area
 constexpr std::size_t kMaxFailed = 50;
 constexpr Patience kHasty{15, 1}, kExploring{100, 3}, kCompressing{60, 2};
-constexpr int kEasyPasses = 6;  // after so few a longer step is tried
+constexpr int kEasyPasses = 6;  // after so few passes try a longer step
 
 std::vector<std::size_t> largeCopies(const Problem& problem) {
     std::vector<std::size_t> copies;
@@ -199,8 +199,8 @@ std::vector<std::size_t> largeCopies(const Problem& problem) {
     return copies;
 }
 
-/// Moves a copy to the best place found, where that is better than the present one.
-/// @param evaluations  counts the places that were looked at
+/// Moves a copy to the best place found if that is better than the present one.
+/// @param evaluations  counts the places tried
 void findBetterPlace(Lay& lay, std::size_t copy, const PlaceSearch& search, Random& random,
                      std::int64_t& evaluations) {
     PlaceFinder finder(lay, copy, random, evaluations);
@@ -334,7 +334,7 @@ void Search::afterFailure() {
     exploring_.begin(poses, exploring_.lay().length(), kExploring);
 }
 
-/// Two large copies of different items change places.
+/// Swaps two large copies of different items.
 void Search::disturb(std::vector<Pose>& poses) {
     if (large_.empty()) {
         return;
@@ -367,7 +367,7 @@ void Search::swapTwo(std::vector<Pose>& poses, std::size_t a, std::size_t b) {
     poses[b].y += ay - by;
 }
 
-/// Cuts a little out of the best nest at a place chosen at random.
+/// Shortens the best nest a little at a random place.
 void Search::beginCompression() {
     const double length = std::max(best_.length * (1 - squeeze_), problem_->leastLength);
     const double at = random_.between(0, best_.length);
@@ -424,7 +424,7 @@ void Search::run(std::int64_t evaluations, bool mayCompress, const Progress& pro
     if (!compresses) {
         return;
     }
-    // What was found by compressing is shorter than what exploring was after?
+    // Is the nest found by compressing shorter than the target of exploring?
     if (!(exploring_.lay().length() < best_.length)) {
         shrink();
     }

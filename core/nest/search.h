@@ -10,20 +10,19 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// How wide a copy looks, before the best places are refined by descent along one way after the
-/// other, for a better place ([GVW25]).
+/// How many places a copy tries before the best are refined by coordinate descent ([GVW25]).
 struct PlaceSearch {
     int anywhere = 50;  ///< places tried in the whole strip
-    int around = 25;    ///< and within the present box
+    int around = 25;    ///< and within the current box
 };
 
-/// How long an attempt goes on.
+/// Limits of an attempt.
 struct Patience {
     int passes = 200;  ///< without a smaller loss, before a strike
-    int strikes = 3;   ///< in a row that gained less than 2 %, before it fails
+    int strikes = 3;   ///< consecutive ones that gained less than 2 %, before it fails
 };
 
-/// Takes the overlaps out of a lay by guided local search ([GVW25]), pass by pass.
+/// Removes the overlaps of a layout by guided local search ([GVW25]), pass by pass.
 class Separation {
 public:
     enum class Outcome { Going, Separated, Failed };
@@ -32,12 +31,12 @@ public:
         : lay_(problem, poses, length) {}
 
     void begin(const std::vector<Pose>& poses, double length, const Patience& patience);
-    /// Every copy that collides looks once for a better place.
+    /// Each colliding copy searches once for a better place.
     Outcome pass(Random& random, std::int64_t& evaluations, const Progress& progress);
 
     const Lay& lay() const { return lay_; }
     int passes() const { return passes_; }
-    /// The state with the least loss so far.
+    /// The state with the smallest loss so far.
     const std::vector<Pose>& best() const { return best_; }
     double leastLoss() const { return leastLoss_; }
 
@@ -56,17 +55,17 @@ struct Found {
     double length = 0;  ///< where the last copy ends
 };
 
-/// One of the searches that go on side by side: explores ever shorter strips, and compresses its
-/// best nest where that has not helped for a while ([GVW25]).
+/// One of the parallel searches: explores ever shorter strips, and compresses its best nest if that
+/// has not helped for a while ([GVW25]).
 class Search {
 public:
     Search(const Problem& problem, const Found& start, Random random);
 
     const Found& best() const { return best_; }
-    /// Goes on from this nest, unless it is after a shorter one already.
+    /// Continues from this nest, unless it already targets a shorter one.
     void adopt(const Found& found);
-    /// So much search; the rest of a pass at most longer.
-    /// @param mayCompress  in this round
+    /// Searches for this many evaluations, plus at most the rest of a pass.
+    /// @param mayCompress  allowed in this round
     void run(std::int64_t evaluations, bool mayCompress, const Progress& progress);
 
 private:
@@ -89,11 +88,11 @@ private:
     Random random_;
     std::vector<std::size_t> large_;  ///< copies that make up most of the hulls' area
     Separation exploring_, compressing_;
-    std::vector<FailedState> failed_;  ///< at the present length, least loss first
-    double step_;                      ///< by which a strip is shortened next, as a share
+    std::vector<FailedState> failed_;  ///< at the current length, smallest loss first
+    double step_;                      ///< share by which the strip is shortened next
     double squeeze_;                   ///< the same when compressing
     bool isStuck_ = false;             ///< the last attempt to explore failed
-    bool compresses_ = false;          ///< has begun to, from the best as it is
+    bool compresses_ = false;          ///< has started compressing, from the current best
     std::int64_t evaluations_ = 0;
 };
 

@@ -16,21 +16,21 @@ namespace {
 using Eigen::Vector2d;
 using geometry::Polygon;
 
-/// How many circles at most until so much of the area is covered ([GVW25]).
+/// Maximum number of circles until this share of the area is covered ([GVW25]).
 constexpr std::array<std::pair<std::size_t, double>, 3> kCircleLimits{
     {{64, 0.0}, {16, 0.8}, {8, 0.9}}};
 constexpr std::size_t kLanes = 4;
 
-constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;   // a shape of more has fewer
-constexpr double kMostSlack = 0.5, kMostSlackShare = 0.001;  // mm, and of the diameter
-constexpr double kNearHullShare = 1e-9;                      // of it: within rounding
+constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;   // larger shapes are simplified
+constexpr double kMostSlack = 0.5, kMostSlackShare = 0.001;  // mm, and share of the diameter
+constexpr double kNearHullShare = 1e-9;                      // of the diameter: within rounding
 
 struct Circle {
     Vector2d centre;
     double radius = 0;
 };
 
-/// How far a point is inside the area and outside the circles; negative: it is not.
+/// Distance to the boundary and the circles; negative outside the area or in a circle.
 double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& circles) {
     double square = HUGE_VAL;
     bool isIn = false;
@@ -52,7 +52,7 @@ double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& 
     return room;
 }
 
-/// The largest circle in what is left, to 2 %: by halving squares, the most promising first.
+/// The largest circle in the remaining area, to 2 %: subdivides squares, most promising first.
 Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
     constexpr double kTolerance = 0.02;
     constexpr int kMostSquares = 2000;

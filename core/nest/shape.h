@@ -14,40 +14,40 @@ struct Box {
 };
 
 /// Circles inscribed in a shape one after the other, largest first, in single precision and padded
-/// to a multiple of four by circles without a size: they only rank.
+/// to a multiple of four by circles of size zero: used only for ranking.
 struct Circles {
     std::vector<float> x, y, radius;
 };
 
-/// A shape at one angle, as the search looks at it: about its own origin. One of many points is
-/// looked at with fewer of them, around it; its box stays that of the shape itself.
+/// A shape at one angle for the search, about its own origin. A shape of many points is replaced by
+/// a simpler one around it; its box remains that of the shape itself.
 struct Shape {
     std::vector<double> x, y;        ///< of all points, ring after ring
     std::vector<int> next;           ///< the point after each in its ring
     std::vector<int> ringStarts;     ///< the first point of each ring
-    std::vector<double> rimX, rimY;  ///< around the shape itself, where it has fewer points here
-    double slack = 0;                ///< how far these may lie beyond the box
+    std::vector<double> rimX, rimY;  ///< of the shape itself, if it is simplified here
+    double slack = 0;                ///< how far the simplified points may lie outside the box
     Circles circles;
     Box box;
     double area = 0;
     double hullRoot = 0;      ///< the square root of the area of its convex hull
     double diameter = 0;      ///< of the box
-    std::vector<Shape> bare;  ///< without the gap, where obstacles ask for it; else none
+    std::vector<Shape> bare;  ///< without the gap, if obstacles need it; else empty
 };
 
-/// As obstacles see it.
+/// The shape for tests with obstacles.
 inline const Shape& bareOf(const Shape& shape) {
     return shape.bare.empty() ? shape : shape.bare.front();
 }
 
-/// Takes time: the circles are searched. Precondition: the outline has an area.
+/// Slow: searches the circles. Precondition: the outline has an area.
 Shape makeShape(const Rings& rings);
-/// The same, turned: quarter turns without rounding.
+/// Rotates the shape: quarter turns without rounding.
 void turn(const Shape& shape, double angle, Shape& turned);
 
-/// Cosine and sine; of whole quarter turns exactly.
+/// Cosine and sine; exact for whole quarter turns.
 Eigen::Vector2d wayOf(double angle);
-/// The points of a convex hull, and those whose triangle with its sides is less than `near`.
+/// The corners of a convex hull, and points that close: twice their triangle's area below `near`.
 std::vector<Eigen::Vector2d> hullOf(const geometry::Polygon& points, double near);
 
 }  // namespace toile::nest

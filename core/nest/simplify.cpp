@@ -14,10 +14,10 @@ using Eigen::Vector2d;
 using geometry::cross;
 using geometry::Polygon;
 
-/// What can be done at a corner: leave it out or, with the one after it, move it to `to`.
+/// A possible change at a corner: remove it or, with the one after it, move it to `to`.
 struct Cut {
-    double area = HUGE_VAL;  ///< that is added; infinite: nothing can
-    double off = 0;          ///< how far from the true outline this then is
+    double area = HUGE_VAL;  ///< added area; infinite: not possible
+    double off = 0;          ///< distance from the true outline afterwards
     bool isExtended = false;
     Vector2d to = Vector2d::Zero();
 };
@@ -110,7 +110,7 @@ private:
         return cut;
     }
 
-    /// Whether a new side meets one that it is not next to.
+    /// Whether a new side touches none but its neighbours.
     bool isFree(const Vector2d& from, const Vector2d& to) const {
         const Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
         for (std::size_t k = 0; k < at_.size(); ++k) {
@@ -135,7 +135,7 @@ private:
     bool apply(std::size_t k, const Cut& cut) {
         const std::size_t last = last_[k], next = next_[k];
         const Vector2d before = at_[k], beforeNext = at_[next];
-        if (cut.isExtended) {  // the side is a point for the while
+        if (cut.isExtended) {  // the side temporarily shrinks to a point
             at_[k] = at_[next] = cut.to;
             if (!isFree(at_[last], cut.to) || !isFree(cut.to, at_[next_[next]])) {
                 at_[k] = before;

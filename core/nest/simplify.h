@@ -6,10 +6,10 @@
 // For the sources of this folder only.
 namespace toile::nest {
 
-/// Rings of fewer points around the same area and at most `tolerance` mm of what is beside it:
-/// hollow corners are cut off, and sides left out whose neighbours meet beyond them, for the least
-/// area first, until there are `enough` points. What would then touch itself stays as it is.
-/// Precondition: wound. Cost: the square of the points.
+/// Simplifies rings to fewer points that enclose the same area, extended by at most `tolerance` mm:
+/// cuts off concave corners, and removes sides whose neighbours meet beyond them, smallest added
+/// area first, until `enough` points are left. Skips changes that make a ring touch itself.
+/// Precondition: oriented. Cost: quadratic in the points.
 Rings simplified(const Rings& rings, double tolerance, std::size_t enough);
 
 }  // namespace toile::nest
