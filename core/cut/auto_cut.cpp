@@ -15,13 +15,13 @@
 namespace toile {
 namespace {
 
-/// Along a fold of a right angle or more a seam counts as this much shorter than it is.
+/// Along a fold of a right angle or more a seam counts as shorter than it is, by this factor.
 constexpr double kCreaseDiscount = 0.6;
 /// A fold from this angle on is a crease.
 constexpr double kCrease = std::numbers::pi / 6;
-/// Keeps cuts off the rims of holes that are to be filled, and out of their caps.
+/// Keeps cuts away from the rims of holes to be filled, and out of their caps.
 constexpr double kKeepOff = 1e3;
-/// Of the time, about, until the ways are found, and until they are tight.
+/// Approximate shares of the time until the paths are found, and until they are tight.
 constexpr double kGraphShare = 0.3;
 constexpr double kTightShare = 0.6;
 
@@ -68,7 +68,7 @@ public:
     }
 
 private:
-    /// Openings to be joined by seams, and holes to be filled.
+    /// Finds openings to join by seams, and holes to fill.
     std::optional<Error> findLoops() {
         SortedLoops loops = sortLoops(links_, options_.smallHole);
         openings_ = std::move(loops.openings);
@@ -105,7 +105,7 @@ private:
         return weights;
     }
 
-    /// More than half of the way runs along creases.
+    /// Whether more than half of the path runs along creases.
     bool followsCrease(const std::vector<int>& way) const {
         double creased = 0;
         double whole = 0;
@@ -130,7 +130,7 @@ private:
         });
     }
 
-    /// Takes the cuts that were pulled tight, all of them or as many as leave one disk.
+    /// Takes over the tightened cuts: all of them, or as many as leave one disk.
     void adopt(const std::vector<PathPolyline>& tight) {
         const std::vector<PathPolyline> safe = proposal_.cuts;
         const auto take = [&](std::size_t i) {
@@ -153,7 +153,7 @@ private:
         }
     }
 
-    /// Why the cuts do not leave one disk; the shape of its triangles is not theirs to repair.
+    /// Why the cuts do not leave one disk; badly shaped triangles are not a reason here.
     std::optional<Error> whatIsNoDisk() const {
         const auto cut = applyAutoCut(mesh_, proposal_, {}, progress_);
         if (!cut) {

@@ -26,7 +26,7 @@ std::optional<Error> whyNotCuttable(const SurfaceLinks& links) {
     return std::nullopt;
 }
 
-/// The path's vertices once it is part of the mesh.
+/// Inserts a path into the mesh and returns its vertices.
 Result<std::vector<int>> embed(FaceParts& parts, const PathPolyline& path,
                                const Progress& progress) {
     const SurfaceLinks& links = parts.links();
@@ -59,7 +59,7 @@ Result<std::vector<int>> embed(FaceParts& parts, const PathPolyline& path,
     return vertices;
 }
 
-/// The edges of all paths, as they are now.
+/// The current edges of all paths.
 std::set<FaceParts::VertexPair> edgesOf(const FaceParts& parts,
                                         const std::vector<std::vector<int>>& ways) {
     std::set<FaceParts::VertexPair> edges;
@@ -96,24 +96,23 @@ MeshArrays assemble(const FaceParts& parts, std::vector<int>& sourceFace) {
     return mesh;
 }
 
-/// An edge that a path has cut although its two sides still have both ends in common: a vertex
-/// between them is missing.
+/// A cut edge whose two sides still share both ends: it needs a vertex in between.
 struct ShutEdge {
     int from, to;
-    int face;  ///< the first of the two at it
+    int face;  ///< the first of the two at this edge
 };
 
-/// A mesh parted along edges.
+/// A mesh separated along edges.
 struct OpenedMesh {
     MeshArrays mesh;
-    std::vector<int> copyOf;  ///< per vertex beyond those of the input: which one it copies
+    std::vector<int> copyOf;  ///< per vertex beyond those of the input: the one that it copies
     std::vector<OpenedCut> cuts;
     std::vector<ShutEdge> stillShut;
 };
 
-/// Parts a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided into
-/// as many copies as the cuts divide the triangles around it into groups; the first keeps its
-/// number. Rim edges and edges cut by an earlier path are left out. Cost: linear.
+/// Separates a mesh along paths of vertices, neighbours joined by an edge. Every vertex is divided
+/// into as many copies as the cuts divide the triangles around it into groups; the first keeps its
+/// index. Rim edges and edges cut by an earlier path are skipped. Cost: linear.
 class Opener {
 public:
     /// @param result  with the mesh
@@ -141,7 +140,7 @@ private:
     using Vertex = TriMesh::VertexHandle;
     using Halfedge = OpenMesh::SmartHalfedgeHandle;
 
-    /// The half-edges along a path; invalid where it runs along a rim or an earlier cut.
+    /// The half-edges along a path; invalid ones along a rim or an earlier cut.
     std::vector<Halfedge> collect(const std::vector<int>& path) {
         std::vector<Halfedge> steps;
         for (std::size_t i = 1; i < path.size(); ++i) {
@@ -155,7 +154,7 @@ private:
         return steps;
     }
 
-    /// Afterwards the half-edges of either side of a cut point to the copies on that side.
+    /// Then the half-edges of either side of a cut point to the copies on that side.
     void partVertices() {
         MeshArrays& mesh = result_.mesh;
         const auto sourceCount = static_cast<int>(mesh.V.rows());
@@ -183,7 +182,7 @@ private:
         }
     }
 
-    /// Gives a vertex to a corner and to all that are joined to it by closed edges.
+    /// Assigns a vertex to a corner and to all others joined to it by closed edges.
     void giveFan(Halfedge corner, Vertex own, std::vector<char>& isDone) {
         Halfedge at = corner;
         while (isOpen_[at.edge().idx()] == 0 && at.opp().prev() != corner) {
@@ -248,7 +247,7 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     std::vector<std::vector<int>> ways;
     std::vector<std::optional<Error>> errors;
     for (const PathPolyline& path : paths) {
-        std::optional<FaceParts> before;  // where the path may be taken back
+        std::optional<FaceParts> before;  // to undo the path if it fails
         if (options.leavesOut) {
             before = parts;
         }
@@ -279,8 +278,7 @@ Result<CutResult> cutAlong(const MeshArrays& mesh, const std::vector<PathPolylin
     };
     OpenedMesh opened = open();
     if (!opened.stillShut.empty()) {
-        // A new vertex has the cut on both sides and nothing else, so that it parts: once is
-        // enough.
+        // A new vertex is surrounded by the cut alone, so that it separates: once is enough.
         for (const ShutEdge& edge : opened.stillShut) {
             parts.splitEdge(result.sourceFace[edge.face], edge.from, edge.to, 0.5);
         }

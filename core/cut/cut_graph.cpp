@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-/// A vertex with at least this much of its full turn missing is a corner that a seam should reach.
+/// A vertex that lacks at least this much of a full turn is a corner that a seam should reach.
 constexpr double kSharpVertex = std::numbers::pi / 5;
 constexpr int kMaxPeaks = 16;
 constexpr int kBasePointsTried = 6;
@@ -24,7 +24,7 @@ struct Candidate {
     int edge;
 };
 
-/// From source to source by way of an edge.
+/// The path from source to source across an edge.
 std::vector<int> pathOver(const SurfaceLinks& links, const geometry::ShortestForest& forest,
                           int edge) {
     const Edges& edges = links.table().edges;
@@ -34,7 +34,7 @@ std::vector<int> pathOver(const SurfaceLinks& links, const geometry::ShortestFor
     return way;
 }
 
-/// Edges outside the forest, with the length of the way over each.
+/// Edges outside the forest, with the length of the path across each.
 std::vector<Candidate> outside(const SurfaceLinks& links, const geometry::ShortestForest& forest,
                                const std::vector<double>& weights) {
     const Edges& edges = links.table().edges;
@@ -50,7 +50,7 @@ std::vector<Candidate> outside(const SurfaceLinks& links, const geometry::Shorte
     return candidates;
 }
 
-/// The ways left over when a tree of faces has crossed as many of the dear edges as it can.
+/// The remaining paths after a tree of faces has crossed as many of the expensive edges as it can.
 std::vector<Candidate> leftOver(const SurfaceLinks& links, const std::vector<Candidate>& sorted) {
     geometry::DisjointSets faces(links.faceCount());
     std::vector<Candidate> left;
@@ -103,7 +103,7 @@ std::vector<int> peaks(const SurfaceLinks& links, const std::vector<double>& wei
     return result;
 }
 
-/// A graph made of ways along edges, to be taken apart at its branchings.
+/// A graph of paths along edges, which is then split at its branchings.
 class EdgeSet {
 public:
     void add(const std::vector<int>& way) {
@@ -113,7 +113,7 @@ public:
         }
     }
 
-    /// Takes away what dangles, until every end is part of a loop.
+    /// Removes dead ends until every end is part of a loop.
     void prune() {
         std::vector<int> ends;
         for (const auto& [v, around] : neighbours_) {
@@ -130,7 +130,7 @@ public:
         }
     }
 
-    /// The graph as ways between its branchings and ends; a loop without either starts anywhere.
+    /// The graph as paths between its branchings and ends; a loop without either starts anywhere.
     std::vector<std::vector<int>> takeApart() {
         std::set<int> stops;
         for (const auto& [v, around] : neighbours_) {

@@ -15,13 +15,13 @@
 namespace toile {
 namespace {
 
-/// A triangle in more parts than this is a tangle of lines, and no pattern: beyond it the time for
-/// each step across the triangle would be felt.
+/// A triangle in more parts than this is a tangle of lines, not a pattern: beyond it each step
+/// across the triangle would take noticeable time.
 constexpr std::size_t kMaxPartsOfFace = 10000;
 /// Likewise, for all triangles together.
 constexpr std::size_t kMaxNewVertices = 1000000;
 
-/// Asked of every part in turn: without branches.
+/// Called for every part, therefore branchless.
 bool holdsBoth(const FaceParts::Part& part, int a, int b) {
     const int hasA = int{part[0] == a} | int{part[1] == a} | int{part[2] == a};
     const int hasB = int{part[0] == b} | int{part[1] == b} | int{part[2] == b};
@@ -180,12 +180,12 @@ std::vector<int> FaceParts::refined(const std::vector<int>& path) const {
 
 namespace {
 
-/// Two opposite angles must exceed pi by this much before their edge is turned; this keeps four
-/// points on a circle from being turned for ever.
+/// Two opposite angles must exceed pi by this much for their edge to be flipped, so that four
+/// cocircular points are not flipped forever.
 constexpr double kTurnable = 1e-9;
-/// A part made by a turn has at least this share of the area of the two it comes from.
+/// A part made by a flip has at least this share of the area of the two it replaces.
 constexpr double kMinShare = 1e-6;
-/// For each part, should rounding turn edges to and fro.
+/// Per part, in case rounding flips edges back and forth.
 constexpr std::size_t kMaxTurns = 100;
 
 /// A source triangle laid flat at its true size.
@@ -210,7 +210,7 @@ private:
     Eigen::Matrix<double, 2, 3> corners_;
 };
 
-/// True where the edge a-b between the corners c (left) and d (right) should run from c to d.
+/// True if the edge a-b between the corners c (left) and d (right) should be flipped to c-d.
 bool shouldTurn(const FlatFace& flat, int a, int b, int c, int d) {
     const Eigen::Vector2d pa = flat.at(a);
     const Eigen::Vector2d pb = flat.at(b);
@@ -230,7 +230,7 @@ void FaceParts::relaxFace(int face, std::vector<Part>& list,
     const FlatFace flat(*this, face);
     std::unordered_map<std::uint64_t, std::size_t> partLeftOf;  // of directed sides
     partLeftOf.reserve(4 * list.size());
-    std::vector<VertexPair> open;  // those whose two parts are not known to be good
+    std::vector<VertexPair> open;  // those whose two parts are still to be tested
     const auto keyOf = [](int from, int to) {
         return std::uint64_t{static_cast<std::uint32_t>(from)} << 32 | static_cast<unsigned>(to);
     };

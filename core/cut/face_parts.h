@@ -13,11 +13,10 @@
 
 namespace toile {
 
-/// The triangles of a mesh, each with the parts it has been split into. A new vertex is known by
+/// The triangles of a mesh, each with the parts it has been split into. A new vertex is stored by
 /// its weights in a triangle or along an edge of the source, so that positions never drift and
-/// what lies on an edge stays there exactly.
-/// A copy costs a few numbers for each triangle of the mesh: whoever may have to take a path back
-/// keeps one.
+/// points on an edge stay there exactly. A copy costs a few numbers for each triangle of the mesh;
+/// keep one to be able to undo a path.
 class FaceParts {
 public:
     using Part = std::array<int, 3>;         ///< vertex numbers, winding as in the source
@@ -27,13 +26,13 @@ public:
 
     const SurfaceLinks& links() const { return *links_; }
 
-    /// Vertices of the source keep their numbers, new ones follow.
+    /// Vertices of the source keep their indices, new ones follow.
     int vertexCount() const { return links().vertexCount() + static_cast<int>(places_.size()); }
 
     SurfacePoint placeOf(int vertex) const;
-    /// Parts of a source triangle: itself where it was not split. Until the next split.
+    /// Parts of a source triangle, or itself if it was not split. Valid until the next split.
     std::span<const Part> partsOf(int face) const;
-    /// More parts than any garment needs: of this source triangle, or of all.
+    /// Whether this source triangle, or all together, have more parts than any garment needs.
     bool isCrowded(int face) const;
     /// Weights in a source triangle that the vertex touches; zeros are exact.
     Eigen::Vector3d weightsIn(int face, int vertex) const;
@@ -43,21 +42,21 @@ public:
     /// Splits a part into three. @param local  weights in the part, all positive
     int splitPart(int face, std::size_t part, const Eigen::Vector3d& local);
 
-    /// The vertex that a point of a path has become, so that paths that share a point meet there,
-    /// whatever has been split around it since; -1 where it is new.
+    /// The vertex at a point of a path, so that paths through the same point meet there even after
+    /// splits around it; -1 if it is new.
     int vertexAt(const SurfacePoint& point) const;
     void remember(const SurfacePoint& point, int vertex);
 
-    /// A path of vertices as it is now: edges that have been split are replaced by their halves.
+    /// The current vertices of a path: split edges are replaced by their halves.
     std::vector<int> refined(const std::vector<int>& path) const;
 
-    /// Turns diagonals inside each split triangle towards the Delaunay triangulation of its parts,
-    /// which has the fewest slivers; `kept` edges stay. Needs no new vertex and keeps the area.
-    /// Cancelled, it leaves the rest as it is.
+    /// Flips diagonals inside each split triangle towards the Delaunay triangulation of its parts,
+    /// which has the fewest slivers; `kept` edges stay. Adds no vertex and keeps the area. If
+    /// cancelled, it stops early.
     void relax(const std::set<VertexPair>& kept, const Progress& progress);
 
 private:
-    /// Where a new vertex is: on an edge of the source, or inside a triangle.
+    /// The place of a new vertex: on an edge of the source, or inside a triangle.
     struct Place {
         int edge;                 ///< -1 where inside
         int face;                 ///< -1 where on an edge
@@ -66,7 +65,7 @@ private:
 
     std::vector<Part>& parts(int face);
     int sharedSide(int face, int a, int b) const;
-    /// @param uses  how many parts of the face have it as a side
+    /// @param uses  number of parts of the face that have it as a side
     void replaceEdge(int face, int a, int b, int middle, int uses);
     void relaxFace(int face, std::vector<Part>& list, const std::set<VertexPair>& kept) const;
 
@@ -76,24 +75,24 @@ private:
     std::vector<std::vector<Part>> split_;
     std::vector<int> splitFace_;                     ///< source triangle of each entry of split_
     std::vector<Place> places_;                      ///< of new vertices
-    std::map<VertexPair, int> middle_;               ///< of edges that are no more
+    std::map<VertexPair, int> middle_;               ///< of edges that were split
     std::map<std::array<double, 4>, int> vertexAt_;  ///< by face and weights
 };
 
-/// Makes curves into edges of the parts of triangles. Decides on a reference triangle of equal
-/// sides, so that the shape of the source does not matter and parts never overlap.
-/// A point nearer to a vertex or an edge of a part than a fiftieth of its size moves onto it, so
-/// that slivers are rare. Vertices never move; the cut does, by so much.
+/// Turns curves into edges of the parts of triangles. Decides on an equilateral reference triangle,
+/// so that the shape of the source does not matter and parts never overlap. A point closer to a
+/// vertex or an edge of a part than a fiftieth of its size snaps to it, so that slivers are rare.
+/// Vertices never move; the cut does, by that distance.
 class FaceSplitter {
 public:
     explicit FaceSplitter(FaceParts& parts) : parts_(parts) {}
 
-    /// The vertex at a point, new if none is near. It touches all triangles that the point touches.
+    /// The vertex at a point, new if no other is close; touches all triangles of the point.
     int insert(const SurfacePoint& point);
 
     /// Makes edges from vertex `from` to vertex `to`, straight across the source triangle `face`
-    /// that both touch. Appends the vertices passed to `path`, `to` included. False where the walk
-    /// does not arrive, which would be a bug.
+    /// that both touch. Appends the vertices passed to `path`, `to` included. False if it does not
+    /// arrive, which would be a bug.
     bool connect(int face, int from, int to, std::vector<int>& path);
 
 private:

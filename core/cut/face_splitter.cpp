@@ -9,10 +9,10 @@
 namespace toile {
 namespace {
 
-/// A point nearer to a vertex or an edge than this fraction of a triangle's size moves onto it, so
-/// that slivers are rare. Vertices never move; the cut does, by so much.
+/// A point closer to a vertex or an edge than this fraction of a triangle's size snaps to it, so
+/// that slivers are rare. Vertices never move; the cut does, by that distance.
 constexpr double kSnap = 0.02;
-/// Where snapping would not bring the walk nearer to its end, it still takes a vertex this near.
+/// If snapping would not bring the path closer to its end, only vertices this close are used.
 constexpr double kTouching = 1e-9;
 
 /// A point of the reference triangle, which is equilateral with sides of length 1.
@@ -79,9 +79,9 @@ int FaceSplitter::insertNew(const SurfacePoint& point) {
     return parts_.splitPart(face, best, local);
 }
 
-/// The next vertex on the way from one vertex to another: the other one where an edge joins them, a
-/// neighbour near the straight line, or a new one where the line crosses the opposite edge. -1
-/// where no part holds the vertex.
+/// The next vertex on the way from one vertex to another: the target if an edge joins them, a
+/// neighbour close to the straight line, or a new one where the line crosses the opposite edge. -1
+/// if no part contains the vertex.
 int FaceSplitter::step(int face, int from, int to) {
     const Eigen::Vector2d at = flatIn(parts_, face, from);
     const Eigen::Vector2d goal = flatIn(parts_, face, to);

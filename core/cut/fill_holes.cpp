@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-/// A cap's triangle lower than this fraction of a round hole's radius makes the cap a cone.
+/// A cap becomes a cone if a triangle is lower than this fraction of a round hole's radius.
 constexpr double kFlatCap = 0.1;
 
-/// The middle of the cap's fan.
+/// The centre of the cap's fan.
 Eigen::Vector3d capMiddle(const MeshArrays& mesh, const RimLoop& hole) {
     const std::size_t n = hole.vertices.size();
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
@@ -33,7 +33,7 @@ Eigen::Vector3d capMiddle(const MeshArrays& mesh, const RimLoop& hole) {
     }
     if (lowest < kFlatCap * radius) {
         if (normal.norm() < kFlatCap * radius * radius) {
-            // No side to speak of: any direction across the first edge.
+            // Without a defined normal: any direction across the first edge.
             const Eigen::Vector3d edge =
                 (mesh.V.row(hole.vertices[1]) - mesh.V.row(hole.vertices[0])).transpose();
             normal = edge.unitOrthogonal();
@@ -43,15 +43,15 @@ Eigen::Vector3d capMiddle(const MeshArrays& mesh, const RimLoop& hole) {
     return middle;
 }
 
-/// Three quarters of a turn: what a flat piece must turn by at least.
+/// Three quarters of a turn: the minimum for a flat piece.
 constexpr double kNearlyATurn = 1.5 * std::numbers::pi;
 
-/// A ring that must stretch across by more than this to be worn, once its rims lie flat at their
-/// lengths, is a tube. It is the mean: where it is so much, it is a quarter near a rim, which is
-/// more than any cloth takes (diagnose/doubt.h).
+/// A ring is a tube if it must stretch across by more than this to be worn, once its rims are flat
+/// at their lengths. This is the mean: at this value it reaches a quarter near a rim, more than any
+/// cloth takes (diagnose/doubt.h).
 constexpr double kMostStrainAcross = 0.15;
 
-/// By how much the rim turns to the side of the cloth, radians: a disk's outline by 2 pi.
+/// How far the rim turns to the side of the cloth, radians: 2 pi for a disk's outline.
 double turning(const SurfaceLinks& links, const RimLoop& loop) {
     double sum = 0;
     for (const int v : loop.vertices) {
@@ -103,7 +103,7 @@ SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
     for (const RimLoop& loop : loops) {
         turns.push_back(turning(links, loop));
     }
-    // The outline is the longest loop, but for a flat piece with a slit longer than that.
+    // The outline is the longest loop, except on a flat piece with a longer slit.
     auto outline = std::ranges::max_element(loops, {}, &RimLoop::perimeter) - loops.begin();
     const double longest = loops[outline].perimeter;
     if (turns[outline] <= -kNearlyATurn) {

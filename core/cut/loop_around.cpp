@@ -11,9 +11,9 @@
 namespace toile {
 namespace {
 
-/// Faces and rims, joined by the edges that a tree of shortest paths leaves over. An edge over
-/// which nothing but a disk lies on one side closes no way around anything: such edges are taken
-/// off from the ends, openings excepted, until only the others are left ([EH04]).
+/// Faces and rims, joined by the edges that a tree of shortest paths does not use. An edge with
+/// only a disk on one side closes no loop around anything: such edges are removed from the ends,
+/// except at openings, until only the others are left ([EH04]).
 class LeftOverEdges {
 public:
     LeftOverEdges(const SurfaceLinks& links, const geometry::ShortestForest& forest)

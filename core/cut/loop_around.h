@@ -9,19 +9,19 @@
 
 namespace toile {
 
-/// The shortest way around a tube, from a place and back to it: around the leg of trousers, the
-/// sleeve of a shirt, through a handle. Of the closed ways that cannot be drawn together to a point
-/// it is the shortest along edges, pulled tight (see straightened) with the place held. Holes in
-/// the cloth (`sortLoops`) are nothing to go around.
-/// @return  first and last point are the place
-/// @param progress  polled while ways are looked for
-/// @errors  a cut error where nothing is there to go around; Cancelled
+/// The shortest loop around a tube through a given point: around a trouser leg, a sleeve, or
+/// through a handle. Of the closed curves that cannot be contracted to a point it is the shortest
+/// along edges, then pulled tight (see straightened) with the point fixed. Holes in the cloth
+/// (`sortLoops`) do not count as obstacles.
+/// @return  first and last point are the given point
+/// @param progress  polled during the search
+/// @errors  a cut error if there is nothing to go around; Cancelled
 /// Precondition: connected, manifold, oriented. Cost: O(#E log #E). Deterministic. Re-entrant.
 Result<PathPolyline> loopAround(const SurfaceLinks& links, const SurfacePoint& place,
                                 const Progress& progress = Progress());
 
-/// Places along a closed line, its first point first, equally far from each other: from one to the
-/// next the shortest way runs as the line does.
+/// Evenly spaced points along a closed line, its first point first, so many that the shortest path
+/// between neighbours follows the line.
 std::vector<Eigen::Vector3d> placesAlong(const MeshArrays& mesh, const PathPolyline& loop,
                                          int count);
 

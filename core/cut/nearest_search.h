@@ -11,7 +11,7 @@
 
 namespace toile {
 
-/// Of the mesh's triangles, by doubles.
+/// A tree of the mesh's triangles in double precision.
 inline geometry::TriangleTree<3, double> treeOf(const MeshArrays& mesh) {
     return {mesh.V.data(),
             3,
@@ -19,17 +19,17 @@ inline geometry::TriangleTree<3, double> treeOf(const MeshArrays& mesh) {
              static_cast<std::size_t>(mesh.F.size())}};
 }
 
-/// The mesh's point nearest to `p`; where several are equally near, the one on the face with the
-/// least index. For the sources of classes that ask again and again.
-/// @param tree  `treeOf` the mesh  @param near  a face not far off, or -1: it is found sooner
+/// The mesh's point closest to `p`; of equally close ones, that on the face with the smallest
+/// index. For classes that query repeatedly.
+/// @param tree  `treeOf` the mesh  @param near  a face nearby, or -1: speeds up the search
 inline SurfacePoint nearestOn(const MeshArrays& mesh, const geometry::TriangleTree<3, double>& tree,
                               const Eigen::Vector3d& p, int near = -1) {
-    // What is farther by so much, of squares, is farther however both are rounded.
+    // Squared distances that differ by more than this differ under any rounding.
     constexpr double kSurely = 1 + 1e-6, kSmall = 1e-12;
     const auto squareTo = [&p](const auto& low, const auto& high) {
         return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
     };
-    SurfacePoint best{0, {1, 0, 0}};  // of a point so far away that no distance is a number
+    SurfacePoint best{0, {1, 0, 0}};  // so far away that no distance is finite
     double least = std::numeric_limits<double>::infinity();
     const auto visit = [&](std::uint32_t triangle) {
         const int f = static_cast<int>(triangle);

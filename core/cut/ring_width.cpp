@@ -16,10 +16,10 @@
 namespace toile {
 namespace {
 
-/// From which a hole is looked at: its hull's perimeter is exact to a third of a percent then.
+/// Directions in which a hole is measured: the perimeter of its hull is then exact to 0.3 %.
 constexpr int kDirections = 32;
 
-/// The outermost vertices of a loop in all directions, seen along the one in which it is open.
+/// The outermost vertices of a loop in all directions, seen along the normal of its opening.
 struct LoopHull {
     std::vector<int> outermost;  ///< per direction
     double perimeter = 0;
@@ -34,7 +34,7 @@ LoopHull hullOf(const Points3& V, const RimLoop& loop) {
     for (std::size_t i = 0; i < n; ++i) {
         open += point(i).cross(point(i + 1));
     }
-    // One that is shut is as open to any side of its first edge as to another.
+    // A closed slit has no normal: any direction across its first edge will do.
     const Eigen::Vector3d normal = open.isZero(0) ? point(1).unitOrthogonal() : open.normalized();
     const Eigen::Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
     LoopHull hull;
@@ -51,12 +51,12 @@ LoopHull hullOf(const Points3& V, const RimLoop& loop) {
     return hull;
 }
 
-/// By which a ragged outline, longer than its cloth is wide, becomes a smooth one.
+/// Smoothing steps that turn a ragged outline, longer than its cloth is wide, into a smooth one.
 constexpr int kSmoothings = 4;
-/// Of the room for the ring, by which that may move an outline; one of a few long edges stays.
+/// Largest shift by smoothing, as a share of the room for the ring; else the outline is kept.
 constexpr double kMostSmoothing = 0.05;
 
-/// What an outline measures, and how far its cloth ends within the vertices, as a mean.
+/// Measures of an outline, and how far its cloth ends inside the vertices, as a mean.
 struct OutlineReach {
     double perimeter = 0;
     double within = 0;
@@ -72,7 +72,7 @@ OutlineReach reachOf(const Points3& V, const RimLoop& outline, double hullPerime
     const Points3 line = V(outline.vertices, Eigen::all);
     Points3 smooth = line;
     for (int pass = 0; pass < kSmoothings; ++pass) {
-        smooth += (edges(smooth) / 2).eval();  // through the middles of its edges
+        smooth += (edges(smooth) / 2).eval();  // through the midpoints of its edges
     }
     const Eigen::Index n = line.rows(), ahead = kSmoothings / 2;
     double moved = 0;
@@ -86,7 +86,7 @@ OutlineReach reachOf(const Points3& V, const RimLoop& outline, double hullPerime
                : OutlineReach{edges(smooth).rowwise().norm().sum(), moved, longest};
 }
 
-/// Distances to the outline from the outermost points, as a mean of all directions.
+/// Distances to the outline from the outermost points, averaged over all directions.
 class WaysAcross {
 public:
     WaysAcross(const SurfaceLinks& links, const RimLoop& outline, const LoopHull& hull,
@@ -125,7 +125,7 @@ private:
             return 0;
         }
         const PathPolyline way = shortenedCut(links_, {outline_}, polylineOf(links_, along));
-        // It ends at a vertex; the outline's nearest place may lie up to half an edge beside it.
+        // It ends at a vertex; the outline's closest point may be up to half an edge away.
         const double beside = reach_.longestEdge / 2;
         return std::sqrt(std::max(0.0, way.length * way.length - beside * beside));
     }
@@ -159,7 +159,7 @@ std::vector<double> strainsAcross(const SurfaceLinks& links, const RimLoop& outl
     }
     std::vector<double> strains;
     for (std::size_t k = 0; k < holes.size(); ++k) {
-        // In the plane it is no way around another hole.
+        // In the plane it does not run around another hole.
         std::vector<RimLoop> others = holes;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
         const MeshArrays filled = fillHoles(links.mesh(), others);

@@ -7,18 +7,18 @@
 
 namespace toile {
 
-/// How much farther it is from holes to the outline than it can be in the plane, if all rims keep
-/// their lengths: 0.3, and cloth that is laid flat as such a ring must stretch by 30 % across, on
-/// average, to be worn. 0 or less of cloth that may lie flat as it is; infinite where the hole has
-/// no place inside of the outline.
+/// How much farther holes are from the outline than is possible in the plane if all rims keep their
+/// lengths: 0.3 means that such a ring, laid flat, must stretch by 30 % across, on average, to be
+/// worn. 0 or less if the cloth may already be flat; infinite if the hole does not fit inside the
+/// outline.
 ///
-/// In whatever direction one looks, the outermost point of a flat hole has the cloth's edge so far
-/// beyond it as it is from there to the outline. So the outline is longer than the hull of the hole
-/// by 2 pi times that distance at least, as the mean of all directions (Cauchy). The hole's hull is
-/// measured as the hole lies, in the direction in which it is open.
+/// In any direction, the edge of flat cloth lies as far beyond the outermost point of a hole as the
+/// distance from there to the outline. So the outline is longer than the hull of the hole by at
+/// least 2 pi times that distance, averaged over all directions (Cauchy). The hole's hull is
+/// measured as placed in 3D, along the normal of its opening.
 /// @param holes    rims of the surface, as is the outline
-/// @param ignored  what is no more than this may be overstated
-/// Cost: per hole O(n log n), and where it is more than `ignored` some straightenings. Pure.
+/// @param ignored  values up to this may be overestimated
+/// Cost: per hole O(n log n), and above `ignored` some straightenings. Pure.
 std::vector<double> strainsAcross(const SurfaceLinks& links, const RimLoop& outline,
                                   const std::vector<RimLoop>& holes, double ignored);
 

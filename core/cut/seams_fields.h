@@ -6,16 +6,16 @@
 
 namespace toile {
 
-/// Reads unit, cuts, joins and ease, which a seams file and a project have alike.
-/// @param easeUnit  what the file writes for a side twice as long as the other: 100 for percent
-/// @param withIds   of cuts, and of those that they mirror: a seams file is written by people, and
-///                  has none
+/// Reads unit, cuts, joins and ease, the fields that a seams file and a project share.
+/// @param easeUnit  the file's value for a side twice as long as the other: 100 for percent
+/// @param withIds   whether cuts and the cuts that they mirror have ids: a seams file is written by
+///                  people, without ids
 void readSeams(JsonFields& fields, SeamsFile& seams, double easeUnit, bool withIds);
 
-/// The most ease that can be stated, as a part of the seam's right side: ten times as long again.
+/// Maximum ease, as a part of the seam's right side: ten times as long again.
 inline constexpr double kMaxEase = 10;
 
-/// The fields of these names.
+/// The field "cuts", "joins" or "ease" as JSON.
 OrderedJson cutsJson(const SeamsFile& seams, bool withIds);
 OrderedJson joinsJson(const SeamsFile& seams);
 OrderedJson easeJson(const SeamsFile& seams, double easeUnit);

@@ -14,7 +14,7 @@ constexpr Word<UserCut::Kind> kKinds[] = {
     {UserCut::Kind::Path, "path"}, {UserCut::Kind::Loop, "loop"}, {UserCut::Kind::Dart, "dart"}};
 constexpr Word<bool> kAlongEdges[] = {{false, "surface"}, {true, "edges"}};
 
-/// @param name  what the entry is called where it does not say
+/// @param name  default name of the entry
 void readNameAndPoints(JsonFields& fields, std::string& name,
                        std::vector<Eigen::Vector3d>& points) {
     fields.read("name", name);
@@ -137,7 +137,7 @@ OrderedJson joinsJson(const SeamsFile& seams) {
 OrderedJson easeJson(const SeamsFile& seams, double easeUnit) {
     OrderedJson::object_t fields;
     for (const auto& [seam, ease] : seams.ease) {
-        fields.emplace_back(seam, easeUnit * ease);  // in place of a search for the key
+        fields.emplace_back(seam, easeUnit * ease);  // avoids a search for the key
     }
     return fields;
 }

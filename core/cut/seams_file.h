@@ -14,23 +14,23 @@
 
 namespace toile {
 
-/// What a seams file orders: seams taken out, cuts of the user's, and how much ease seams are meant
-/// to have. The format is described in docs/seams.md.
+/// The contents of a seams file: seams to remove, the user's cuts, and the intended ease of seams.
+/// The format is described in docs/seams.md.
 struct SeamsFile {
-    /// Of all points; without one they are in the unit of the garment's own file.
+    /// Of all points; if missing, they are in the unit of the garment's own file.
     std::optional<FileUnit> unit;
     std::vector<UserCut> cuts;      ///< points as written, in the axes of the garment's file
     std::vector<UserJoin> joins{};  ///< likewise; made before the cuts
     /// By the seam's name: intended extra length of its left side, as a part of the right (0.1 = 10
-    /// %; the file has percent).
+    /// %; the file uses percent).
     std::map<std::string, double> ease;
 
     bool empty() const { return cuts.empty() && joins.empty() && ease.empty(); }
     bool operator==(const SeamsFile&) const = default;
 };
 
-/// Errors: FileUnreadable; MalformedFile, naming the entry and what is wrong with it. Linear.
-/// @param notes  where there is one: what the file says that is not known (UnknownKey)
+/// Errors: FileUnreadable; MalformedFile, naming the entry and the fault. Linear.
+/// @param notes  if not null: receives unknown fields of the file (UnknownKey)
 Result<SeamsFile> readSeamsFile(const std::filesystem::path& path, Problems* notes = nullptr);
 /// The same for a text in memory. `name` is used in messages only.
 Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name,

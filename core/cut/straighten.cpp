@@ -13,14 +13,14 @@
 namespace toile {
 namespace {
 
-/// A vertex is passed on the other side where that angle is smaller than pi by this much; what is
-/// left to gain below it is of the order of its square.
+/// A vertex is passed on the other side if that angle is smaller than pi by this much; the possible
+/// gain below it is of the order of its square.
 constexpr double kStraightAngle = 1e-8;
-/// A crossing nearer to an edge's end than this fraction of the edge goes through the vertex.
+/// A crossing closer to an edge's end than this fraction of the edge goes through the vertex.
 constexpr double kThroughVertex = 1e-9;
 constexpr int kMaxPasses = 10000;
 
-/// A stretch of gates that share a vertex, and the way around the vertex's other side.
+/// A run of gates that share a vertex, and the path around the vertex's other side.
 struct Detour {
     int first, last;  ///< gates
     double angle;     ///< on the other side; below pi
@@ -46,7 +46,7 @@ public:
                 break;
             }
             tidy(links_, strip_);
-            // A detour that gains nothing in floating point would go on for ever.
+            // A detour without gain in floating point would repeat forever.
             const FlatStrip next = layFlat(links_, strip_);
             if (!(lengthOf(next, shortestThroughGates(next)) < best)) {
                 strip_ = before;
@@ -112,7 +112,7 @@ private:
         if (!(detour.angle < std::numbers::pi - kStraightAngle)) {
             return std::nullopt;
         }
-        // The strip has the vertex on its left, so it turns leftwards around it: now rightwards.
+        // The strip has the vertex on its left and turns left around it: now it turns right.
         const int fromFace = strip_.exits[detour.first] / 3;
         const int toFace = links_.twin(strip_.exits[detour.last]) / 3;
         const auto exits = exitsAround(links_, vertex, fromFace, toFace, !bend.left);
@@ -123,7 +123,7 @@ private:
         return detour;
     }
 
-    /// Takes all detours that do not touch each other, those with most to gain first.
+    /// Takes all detours that do not touch each other, those with the largest gain first.
     bool takeDetours() {
         std::vector<Detour> found;
         for (std::size_t i = 0; i < bends_.size(); ++i) {
@@ -163,7 +163,7 @@ private:
         }
     }
 
-    /// Where the shortest path crosses each gate.
+    /// The points where the shortest path crosses each gate.
     PathPolyline polyline() const {
         PathPolyline path;
         path.length = flatLength();
@@ -184,7 +184,7 @@ private:
                 const Eigen::Vector2d b = next < bends_.size() ? bends_[next].at : flat_.to;
                 const double right = geometry::cross(b - a, gate.right - a);
                 const double left = geometry::cross(b - a, gate.left - a);
-                if (right == left) {  // along the gate: its nearer end
+                if (right == left) {  // along the gate: its closer end
                     t = (a - gate.left).squaredNorm() <= (a - gate.right).squaredNorm() ? 1 : 0;
                 } else {
                     t = right / (right - left);
@@ -215,10 +215,10 @@ PathPolyline straightened(const SurfaceLinks& links, const PathPolyline& path) {
 namespace {
 
 constexpr int kMaxRounds = 32;
-/// A slide has to gain this much, relatively, so that rounding does not move ends.
+/// Minimum relative gain of a slide, so that rounding does not move ends.
 constexpr double kWorthwhile = 1e-9;
 
-/// The loop that a vertex lies on, and where.
+/// The loop that contains a vertex, and the position in it.
 struct RimPlace {
     const RimLoop* loop = nullptr;
     int index = 0;
@@ -249,7 +249,7 @@ PathPolyline slid(const SurfaceLinks& links, PathPolyline cut, const RimPlace& p
     return straightened(links, cut);
 }
 
-/// Slides the last point as far as it helps. True where it did.
+/// Slides the last point as long as that shortens the cut. True if it did.
 bool slideEnd(const SurfaceLinks& links, const std::vector<RimLoop>& rims, PathPolyline& cut) {
     RimPlace place = placeOnRim(links, rims, cut.points.back());
     if (place.loop == nullptr) {

@@ -19,7 +19,7 @@ double angleOfTurn(const SurfaceLinks& links, int vertex, const std::vector<int>
     return sum;
 }
 
-/// The way from one triangle to the next at a point that both touch.
+/// The path from one triangle to the next at a point that both touch.
 std::optional<std::vector<int>> exitsAt(const SurfaceLinks& links, const SurfacePoint& point,
                                         int fromFace, int toFace) {
     const Carrier carrier = links.carrierOf(point);
@@ -178,12 +178,12 @@ std::vector<Bend> shortestThroughGates(const FlatStrip& strip) {
     std::vector<Bend> bends;
     Eigen::Vector2d apex = strip.from;
     int apexGate = -1;
-    // The funnel's two arms, as vectors from the apex, and the gate where each was last narrowed.
+    // The funnel's two arms, as vectors from the apex, and the gate that last narrowed each.
     Eigen::Vector2d left = Eigen::Vector2d::Zero();
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     int leftGate = -1;
     int rightGate = -1;
-    bool hasLeft = false;  // an arm of zero length bars nothing
+    bool hasLeft = false;  // an arm of zero length blocks nothing
     bool hasRight = false;
     const auto restartAt = [&](int gate, bool atLeft) {
         apex = atLeft ? strip.gates[gate].left : strip.gates[gate].right;
@@ -197,7 +197,7 @@ std::vector<Bend> shortestThroughGates(const FlatStrip& strip) {
         const Eigen::Vector2d toLeft = (i < count ? strip.gates[i].left : strip.to) - apex;
         const Eigen::Vector2d toRight = (i < count ? strip.gates[i].right : strip.to) - apex;
         if (hasLeft && toRight.squaredNorm() > 0 && geometry::cross(left, toRight) > 0) {
-            restartAt(leftGate, true);  // the right arm would pass over the left one
+            restartAt(leftGate, true);  // the right arm would cross the left one
             i = apexGate + 1;
             continue;
         }

@@ -12,7 +12,7 @@
 
 namespace toile {
 
-/// What a surface point lies on.
+/// The element that a surface point lies on.
 struct Carrier {
     enum class Kind { Vertex, Edge, Face };
     Kind kind;
@@ -21,9 +21,9 @@ struct Carrier {
     bool operator==(const Carrier&) const = default;
 };
 
-/// Steps from triangle to triangle and around vertices. Keeps references: the mesh and its table
+/// Moves from triangle to triangle and around vertices. Keeps references: the mesh and its table
 /// must outlive it. A *use* is 3 * face + k, the side from corner k to corner k + 1. An edge that
-/// does not join exactly two triangles of the same winding is a wall. Immutable, hence shareable.
+/// does not join exactly two triangles of the same winding is a wall. Immutable, so shareable.
 class SurfaceLinks {
 public:
     SurfaceLinks(const MeshArrays& mesh, const EdgeTable& table);
@@ -37,7 +37,7 @@ public:
     int tail(int use) const { return tailOf(mesh_.F, use); }
     int head(int use) const { return headOf(mesh_.F, use); }
     int edgeOf(int use) const { return table_.faceEdges(use / 3, use % 3); }
-    /// The same edge seen from the other triangle, or -1 at a wall.
+    /// The same edge as used by the other triangle, or -1 at a wall.
     int twin(int use) const { return twin_[use]; }
     /// Corners 3 * face + k at the vertex, in face order.
     std::span<const int> cornersAt(int vertex) const { return corners_[vertex]; }
@@ -45,17 +45,17 @@ public:
     int cornerIn(int face, int vertex) const;
     /// Interior angle of the triangle at a corner.
     double angleAt(int corner) const;
-    /// True where every triangle around the vertex has a neighbour on both sides.
+    /// True if every triangle around the vertex has a neighbour on both sides.
     bool isInner(int vertex) const;
     double angleAround(int vertex) const;
-    /// By how much the surface is bent along an edge, in [0, pi]; 0 where no two triangles meet.
+    /// Angle by which the surface bends at an edge, in [0, pi]; 0 if no two triangles meet.
     double foldAngle(int edge) const;
 
     Carrier carrierOf(const SurfacePoint& point) const;
     std::vector<int> facesOf(const Carrier& carrier) const;
-    /// The same point with weights for another triangle, or nothing where it does not touch it.
+    /// The same point with weights for another triangle, or nothing if it does not touch it.
     std::optional<SurfacePoint> seenFrom(int face, const SurfacePoint& point) const;
-    /// A triangle that both points touch, `preferred` if it does; -1 where there is none.
+    /// A triangle that both points touch, `preferred` if possible; -1 if there is none.
     int commonFace(const SurfacePoint& a, const SurfacePoint& b, int preferred = -1) const;
 
     /// Precondition: the vertex belongs to a triangle.

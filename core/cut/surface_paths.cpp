@@ -52,12 +52,12 @@ std::vector<Eigen::Vector3d> positionsOf(const MeshArrays& mesh, const PathPolyl
 
 namespace {
 
-/// Points on each edge beside its ends: more find the right side of a bump more surely, and a mesh
-/// of few triangles both needs them and can afford them.
+/// Points on each edge in addition to its ends: more of them find the right side of a bump more
+/// reliably; a mesh of few triangles needs more and can afford them.
 constexpr int kFewFaces = 20000;
 constexpr int kPointsOnEdgeOfFew = 3;
 
-/// Nodes between two looks at whether the search is still wanted: well below a millisecond.
+/// Nodes between two checks for cancellation: well below a millisecond.
 constexpr int kNodesPerPoll = 1024;
 
 /// The graph: vertices, then points on edges, then start and goal. Arcs run straight across one

@@ -16,8 +16,8 @@ namespace toile {
 /// A barycentric coordinate below this is zero: the point lies on the opposite edge.
 inline constexpr double kOnEdge = 1e-12;
 
-/// A point of the surface: a triangle and three weights that sum to 1. A weight that is zero puts
-/// the point on the opposite edge, two zeros put it at a vertex; any triangle there will do.
+/// A point of the surface: a triangle and three weights that sum to 1. A weight of zero puts the
+/// point on the opposite edge, two zeros at a vertex; any triangle there will do.
 struct SurfacePoint {
     int face = -1;
     Eigen::Vector3d barycentric = Eigen::Vector3d::Zero();
@@ -52,14 +52,14 @@ inline Eigen::RowVector2d flatPositionOf(const Points2& Q, const Triangles& F,
 /// Sum of the straight pieces. Cost: linear. Pure.
 double measuredLength(const MeshArrays& mesh, const PathPolyline& path);
 
-/// Finds the surface's nearest point again and again: a tree of boxes around the triangles. Keeps
-/// a reference to the mesh. Cost: linear to build, about O(log #F) a question. Immutable.
+/// Finds the surface's closest point repeatedly, with a tree of boxes around the triangles. Keeps a
+/// reference to the mesh. Cost: linear to build, about O(log #F) per query. Immutable.
 class NearestSurface {
 public:
     /// Precondition: at least one face, finite positions.
     explicit NearestSurface(const MeshArrays& mesh);
 
-    /// Where several points are equally near, the one on the face with the least index.
+    /// Of several equally close points, the one on the face with the smallest index.
     SurfacePoint find(const Eigen::Vector3d& p) const;
 
 private:
@@ -67,12 +67,12 @@ private:
     geometry::TriangleTree<3, double> tree_;
 };
 
-/// Weights of the point of a triangle nearest to `p`; exact zeros on its edges and corners.
+/// Weights of the point of a triangle closest to `p`; exact zeros on its edges and corners.
 /// After Ericson, Real-Time Collision Detection, section 5.1.5.
 Eigen::Vector3d nearestInTriangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
                                   const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// A cut that cannot be made as asked: unconnected points, fewer points than it needs.
+/// The error for a cut that cannot be made: unconnected points, or too few.
 inline Error cutError(Subject subject, Wording detail) {
     return {ErrorCode::CutImpossible, std::move(subject), std::move(detail)};
 }

@@ -12,7 +12,7 @@
 namespace toile {
 namespace {
 
-/// A path's end with a weight below this against a rim edge reaches the rim.
+/// A path's end whose weight against a rim edge is below this reaches the rim.
 constexpr double kReachesRim = 0.1;
 
 SurfacePoint ontoNearRim(const SurfaceLinks& links, SurfacePoint point) {
@@ -32,7 +32,7 @@ SurfacePoint ontoNearRim(const SurfaceLinks& links, SurfacePoint point) {
     return point;
 }
 
-/// The rim's point nearest to p; no face where there is no rim.
+/// The rim's point closest to p; without a face if there is no rim.
 SurfacePoint nearestOnRim(const SurfaceLinks& links, const Eigen::Vector3d& p, double& distance) {
     SurfacePoint best;
     distance = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ SurfacePoint nearestOnRim(const SurfaceLinks& links, const Eigen::Vector3d& p, d
     return best;
 }
 
-/// Moves the end of a dart that is nearer to the rim onto it. False where there is no rim.
+/// Moves the end of a dart that is closer to the rim onto it. False if there is no rim.
 bool putOnRim(const SurfaceLinks& links, std::vector<SurfacePoint>& points) {
     double first = 0;
     double last = 0;
@@ -80,7 +80,7 @@ void giveIds(std::vector<UserCut>& cuts) {
     std::set<CutId> taken;
     for (UserCut& cut : cuts) {
         if (cut.id && !taken.insert(cut.id).second) {
-            cut.id = {};  // no two have one
+            cut.id = {};  // ids must be unique
         }
     }
     std::map<std::uint64_t, std::uint64_t> alike;

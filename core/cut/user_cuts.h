@@ -14,22 +14,22 @@
 
 namespace toile {
 
-/// A seam drawn by the user: points in space near the surface. It outlives a change of the mesh,
-/// since the points are put onto the nearest surface each time.
+/// A seam drawn by the user: points in space near the surface. It survives a change of the mesh,
+/// since the points are projected onto the surface each time.
 struct UserCut {
     enum class Kind {
         Path,  ///< from the first point to the last
         Loop,  ///< back to the first point; three points or more
-        Dart,  ///< from the rim to an inner point: the end nearer to the rim is moved onto it
+        Dart,  ///< from the rim to an inner point: the end closer to the rim is moved onto it
     };
 
     std::string name;
     Kind kind = Kind::Path;
     std::vector<Eigen::Vector3d> points;  ///< mm
     bool alongEdges = false;              ///< between the nearest vertices, along edges
-    CutId id{};                           ///< kept where points or name change; see `giveIds`
-    CutId mirrors{};                      ///< the cut that this one was made the mirror image of
-    std::string evidence{};  ///< what spoke for it where Toile proposed it; empty: drawn by hand
+    CutId id{};                           ///< unchanged if points or name change; see `giveIds`
+    CutId mirrors{};                      ///< the cut that this one mirrors
+    std::string evidence{};  ///< reasons if Toile proposed it; empty: drawn by the user
 
     bool operator==(const UserCut&) const = default;
 };
@@ -38,33 +38,33 @@ inline Subject subjectOf(const UserCut& cut) {
     return Subject::cut(cut.name, cut.id);
 }
 
-/// Gives every cut that has none an id, by its kind and its points, unlike that of any other.
+/// Gives every cut without an id a unique one, based on its kind and its points.
 void giveIds(std::vector<UserCut>& cuts);
 
-/// The way that a cut takes between two of its points: see `geodesicPath`, or `edgePath` between
-/// the nearest vertices. @errors  a cut error where they are not connected; Cancelled
+/// The path of a cut between two of its points: see `geodesicPath`, or `edgePath` between the
+/// closest vertices. @errors  a cut error if they are not connected; Cancelled
 Result<PathPolyline> pathOfCut(const SurfaceLinks& links, const SurfacePoint& from,
                                const SurfacePoint& to, bool alongEdges,
                                const Progress& progress = Progress());
 
-/// The cut's points on the surface, as many as it has. An end of a path that lies within a tenth of
-/// a triangle from the rim reaches it, as does the end of a dart that is nearer to it.
+/// The cut's points on the surface, as many as it has. An end of a path within a tenth of a
+/// triangle from the rim is moved to it, as is the end of a dart that is closer to it.
 /// @errors  a cut error about the cut: too few points, one that is not finite, no rim
-/// Cost: a question each, and of a dart all triangles. Pure.
+/// Cost: one query each, and for a dart all triangles. Pure.
 Result<std::vector<SurfacePoint>> pointsOfCut(const SurfaceLinks& links,
                                               const NearestSurface& nearest, const UserCut& cut);
 
-/// The cut's curve on the surface, through these points.
-/// @errors  as before; a cut error where the points are not connected; Cancelled
+/// The cut's curve on the surface, through its points.
+/// @errors  as before; a cut error if the points are not connected; Cancelled
 Result<PathPolyline> traceUserCut(const SurfaceLinks& links, const NearestSurface& nearest,
                                   const UserCut& cut, const Progress& progress = Progress());
 
-/// A seam of the garment's own division that the user has taken out: the cloth on its two sides
-/// becomes one. Known by points along it, so that it outlives a change of the mesh.
+/// A seam of the garment's own division that the user has removed, joining the cloth on its two
+/// sides. Identified by points along it, so that it survives a change of the mesh.
 struct UserJoin {
     std::string name;
     /// mm, from one end of the seam to the other, two or more. A seam that is a closed line repeats
-    /// its first point at the end and has points enough between to tell the way round.
+    /// its first point at the end and has enough points in between to define its direction.
     std::vector<Eigen::Vector3d> points;
 
     bool operator==(const UserJoin&) const = default;
