@@ -56,7 +56,7 @@ struct Format {
     const char* name;
 };
 
-/// Endings that assimp reads, and what such files hold.
+/// Endings that assimp reads, and the names of their formats.
 constexpr Format kFormats[] = {{".glb", translatable("binary glTF")},
                                {".gltf", translatable("glTF as text")},
                                {".fbx", "FBX"},
@@ -64,7 +64,7 @@ constexpr Format kFormats[] = {{".glb", translatable("binary glTF")},
                                {".3mf", translatable("a ZIP archive, as 3MF is")}};
 constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
 
-/// Whether a file may be of the format with this ending, by its first bytes.
+/// Whether the first bytes of a file fit the format of this ending.
 bool beginsAs(std::string_view ending, std::string_view bytes) {
     constexpr std::size_t kLooked = 4096;
     const std::string_view start = bytes.substr(0, kLooked);
@@ -78,7 +78,7 @@ bool beginsAs(std::string_view ending, std::string_view bytes) {
                : first != '{' && first != '<' && start.find("FBX") != std::string_view::npos;
 }
 
-/// What a file holds that does not begin as its ending says.
+/// The content of a file whose first bytes do not fit its ending.
 Wording otherContent(std::string_view ending, std::string_view bytes) {
     constexpr std::pair<std::string_view, const char*> kStarts[] = {
         {"LWSC", translatable("a LightWave scene")},
@@ -121,9 +121,9 @@ Vector3d vectorOf(const aiVector3D& v) {
     return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
 }
 
-/// A unit of so many millimetres: one that has a name, else millimetres, with the positions scaled.
+/// A unit of this many millimetres: a named one, else millimetres, with the positions scaled.
 LengthUnit takeUnit(double millimetres, std::vector<Vector3d>& positions) {
-    constexpr double kSame = 1e-6;  // FBX states a float
+    constexpr double kSame = 1e-6;  // FBX stores a float
     for (const LengthUnit unit : kLengthUnits) {
         if (std::abs(millimetres / millimetresPer(unit) - 1) < kSame) {
             return unit;
@@ -143,7 +143,7 @@ double millimetresOfFbx(const aiScene& scene) {
     return isKnown && std::isfinite(stated) && stated > 0 ? 10 * static_cast<double>(stated) : 0;
 }
 
-/// 3MF states its unit at the start of the model, and means millimetres if it states none.
+/// 3MF states its unit at the start of the model; the default is millimetres.
 double millimetresOf3mf(std::string_view archive) {
     using Unit = std::pair<std::string_view, double>;
     constexpr Unit kUnits[] = {
@@ -160,7 +160,7 @@ double millimetresOf3mf(std::string_view archive) {
     return found == std::end(kUnits) ? 1 : found->second;
 }
 
-/// The axis that FBX states, by its number, if it is y or z.
+/// The axis that FBX states, by its index, if it is y or z.
 std::optional<StatedUp> upOfFbx(const aiScene& scene) {
     std::int32_t axis = 0;
     const bool isKnown = scene.mMetaData != nullptr && scene.mMetaData->Get("UpAxis", axis);
@@ -169,14 +169,14 @@ std::optional<StatedUp> upOfFbx(const aiScene& scene) {
                : std::nullopt;
 }
 
-/// The unit and the up axis that the format or the file states. Assimp turns Collada files so that
-/// y is up, and leaves the others as they are written.
+/// The unit and the up axis that the format or the file states. Assimp turns Collada files to y up,
+/// and leaves the others as written.
 void stateConventions(std::string_view ending, std::string_view bytes, PolygonSoup& soup) {
     if (ending == ".glb" || ending == ".gltf") {
         soup.statedUnit = StatedUnit{LengthUnit::Metre, worded("glTF files are in metres")};
         soup.statedUp = StatedUp{UpAxis::Y, worded("y is up in glTF files")};
     } else if (ending == ".dae") {
-        // Assimp scales the root by the unit that the file states, metres if it states none.
+        // Assimp scales the root by the unit that the file states, by default metres.
         soup.statedUnit =
             StatedUnit{LengthUnit::Metre, worded("Collada files state their unit; read as metres")};
         soup.statedUp = StatedUp{UpAxis::Y, worded("Collada files state their up axis; read as y")};
@@ -206,7 +206,7 @@ public:
         return {firstPosition_ + index, isNew};
     }
 
-    /// Equal texture coordinates of one position are one.
+    /// Merges equal texture coordinates of one position.
     int uv(int position, const aiVector3D& uv) {
         const auto known = uvIndex_.insert(
             {static_cast<double>(position), static_cast<double>(uv.x), static_cast<double>(uv.y)});
@@ -230,7 +230,7 @@ private:
 
 class SceneReader {
 public:
-    /// @param most  corners and vertices that may be placed
+    /// @param most  maximum number of corners and vertices to place
     SceneReader(const aiScene& scene, const std::string& name, std::uint64_t most)
         : scene_(scene), builder_(name, "face"), soup_(builder_.soup()), most_(most) {}
 
@@ -252,10 +252,10 @@ public:
 private:
     using PlacedNode = std::pair<const aiNode*, Matrix4d>;
 
-    /// Lists the nodes that have meshes and counts what they place, before any of it is copied: a
+    /// Lists the nodes that have meshes and counts the corners they place before copying any: a
     /// small file may place one mesh very often.
     void placeNodes() {
-        constexpr std::uint64_t kPerObject = 150;  // an object costs as much as so many corners
+        constexpr std::uint64_t kPerObject = 150;  // cost of an object in corners
         std::vector<std::uint64_t> sizes(scene_.mNumMeshes, 0);
         for (unsigned m = 0; m < scene_.mNumMeshes; ++m) {
             const aiMesh& mesh = *scene_.mMeshes[m];
@@ -276,7 +276,7 @@ private:
                 placed_ += sizes[node.mMeshes[i]];
             }
             (node.mNumMeshes > 0 ? nodes_ : joints_[std::string(textOf(node.mName))]).push_back(at);
-            for (unsigned i = node.mNumChildren; i-- > 0;) {  // the first child is the next
+            for (unsigned i = node.mNumChildren; i-- > 0;) {  // visits the first child next
                 const aiNode* child = node.mChildren[i];
                 open.emplace_back(child, at.second * matrixOf(child->mTransformation));
             }
@@ -295,7 +295,7 @@ private:
                 return false;
             }
             for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-                if (mesh.mFaces[f].mNumIndices >= 3) {  // no points and lines
+                if (mesh.mFaces[f].mNumIndices >= 3) {  // skip points and lines
                     readFace(mesh, mesh.mFaces[f], corners);
                 }
             }
@@ -313,8 +313,8 @@ private:
         return true;
     }
 
-    /// Joints and inverse bind matrices alone place a mesh with a skin, not its node (glTF 2.0,
-    /// 3.7.3). Assimp names joints by the names of their nodes.
+    /// Only joints and inverse bind matrices place a mesh with a skin, not its node (glTF 2.0,
+    /// 3.7.3). Assimp names joints after their nodes.
     bool placeBySkin(const aiMesh& mesh) {
         std::vector<double> weights(mesh.mNumVertices, 0);
         std::vector<Vector3d> sums(mesh.mNumVertices, Vector3d::Zero());
@@ -325,7 +325,7 @@ private:
                 return false;
             }
             const Matrix4d pose = joint->second.front().second * matrixOf(bone.mOffsetMatrix);
-            if (b == 0) {  // vertices without weights go with the first joint, as in viewers
+            if (b == 0) {  // vertices without weights follow the first joint, as in viewers
                 placeByNode(mesh, pose);
             }
             for (unsigned w = 0; w < bone.mNumWeights; ++w) {
@@ -356,7 +356,7 @@ private:
         }
     }
 
-    /// Assimp does not check the indices of every format; the builder leaves out what is not there.
+    /// Assimp does not check the indices of every format; the builder drops missing ones.
     void readCorner(const aiMesh& mesh, unsigned v, int place, ObjectCorners& corners) {
         int position = io::kNoSuchPosition, uv = io::kNoUv;
         if (v < positions_.size()) {
@@ -372,7 +372,7 @@ private:
         soup_.cornerUvs.push_back(uv);
     }
 
-    /// Empty where the file gives the mesh none and assimp made one up.
+    /// Empty if the file gives the mesh no material and assimp made one up.
     std::string materialOf(const aiMesh& mesh) const {
         if (mesh.mMaterialIndex >= scene_.mNumMaterials) {
             return "";
@@ -387,13 +387,13 @@ private:
     std::uint64_t most_, placed_ = 0;
     std::vector<PlacedNode> nodes_;                          ///< those that have meshes
     std::map<std::string, std::vector<PlacedNode>> joints_;  ///< all others, by name
-    std::vector<Vector3d> positions_;                        ///< of the mesh that is read
+    std::vector<Vector3d> positions_;                        ///< of the current mesh
     bool isMirrored_ = false;
     io::FaceNames objects_{soup_.objects, soup_.faceObject};
     io::FaceNames materials_{soup_.materials, soup_.faceMaterial};
 };
 
-/// Opens the file itself and, to read only, what `pathBelow` finds in its folder.
+/// Opens the file itself and, read-only, files that `pathBelow` finds in its folder.
 class FolderFiles : public Assimp::DefaultIOSystem {
 public:
     FolderFiles(std::filesystem::path file, std::string& refused)
@@ -406,7 +406,7 @@ public:
     }
 
 private:
-    /// The path of a regular file, or nothing. URIs may have escapes.
+    /// The path of a regular file, or nothing. URIs can contain escapes.
     std::string find(const char* name) const {
         std::error_code unknown;
         if (file_ == name) {
@@ -426,10 +426,10 @@ private:
     }
 
     std::filesystem::path file_;
-    std::string& refused_;  ///< the first name that leads outside the folder
+    std::string& refused_;  ///< the first name that points outside the folder
 };
 
-/// Leaves only the importers of an ending (".glb"): assimp would choose by content otherwise.
+/// Keeps only the importers of an ending (".glb"): assimp would also choose by content.
 void keepImportersOf(std::string_view ending, Assimp::Importer& importer) {
     for (std::size_t k = importer.GetImporterCount(); k-- > 0;) {
         Assimp::BaseImporter* const other = importer.GetImporter(k);
@@ -437,12 +437,12 @@ void keepImportersOf(std::string_view ending, Assimp::Importer& importer) {
             " " + std::string(importer.GetImporterInfo(k)->mFileExtensions) + " ";
         if (endings.find(" " + std::string(ending.substr(1)) + " ") == std::string::npos) {
             importer.UnregisterLoader(other);
-            delete other;  // no longer the importer's
+            delete other;  // the importer does not own it any more
         }
     }
 }
 
-/// What reading a file of so many bytes may take. Garments need about a tenth of it.
+/// Limits for reading a file of this many bytes. Garments need about a tenth of them.
 io::ChildLimits limitsFor(std::size_t bytes) {
     constexpr std::uintmax_t kMemory = 400'000'000, kMemoryPerByte = 100;
     constexpr double kSeconds = 4, kSecondsPerByte = 1.2e-6;
@@ -456,13 +456,13 @@ std::uint64_t maxCornersFor(std::size_t bytes) {
                                    std::numeric_limits<int>::max());
 }
 
-/// In the child process. Throws std::bad_alloc.
+/// Runs in the child process. Throws std::bad_alloc.
 Result<PolygonSoup> readScene(const std::filesystem::path& path, std::string_view ending,
                               const std::string& name, std::uint64_t maxCorners) {
     std::string outside;
     Assimp::Importer importer;
     keepImportersOf(ending, importer);
-    importer.SetIOHandler(new FolderFiles(path, outside));  // the importer's from now on
+    importer.SetIOHandler(new FolderFiles(path, outside));  // owned by the importer
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION  // newer versions turn FBX files to y up
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true);

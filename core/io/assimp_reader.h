@@ -15,12 +15,12 @@ namespace toile {
 /// Reads glTF, FBX, Collada and 3MF files through assimp, in a child process with limits of time
 /// and memory by the size of the file, and with no access to files outside its folder. The first
 /// bytes must fit the ending. Every node that carries meshes is an object, placed by its own and
-/// its parents' transforms, or by its skin; a node that mirrors has its faces turned back. Assimp
-/// repeats a vertex wherever its normal or texture coordinate changes, so equal positions are
-/// merged within an object, never across objects, and so are equal texture coordinates at one
-/// position: islands of the UV map are connected by index as in an OBJ file. Points and lines are
-/// not read. The unit is stated where the format or the file states it, and z is up in 3MF.
-/// Coordinates have the precision of a float, as in assimp.
+/// its parents' transforms, or by its skin; faces of a mirroring node are reversed. Assimp repeats
+/// a vertex wherever its normal or texture coordinate changes, so equal positions are merged within
+/// an object, never across objects, and so are equal texture coordinates at one position: islands
+/// of the UV map are connected by index as in an OBJ file. Points and lines are skipped. The unit
+/// is set if the format or the file states it, and z is up in 3MF. Coordinates have the precision
+/// of a float, as in assimp.
 /// @param bytes  of the file  @param name  the file, for messages
 /// Errors: FileUnreadable (beyond the limits, a path outside the folder), MalformedFile,
 /// NoGeometry, Cancelled. Cost: that of assimp, and linear in the corners of all instances.
@@ -30,11 +30,11 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, std::strin
 
 /// Endings of these files, lower case with the dot.
 std::span<const std::string_view> assimpEndings();
-/// Whether an ending is one of them, in any case.
+/// Whether an ending is one of them, ignoring case.
 bool isForAssimp(std::string_view ending);
 
-/// How far a coordinate may lie from the one that was meant, where all of them have passed through
-/// floats: half a step at the largest of them, in their unit. Cost: linear. Pure.
+/// Rounding error of coordinates that have passed through floats: half a step at the largest
+/// coordinate, in their unit. Cost: linear. Pure.
 double precisionOfFloats(const PolygonSoup& soup);
 
 }  // namespace toile

@@ -7,7 +7,7 @@
 
 namespace toile::io {
 
-/// A number as it lies in a file of the given byte order. @param bytes at least sizeof(T) of them
+/// Reads a number in the given byte order. @param bytes at least sizeof(T) of them
 template <class T>
 T readBytes(const char* bytes, std::endian order) {
     char own[sizeof(T)];

@@ -23,7 +23,7 @@ namespace {
 constexpr int kExitOutOfMemory = 2;
 constexpr int kMaxInherited = 1024;  // of open files, the usual limit
 
-/// Addresses in use; a sanitizer has terabytes of them.
+/// Address space in use; a sanitizer has terabytes of it.
 rlim_t bytesNow() {
     std::ifstream sizes("/proc/self/statm");
     rlim_t pages = 0;
@@ -36,7 +36,7 @@ void limit(__rlimit_resource_t resource, rlim_t soft, rlim_t hard) {
     setrlimit(resource, &bound);
 }
 
-/// The child. `out` is the end of the pipe that it writes to.
+/// Runs the child. `out` is the end of the pipe that it writes to.
 [[noreturn]] void runAndExit(const std::function<std::string()>& work, const ChildLimits& limits,
                              pid_t parent, int out) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -49,12 +49,12 @@ void limit(__rlimit_resource_t resource, rlim_t soft, rlim_t hard) {
     const auto seconds = static_cast<rlim_t>(limits.seconds);
     const rlim_t memory = bytesNow() + limits.memory;
     limit(RLIMIT_CORE, 0, 0);
-    limit(RLIMIT_FSIZE, 0, 0);  // no file grows; a pipe is none
+    limit(RLIMIT_FSIZE, 0, 0);  // no file can grow; pipes are not affected
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_AS, memory, memory);
     for (int file = STDERR_FILENO + 1; file < kMaxInherited; ++file) {
         if (file != out) {
-            close(file);  // also the pipes of other children, which end only when all have let go
+            close(file);  // also pipes of other children, which end when all copies are closed
         }
     }
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -89,7 +89,7 @@ ChildEnd endOf(int status) {
 ChildResult runInChild(const std::function<std::string()>& work, const ChildLimits& limits,
                        const Progress& progress) {
     constexpr int kPollMilliseconds = 5;
-    // In case the child waits instead of computing, also on a machine with other work.
+    // In case the child waits instead of computing; allows for other work on the machine.
     const auto deadline =
         std::chrono::steady_clock::now() + std::chrono::seconds(4 * limits.seconds);
     ChildResult result;
@@ -132,7 +132,7 @@ ChildResult runInChild(const std::function<std::string()>& work, const ChildLimi
     } while (ended < 0 && errno == EINTR);
     result.end = killedFor        ? *killedFor
                  : ended == child ? endOf(status)
-                                  : ChildEnd::Finished;  // reaped elsewhere
+                                  : ChildEnd::Finished;  // another caller has reaped it
     return result;
 }
 

@@ -12,23 +12,23 @@ namespace toile::io {
 /// Limits of a child process.
 struct ChildLimits {
     int seconds = 0;            ///< of processor time
-    std::uintmax_t memory = 0;  ///< bytes of addresses beyond what the program has, and of output
+    std::uintmax_t memory = 0;  ///< bytes of address space beyond the program's, and of output
 };
 
 enum class ChildEnd { Finished, BeyondLimits, Crashed, Cancelled };
 
 struct ChildResult {
     ChildEnd end = ChildEnd::Crashed;
-    /// What the work returned, if it finished; incomplete if somebody else has reaped the child.
+    /// The result of the work, if it finished; incomplete if other code has reaped the child.
     std::string output{};
 };
 
-/// Runs work in a child process, which has a copy of this program's memory, and hands back the
-/// bytes that the work returns. A library that crashes, never returns or takes too much memory does
-/// so there. The child prints nothing, writes no file, and ends with its parent.
-/// @param work      it must not ask for locks that other threads may hold; std::bad_alloc counts as
+/// Runs work in a child process, which has a copy of this program's memory, and returns the bytes
+/// that the work returns. If a library crashes, never returns or takes too much memory, only the
+/// child is affected. The child prints nothing, writes no file, and ends with its parent.
+/// @param work      must not take locks that other threads may hold; std::bad_alloc counts as
 ///                  BeyondLimits, any other exception as a crash
-/// @param progress  if it is cancelled, the child is ended at once
+/// @param progress  if it is cancelled, the child is killed at once
 /// If no child can be started, it counts as crashed.
 /// Cost: that of the work, a fork, and a copy of the output. Any thread.
 ChildResult runInChild(const std::function<std::string()>& work, const ChildLimits& limits,

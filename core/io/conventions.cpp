@@ -14,8 +14,8 @@ constexpr double kMetresBelow = 3;        // a garment of 3 m or 3 cm: neither i
 constexpr double kCentimetresUpTo = 250;  // a floor-length dress has 160 cm, a child's shirt 250 mm
 constexpr double kDecimetres[2] = {13, 19};  // MakeHuman's: a suit of 16 dm, hardly one of 16 cm
 
-// Where a size would fit a neighbouring unit too: a doll's shirt of 12 cm, or 12 dm; a coat of
-// 170 cm, or a sock of 170 mm.
+// A size that would fit a neighbouring unit too: a doll's shirt of 12 cm, or 12 dm; a coat of 170
+// cm, or a sock of 170 mm.
 constexpr double kDoubt[2][2] = {{3, 25}, {150, 350}};
 
 Wording reasonFor(LengthUnit unit, const std::vector<Wording>& extents) {
@@ -27,7 +27,7 @@ Wording reasonFor(LengthUnit unit, const std::vector<Wording>& extents) {
                : worded("largest extent %1, read as millimetres", extents);
 }
 
-/// About four digits, without needless zeros: "1.52", "1520", "0.0000001".
+/// About four digits, without trailing zeros: "1.52", "1520", "0.0000001".
 Wording rounded(double value) {
     if (!(value > 1e-9 && value < 1e9)) {
         return shortest(value);
@@ -62,7 +62,7 @@ namespace {
 constexpr Word<UpAxis> kAxes[] = {{UpAxis::Y, "y"}, {UpAxis::Z, "z"}};
 constexpr double kFlatBySure = 0.4;   // of the extent along z: a body's depth to its height
 constexpr double kFlatPerhaps = 0.6;  // a wide shirt; but a cap with its brim too
-constexpr double kAlike = 0.25;       // a skirt is about as wide as deep: nothing to see there
+constexpr double kAlike = 0.25;       // a skirt is about as wide as deep: no evidence
 
 }  // namespace
 

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Judged by its words alone, as it may not be there.
+/// Checks the text of the path alone, as the file may not exist.
 bool staysBelow(const fs::path& path) {
     return !path.has_root_path() && std::ranges::find(path, "..") == path.end();
 }
@@ -96,7 +96,7 @@ Result<std::uint64_t> hashWithBuffers(const fs::path& path, std::string_view tex
         const fs::path at =
             fs::exists(beside, unknown) ? beside : path.parent_path() / withoutEscapes(written);
         if (!fs::exists(at, unknown)) {
-            continue;  // assimp says so
+            continue;  // assimp reports it
         }
         if (!pathBelow(path.parent_path(), at)) {
             return refused(kBufferElsewhere, written);

@@ -15,13 +15,13 @@ void append(std::vector<Value>& all, const std::vector<Value>& more) {
     all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Names of one kind of all files, and which each face carries; what is named alike is one.
+/// Names of one kind of all files, and the name of each face; equal names are merged.
 class JoinedNames {
 public:
     JoinedNames(std::vector<std::string>& names, std::vector<int>& ofFace)
         : names_(names), ofFace_(ofFace) {}
 
-    /// @param facesBefore  those without a name
+    /// @param facesBefore  number of faces without a name
     void append(const std::vector<std::string>& more, const std::vector<int>& ofMore,
                 int facesBefore) {
         if (ofMore.empty()) {
@@ -53,7 +53,7 @@ void padTo(std::size_t count, std::vector<int>& list) {
     }
 }
 
-/// Objects by names that no other has.
+/// Names the objects uniquely.
 void nameObjects(PolygonSoup& soup, const std::string& file, UniqueNames& names) {
     if (soup.objects.empty()) {
         soup.objects = {file};

@@ -13,9 +13,9 @@ struct NamedSoup {
     PolygonSoup soup;
 };
 
-/// Several files of a garment as one that holds all of them, in their order. What a file names no
-/// object is one by the file's name; so is told apart what two files name alike. The files' own
-/// digits do not come along. Precondition: at least one, all in one unit.
+/// Joins several files of a garment, in their order. A file without objects becomes one object with
+/// the file's name, which is also the prefix of an object whose name is taken. The files' own
+/// digits are dropped. Precondition: at least one, all in one unit.
 /// Cost: linear. Pure.
 PolygonSoup joinedSoups(std::vector<NamedSoup> files);
 

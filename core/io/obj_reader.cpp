@@ -18,15 +18,15 @@
 namespace toile {
 namespace {
 
-/// Position in a list that has `count` entries so far of an index that counts from 1, or back from
-/// the end where it is negative; `none` where there can be no such entry.
+/// Converts an index that counts from 1, or back from the end if negative, to a position in a list
+/// that has `count` entries so far; `none` if there can be no such entry.
 int fromZero(int index, std::size_t count, int none) {
     const int resolved = index > 0 ? index - 1 : static_cast<int>(count) + index;
     return index == 0 || resolved < 0 ? none : resolved;
 }
 
-/// Millimetres in the unit that a comment in lower case states: "1 unit = 8ft", "units:
-/// millimetres"; 0 if it states none.
+/// Millimetres in the unit that a lower-case comment states: "1 unit = 8ft", "units: millimetres";
+/// 0 if it does not state one.
 double unitOfComment(const std::string& text) {
     constexpr std::pair<std::string_view, double> kWords[] = {
         {"mm", 1},       {"millimet", 1},  {"cm", 10},   {"centimet", 10},
@@ -106,7 +106,7 @@ private:
         }
     }
 
-    /// A unit without a name is left to the user, as positions keep the file's digits.
+    /// A unit without a name is left to the user, since positions keep the file's digits.
     void noteUnit(double millimetres) {
         const auto unit = FileUnit::ofMillimetres(millimetres);
         if (unit && unit->named()) {
@@ -121,8 +121,8 @@ private:
         }
     }
 
-    /// MakeHuman works in decimetres and lets its users export in other units: only a size that
-    /// fits clothes in decimetres is taken for that.
+    /// MakeHuman works in decimetres and lets its users export in other units: assume decimetres
+    /// only if the size then fits clothes.
     static void noteMakeHuman(PolygonSoup& soup) {
         constexpr double kSmallest = 2, kLargest = 25;
         Eigen::AlignedBox3d box;
@@ -149,8 +149,8 @@ private:
         }
     }
 
-    /// Where the text of a position lies, without a comment; empty where the line is joined with
-    /// the next, as it could not be repeated as one.
+    /// The span of a position's text, without a comment; empty if the line is joined with the next,
+    /// since an export repeats single lines.
     TextSpan spanOf(std::string_view text, int line) const {
         if (cursor_.line() != line || text.ends_with('\\')) {
             return {};
@@ -161,7 +161,7 @@ private:
                 static_cast<std::uint32_t>(last + 1)};
     }
 
-    /// One, two or three numbers, of which the first two count.
+    /// One, two or three numbers; the first two are used.
     void readUv() {
         const int line = cursor_.line();
         Eigen::Vector2d uv(0, 0);
@@ -206,7 +206,7 @@ private:
             return false;
         }
         if (uv != io::kNoUv &&
-            soup_.cornerUvs.empty()) {  // most files have none: nothing is kept then
+            soup_.cornerUvs.empty()) {  // most files have none: nothing is stored
             soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
         }
         if (uv != io::kNoUv || !soup_.cornerUvs.empty()) {

@@ -12,8 +12,8 @@
 namespace toile {
 namespace {
 
-/// True for OFF and its variants with texture coordinates, colours and normals per vertex: the
-/// position comes first on the line in each. Not for those of other dimensions (4OFF, nOFF).
+/// True for OFF and its variants with texture coordinates, colours and normals per vertex: each
+/// puts the position first on the line. False for other dimensions (4OFF, nOFF).
 bool isOffKeyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
         if (word.starts_with(prefix)) {
@@ -63,7 +63,7 @@ private:
             return malformed("no counts of vertices and faces where they are expected");
         }
         cursor_.nextLine();
-        // A vertex needs 5 bytes at the least ("0 0 0"), a face one.
+        // A vertex needs at least 5 bytes ("0 0 0"), a face one.
         const std::size_t vertices = static_cast<std::size_t>(vertexCount);
         if (vertices > cursor_.bytesLeft() / 5 + 1 ||
             static_cast<std::size_t>(faceCount) > cursor_.bytesLeft()) {

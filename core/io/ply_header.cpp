@@ -124,7 +124,7 @@ private:
         return std::move(header_);
     }
 
-    /// Where lines end in CR alone, a byte 10 after the last one is data.
+    /// If lines end in CR alone, a byte 10 after the last one is data.
     void skipLastLineEnd() {
         const std::size_t firstEnd = bytes_.find_first_of("\r\n");
         const bool crAlone =
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    /// Least size of one record: the bytes of its numbers, or a digit and a blank for each.
+    /// Minimum size of one record: the bytes of its numbers, or a digit and a blank for each.
     std::size_t leastBytes(const PlyElement& element) const {
         std::size_t bytes = 0;
         for (const PlyProperty& property : element.properties) {

@@ -26,7 +26,7 @@ std::size_t sizeOf(PlyType type);
 struct PlyProperty {
     std::string name;
     PlyType type;
-    std::optional<PlyType> countType;  ///< there where it is a list
+    std::optional<PlyType> countType;  ///< set if it is a list
 };
 
 struct PlyElement {
@@ -35,7 +35,7 @@ struct PlyElement {
     std::vector<PlyProperty> properties;
 };
 
-/// What a PLY file says it holds.
+/// The contents that a PLY file declares.
 struct PlyHeader {
     PlyFormat format = PlyFormat::Ascii;
     std::vector<PlyElement> elements;
@@ -43,13 +43,13 @@ struct PlyHeader {
     int bodyLine = 1;            ///< line number there
 };
 
-/// Reads the header. Every count is one that the bytes after the header can hold, so that memory
-/// may be set aside for it. `name` is the file, for messages.
+/// Reads the header. Every count is limited to the bytes after the header, so that callers can
+/// reserve memory for it. `name` is the file, for messages.
 /// Errors: MalformedFile, with the line.
 Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name);
 
-/// The body of a PLY file as the numbers that follow each other in it, written out or as bytes;
-/// both classes offer the same. Every type's values are exact in a double.
+/// The body of a PLY file as consecutive numbers, as text or as bytes; both classes have the same
+/// interface. Every type's values are exact in a double.
 
 class PlyTextNumbers {
 public:
@@ -58,7 +58,7 @@ public:
           bodyOffset_(header.bodyOffset),
           bodyLine_(header.bodyLine) {}
 
-    /// The next number; NaN where there is a word that is none. False at the end of the file.
+    /// The next number; NaN for a word that is not a number. False at the end of the file.
     bool next(PlyType, double& value) {
         cursor_.skipSpace();
         first_ = bodyOffset_ + cursor_.offset();
@@ -72,7 +72,7 @@ public:
         return true;
     }
 
-    /// Where to look for the last number: its line, from 1.
+    /// Position of the last number for messages: its line, from 1.
     int place(std::size_t) const { return bodyLine_ + cursor_.line() - 1; }
 
     /// Offset in the file of the last number's first byte, and of the byte after it.
@@ -80,7 +80,7 @@ public:
 
     std::size_t last() const { return bodyOffset_ + cursor_.offset(); }
 
-    /// The last word that was no number; empty where there was none since the last call.
+    /// The last word that was not a number; empty if there was none since the last call.
     std::string_view takeUnreadable() { return std::exchange(unreadable_, {}); }
 
 private:
@@ -107,7 +107,7 @@ public:
         return true;
     }
 
-    /// Where to look for the last number: its record, from 1.
+    /// Position of the last number for messages: its record, from 1.
     int place(std::size_t record) const { return static_cast<int>(record) + 1; }
 
     /// Numbers in bytes have no text.

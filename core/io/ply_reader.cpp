@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-/// Index of the first property of one of the names that is (or is not) a list, or -1.
+/// Index of the first property with one of the names that is (or is not) a list, or -1.
 int indexOf(const io::PlyElement& element, bool list,
             std::initializer_list<std::string_view> names) {
     for (const std::string_view name : names) {
@@ -28,7 +28,7 @@ int indexOf(const io::PlyElement& element, bool list,
     return -1;
 }
 
-/// Which properties of a vertex are its coordinates.
+/// The properties of a vertex that are its coordinates.
 struct VertexLayout {
     explicit VertexLayout(const io::PlyElement& vertex)
         : x(indexOf(vertex, false, {"x"})),
@@ -144,8 +144,8 @@ private:
         }
     }
 
-    /// Reads the faces whose corners the given property lists; passes over the element where that
-    /// is -1. Records without properties take no room, whatever their count.
+    /// Reads the faces whose corners the given property lists; skips the element if that is -1.
+    /// Records without properties take no space, whatever their count.
     Result<void> readFaces(const io::PlyElement& element, int list) {
         for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             bool readable = true;
@@ -172,7 +172,7 @@ private:
     bool readCorners(const io::PlyProperty& property, bool& readable) {
         std::size_t count = 0;
         double index = 0;
-        numbers_.takeUnreadable();  // of the record's other properties: of no consequence
+        numbers_.takeUnreadable();  // words in the record's other properties: ignored
         if (!readCount(property, count)) {
             return false;
         }
@@ -183,7 +183,7 @@ private:
         return count == 0;
     }
 
-    /// A plain number, or a list that is passed over.
+    /// A plain number, or a list, which is skipped.
     bool readProperty(const io::PlyProperty& property, double& value) {
         if (!property.countType) {
             return numbers_.next(property.type, value);
@@ -198,7 +198,7 @@ private:
         return count == 0;
     }
 
-    /// Number of entries of a list; false also where it is none, as nothing after it has a place.
+    /// Number of entries of a list; false if it cannot be read, as the following data is then lost.
     bool readCount(const io::PlyProperty& property, std::size_t& count) {
         double value = 0;
         if (!numbers_.next(*property.countType, value) || !isIndex(value)) {

@@ -33,10 +33,10 @@ using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const
 
 constexpr std::string_view kZip = ".zip", kUsd = ".usd";
 constexpr std::string_view kBinaryUsd[] = {kUsd, ".usdc", ".usdz"};
-/// Of what is read elsewhere, `patternFileKind`.
+/// Formats that `patternFileKind` reads instead.
 constexpr std::string_view kOfPatterns[] = {".dxf", ".svg", "specification.json"};
 
-/// Why a file with this ending is not read.
+/// The error for a file with this ending.
 Error unknownEnding(const std::string& name, std::string_view ending) {
     const bool isUsd = std::ranges::any_of(
         kBinaryUsd, [&](std::string_view known) { return equalsIgnoringCase(ending, known); });
@@ -47,7 +47,7 @@ Error unknownEnding(const std::string& name, std::string_view ending) {
                          : Wording("\"" + std::string(ending) + "\"")};
 }
 
-/// Why a path is not read that names no format of meshes: it may be more than the ending.
+/// The error for a path whose ending is not a mesh format: the path may be a folder, for example.
 Error unreadEnding(const std::filesystem::path& path, const std::string& name,
                    std::string_view ending) {
     std::error_code ignored;
@@ -64,7 +64,7 @@ Error unreadEnding(const std::filesystem::path& path, const std::string& name,
                      : unknownEnding(name, ending);
 }
 
-/// USD of either form, of which the one that is text can be read.
+/// Reads USD text; the binary form is refused.
 Result<PolygonSoup> readEitherUsd(std::shared_ptr<const std::string> bytes, const std::string& name,
                                   Progress& progress) {
     return bytes->starts_with("#usda") ? readUsd(std::move(bytes), name, progress)
@@ -82,13 +82,13 @@ Reader readerFor(std::string_view ending) {
     return known == std::end(kOwn) ? nullptr : known->second;
 }
 
-/// By one of our own readers. @param name  the file, or the archive it was in, for messages
+/// Uses one of our own readers. @param name  the file, or the archive containing it, for messages
 Result<PolygonSoup> readOwn(std::shared_ptr<const std::string> bytes, const std::string& name,
                             std::string_view ending, Progress& progress) {
     return readerFor(ending)(std::move(bytes), name, progress);
 }
 
-/// What meshes state, as USD does, must be the same of all.
+/// Units stated by meshes, as in USD, must agree.
 bool areOfOneUnit(const std::vector<io::NamedSoup>& soups) {
     const auto statedBy = [](const io::NamedSoup& file) {
         const auto& unit = file.soup.statedUnit;
@@ -101,7 +101,7 @@ bool areOfOneUnit(const std::vector<io::NamedSoup>& soups) {
     });
 }
 
-/// Several meshes of an archive are one garment, as several files that are opened together.
+/// Joins several meshes of an archive into one garment, like several files opened together.
 Result<PolygonSoup> readZipped(const std::string& archive, const std::string& name,
                                Progress& progress) {
     const auto meshes = io::meshesInZip(archive, name, kInZip, progress);
@@ -115,7 +115,7 @@ Result<PolygonSoup> readZipped(const std::string& archive, const std::string& na
         if (!soup) {
             return soup.error();
         }
-        const std::size_t start = mesh.name.rfind('/', dot) + 1;  // 0 where there is none
+        const std::size_t start = mesh.name.rfind('/', dot) + 1;  // 0 if there is none
         soups.push_back({readableName(mesh.name.substr(start, dot - start)), *std::move(soup)});
         progress.report(static_cast<double>(soups.size()) / static_cast<double>(meshes->size()));
     }

@@ -12,20 +12,20 @@
 
 namespace toile::io {
 
-/// Counts what a reader meets, so that a file with a thousand faults of a kind gives one message
-/// with the count and the first place.
+/// Counts the faults that a reader finds, so that a thousand faults of a kind give one message with
+/// the count and the first place.
 class ProblemCounter {
 public:
-    /// `placeWord` names what places are: "line", "face".
+    /// `placeWord` is the word for places: "line", "face".
     explicit ProblemCounter(std::string_view placeWord) : placeWord_(placeWord) {}
 
-    /// One more fault: `noun` is what it befell ("face"), `what` the fault ("left out: ..."). Both
-    /// are literals, the latter a `translatable` one.
+    /// Counts one more fault: `noun` is the affected element ("face"), `what` the fault ("left out:
+    /// ..."). Both are literals, the latter a `translatable` one.
     void add(ErrorCode code, std::string_view noun, const char* what, int place);
 
     bool empty() const { return entries_.empty(); }
 
-    /// All faults in words: "2 faces left out: ..., first at line 7; 1 vertex ..., line 3".
+    /// All faults as text: "2 faces left out: ..., first at line 7; 1 vertex ..., line 3".
     Wording summary() const;
     /// One problem per code, in order of first occurrence.
     Problems problems(const std::string& file) const;
@@ -45,19 +45,19 @@ private:
     std::vector<Entry> entries_;
 };
 
-/// Corner indices that a reader pushes for what the file does not say properly.
+/// Corner indices that a reader pushes for missing or unreadable values.
 inline constexpr int kNoSuchPosition = -1;
-inline constexpr int kNoUv = -1;      ///< the corner has none: fine
-inline constexpr int kNoSuchUv = -2;  ///< the corner names one that cannot be
+inline constexpr int kNoUv = -1;      ///< the corner has none: no fault
+inline constexpr int kNoSuchUv = -2;  ///< the corner names an invalid one
 
-/// Records between two looks at `Progress::isCancelled`; a power of two.
+/// Records between two checks of `Progress::isCancelled`; a power of two.
 inline constexpr int kRecordsPerCancelCheck = 1 << 16;
 
-/// The part that all readers share: it keeps the soup's promises whatever the file says. Indices
-/// are checked at the end only, as a face may come before its positions.
+/// The part shared by all readers: it guarantees the soup's invariants whatever the file contains.
+/// Indices are checked at the end only, as a face may come before its positions.
 class SoupBuilder {
 public:
-    /// `name` is the file for messages; `placeWord` what places are: "line", "record".
+    /// `name` is the file for messages; `placeWord` the word for places: "line", "record".
     SoupBuilder(std::string name, std::string_view placeWord);
 
     /// For uvs, names, corners and position text, which readers fill themselves.
@@ -79,20 +79,20 @@ public:
         }
     }
 
-    /// Keeps the place of a position whose text is no position, so that no later index shifts.
+    /// Adds a placeholder for an unreadable position, so that later indices do not shift.
     void addUnreadablePosition(std::string_view text, int place);
-    /// Ends a face: its corners are those pushed since the last face. False where they are fewer
-    /// than three; they are gone then, and listed.
+    /// Ends a face: its corners are those pushed since the last face. False if there are fewer than
+    /// three; they are then removed, and the face is listed.
     bool endFace(int place);
-    /// Takes back the corners pushed since the last face, and lists it.
+    /// Removes the corners pushed since the last face, and lists the face.
     void dropUnreadableFace(int place);
 
     Error malformed(std::string detail) const;
 
     Error cancelled() const { return {ErrorCode::Cancelled, Subject::file(name_)}; }
 
-    /// Leaves out faces with indices out of range and hands the soup over.
-    /// Errors: NoGeometry where no face is left.
+    /// Drops faces with indices out of range and returns the soup.
+    /// Errors: NoGeometry if no face is left.
     Result<PolygonSoup> finish();
 
 private:
@@ -106,14 +106,14 @@ private:
     ProblemCounter counter_;
 };
 
-/// The names of one kind (objects, groups or materials) and which one each face carries. Fills the
-/// soup's lists as it promises: both empty until the first name, a name used twice is one entry.
+/// The names of one kind (objects, groups or materials) and the name of each face. Fills the soup's
+/// lists as it requires: both empty until the first name, a name used twice is one entry.
 class FaceNames {
 public:
     FaceNames(std::vector<std::string>& names, std::vector<int>& perFace)
         : names_(names), perFace_(perFace) {}
 
-    /// The name of all faces to come, as the file has it; an empty one ends the last.
+    /// Sets the name of all following faces, as in the file; an empty one ends the last.
     /// @param faceCount  faces so far
     void change(std::string_view text, int faceCount);
 

@@ -30,7 +30,7 @@ public:
     }
 
     void texts(std::vector<std::string>& items) {
-        std::vector<char> each(items.size());  // so that the count is bounded by what follows
+        std::vector<char> each(items.size());  // bounds the count by the bytes that follow
         list(each);
         items.resize(each.size());
         for (std::string& item : items) {
@@ -58,7 +58,7 @@ private:
     std::string_view rest_;
 };
 
-/// The errors are the problems of a soup, or the one that there is instead.
+/// Exchanges a soup. The errors are its problems, or the one error instead of it.
 void exchange(Stream& stream, PolygonSoup& soup, Problems& errors) {
     std::vector<int> codes, units, axes;
     if (soup.statedUnit) {

@@ -10,10 +10,10 @@
 namespace toile::io {
 
 /// A soup without text, hash and up axis, or an error, as bytes for another process of the same
-/// program; of the unit without its reason, of problems only code and text.
+/// program; the unit without its reason, problems with code and text only.
 std::string packedSoup(Result<PolygonSoup> soup);
 
-/// The soup or the error of such bytes. What does not keep the promises of a soup is MalformedFile.
+/// Unpacks the soup or the error. Bytes that violate the invariants of a soup are MalformedFile.
 /// @param name  the file, for messages
 Result<PolygonSoup> unpackedSoup(std::string_view bytes, const std::string& name);
 

@@ -14,14 +14,14 @@
 namespace toile {
 namespace {
 
-/// Names face by face, as a file with a line for each change has them.
+/// Names face by face, like a file with a line for each change.
 class ArrayFaceNames {
 public:
     ArrayFaceNames(const ArrayNames& given, std::vector<std::string>& names,
                    std::vector<int>& perFace)
         : given_(given), taken_(names, perFace) {}
 
-    /// The name of a face, before it is added to so many.
+    /// Sets the name of a face, before it is added as number `faceCount`.
     void change(std::size_t face, int faceCount) {
         const int index = given_.ofFace.empty() ? -1 : given_.ofFace[face];
         if (index != current_) {
@@ -39,7 +39,7 @@ private:
     int current_ = -1;
 };
 
-/// The positions as a file would have them.
+/// Writes the positions as text, as in a file.
 void giveText(PolygonSoup& soup, int decimals) {
     auto text = std::make_shared<std::string>();
     for (const Eigen::Vector3d& position : soup.positions) {
@@ -61,7 +61,7 @@ std::string_view bytesOf(std::span<const Number> numbers) {
     return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// Tells one mesh from another, as a file's bytes do.
+/// Identifies a mesh, like the hash of a file's bytes.
 std::uint64_t hashOfArrays(const MeshInArrays& mesh) {
     const std::array hashes{
         contentHash(bytesOf(mesh.positions)),     contentHash(bytesOf(mesh.uvs)),

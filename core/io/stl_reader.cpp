@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-// A binary file: 80 bytes of anything, the number of facets, then 50 bytes each (normal, three
+// A binary file: 80 bytes of any content, the number of facets, then 50 bytes each (normal, three
 // corners, two bytes more).
 constexpr std::size_t kHeaderBytes = 84;
 constexpr std::size_t kFacetBytes = 50;
@@ -25,8 +25,8 @@ std::uint32_t promisedFacets(const std::string& bytes) {
     return io::readBytes<std::uint32_t>(bytes.data() + 80, std::endian::little);
 }
 
-/// Decided by the size, as some binary files begin with "solid" too. A file that does not may
-/// carry further bytes after its facets.
+/// Decided by the size, as some binary files begin with "solid" too. A file that does not may have
+/// further bytes after its facets.
 bool isBinary(const std::string& bytes) {
     if (bytes.size() < kHeaderBytes) {
         return false;
@@ -134,7 +134,7 @@ private:
         }
     }
 
-    /// A facet that was begun and not ended.
+    /// Drops a facet that was begun and not ended.
     void dropOpenFacet(int line) {
         if (static_cast<int>(soup_.corners.size()) > soup_.faceStart.back()) {
             builder_.dropUnreadableFace(line);

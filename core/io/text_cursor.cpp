@@ -11,8 +11,8 @@ bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The value of a number beyond a double's range: its exponent's sign tells tiny from huge, or its
-/// leading zero where it has no exponent.
+/// The value of a number beyond a double's range: its exponent's sign, or a leading zero if it has
+/// no exponent, distinguishes tiny from huge.
 double saturated(std::string_view number) {
     const bool negative = number.front() == '-';
     const std::size_t e = number.find_first_of("eE");
@@ -38,7 +38,7 @@ bool TextCursor::skipJoinedLineEnd() {
     }
     ++p_;
     skipLineEnd();
-    // The caller looks at the next character: there must be one for it to go on.
+    // The caller reads the next character, so one must be left.
     return p_ != end_;
 }
 

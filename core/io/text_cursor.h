@@ -16,9 +16,9 @@ inline bool isNewline(char c) {
     return c == '\n' || c == '\r';
 }
 
-/// A place in a text file held in memory, for readers that pass over it once. Lines end in LF, CRLF
-/// or CR; a backslash before a line's end joins it with the next. Numbers never follow the locale.
-/// The text must outlive the cursor.
+/// A position in a text file held in memory, for readers that make one pass. Lines end in LF, CRLF
+/// or CR; a backslash before a line's end joins it with the next. Numbers never depend on the
+/// locale. The text must outlive the cursor.
 class TextCursor {
 public:
     /// Starts at the first byte after a byte order mark, in line 1.
@@ -37,7 +37,7 @@ public:
 
     std::size_t bytesLeft() const { return static_cast<std::size_t>(end_ - p_); }
 
-    /// Passes blanks and joined line ends.
+    /// Skips blanks and joined line ends.
     void skipBlanks() {
         while (p_ != end_ && (isBlank(*p_) || (*p_ == '\\' && skipJoinedLineEnd()))) {
             if (isBlank(*p_)) {
@@ -46,35 +46,36 @@ public:
         }
     }
 
-    /// Passes blanks and line ends.
+    /// Skips blanks and line ends.
     void skipSpace() {
         for (skipBlanks(); p_ != end_ && isNewline(*p_); skipBlanks()) {
             skipLineEnd();
         }
     }
 
-    /// Passes blanks, line ends and comments (from `#` to the line's end).
+    /// Skips blanks, line ends and comments (from `#` to the line's end).
     void skipSpaceAndComments();
     /// Goes to the start of the next line.
     void nextLine();
 
-    /// Passes one character, if it is there.
+    /// Skips one character, if it is there.
     bool skip(char c) { return at(c) && (++p_, true); }
 
-    /// Passes what stands up to the next blank or line end.
+    /// Reads up to the next blank or line end.
     std::string_view token();
-    /// What stands from here to the line's end, without blanks at either side; does not move.
+    /// The text from here to the line's end, without blanks at either side; does not move.
     std::string_view restOfLine() const;
 
-    /// Reads a number ("1.5", "+1e-3", "nan", "-inf") that a blank or the line's end follows. Too
-    /// large ones are infinite, too small ones zero. Stays where it is where there is no number.
+    /// Reads a number ("1.5", "+1e-3", "nan", "-inf") followed by a blank or the line's end. Too
+    /// large ones are infinite, too small ones zero. Does not move if there is no number.
     bool readDouble(double& value);
-    /// `count` numbers of this line with blanks before each; false at the first that is none.
+    /// Reads `count` numbers of this line, each after blanks; false at the first that is not a
+    /// number.
     bool readDoubles(double* values, int count);
 
     enum class IntStatus { Ok, TooLarge, NotANumber };
-    /// Reads a whole number; whatever follows stays. Moves past it also where it is too large.
-    /// Inline, as a file has millions of them: a tenth of the time to read an OBJ file.
+    /// Reads a whole number, also past one that is too large; stops at the next character. Inline,
+    /// as a file has millions of them: a tenth of the time to read an OBJ file.
     IntStatus readInt(int& value) {
         const char* first = p_;
         if (first != end_ && *first == '+') {
@@ -108,8 +109,7 @@ private:
     int line_ = 1;
 };
 
-/// True where a digit, a comma and a digit follow each other: the mark of numbers written with
-/// decimal commas.
+/// True if a digit, a comma and a digit follow each other: numbers with decimal commas.
 bool hasDecimalComma(std::string_view text);
 
 }  // namespace toile::io

@@ -17,10 +17,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A larger polygon is fanned: clipping its ears would take seconds, and no garment has one.
+/// A larger polygon becomes a fan: clipping its ears would take seconds, and no garment has one.
 constexpr int kMaxEarCorners = 4000;
 
-/// A diagonal's worth in a quad: the worse shape of the two triangles (signed height relative to
+/// Quality of a diagonal in a quad: the worse shape of the two triangles (signed height relative to
 /// the longest edge). Corners a, b, c, d with the diagonal from a to c.
 double diagonalShape(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vector3d& d,
                      const Vector3d& normal) {
@@ -97,8 +97,8 @@ private:
         }
     }
 
-    /// Positions relative to the first corner, scaled to extents of about 1 by a power of two: far
-    /// from the origin and at any scale the rest loses no digits.
+    /// Positions relative to the first corner, scaled to extents of about 1 by a power of two, so
+    /// that no digits are lost far from the origin or at any scale.
     void localise() {
         local_.clear();
         double extent = 0;
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    /// Newell's normal, of length 1; 0 where the polygon has no area.
+    /// Newell's normal, of length 1; 0 if the polygon has no area.
     Vector3d normal() const {
         Vector3d sum = Vector3d::Zero();
         double size = 0;
@@ -153,8 +153,8 @@ private:
         }
     }
 
-    /// The polygon along the axis nearest to its normal, anti-clockwise: coordinates are left out,
-    /// not computed, so corners on a line stay on a line.
+    /// Projects the polygon along the axis closest to its normal, anti-clockwise: drops a
+    /// coordinate instead of computing, so corners on a line stay on a line.
     std::vector<Vector2d> projected(const Vector3d& n) const {
         int axis = 0;
         n.cwiseAbs().maxCoeff(&axis);

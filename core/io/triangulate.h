@@ -16,10 +16,10 @@ struct Triangulation {
 };
 
 /// Divides polygons by ear clipping in the plane of their Newell normal (a concave polygon keeps
-/// its shape; a fan would not). A quad is divided by the diagonal that lies inside, the shorter
-/// one where both do. Faces that repeat a corner or use a non-finite position are left out and
-/// listed; a polygon that crosses itself is fanned and listed. Triangles pass unchanged.
-/// Polygons of more than 4000 corners are fanned and listed too.
+/// its shape; a fan would not). A quad is divided by the diagonal inside it, the shorter one if
+/// both are. Faces that repeat a corner or use a non-finite position are dropped and listed; a
+/// polygon that crosses itself becomes a fan and is listed. Triangles are unchanged.
+/// Polygons of more than 4000 corners become fans and are listed too.
 /// Cost: linear for triangles and quads, quadratic in the corners of one larger polygon.
 Triangulation triangulate(const PolygonSoup& soup, const std::string& name);
 

@@ -9,8 +9,8 @@
 
 namespace toile::io {
 
-/// Where a prim's own coordinates lie in the world, from where its parent's do: by the operations
-/// of its `xformOpOrder`. None where one cannot be understood. Pure.
+/// The transform from a prim's own coordinates to the world, from its parent's transform and the
+/// operations of its `xformOpOrder`. Nothing if one is not understood. Pure.
 std::optional<Eigen::Matrix4d> usdPlacement(const UsdPrim& prim, const Eigen::Matrix4d& parent);
 
 }  // namespace toile::io

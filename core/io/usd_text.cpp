@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-// Words stand in namespace `toile`, where the window looks for their translations.
+// These texts are in namespace `toile`, where the window looks up their translations.
 constexpr const char* kNoUsd = translatable("it is no USD text");
 constexpr const char* kNotUnderstood = translatable("it cannot be understood");
 
@@ -24,16 +24,16 @@ namespace toile::io {
 namespace {
 
 constexpr int kDeepest = 64;              // prims within prims
-constexpr double kFarthestNumber = 1e12;  // of any number
+constexpr double kFarthestNumber = 1e12;  // largest size of any number
 
-/// Reads words, strings and what stands in brackets.
+/// Reads words, strings and bracketed values.
 class UsdText {
 public:
     explicit UsdText(std::string_view text) : text_(text) {}
 
     bool atEnd() { return peek() == '\0'; }
 
-    /// The next character that says something; 0 at the end.
+    /// The next significant character; 0 at the end.
     char peek() {
         skipBlanks();
         return at_ < text_.size() ? text_[at_] : '\0';
@@ -47,7 +47,7 @@ public:
         return true;
     }
 
-    /// A run of characters that are none of USD's own marks.
+    /// A run of characters other than USD's own marks.
     std::string word() {
         skipBlanks();
         const std::size_t from = at_;
@@ -57,7 +57,7 @@ public:
         return std::string(text_.substr(from, at_ - from));
     }
 
-    /// "a", 'a' or either of them thrice.
+    /// A string in "a", 'a' or triple quotes.
     std::optional<std::string> quoted() {
         const char quote = peek();
         if (quote != '"' && quote != '\'') {
@@ -79,7 +79,7 @@ public:
         return out;
     }
 
-    /// From a bracket to the one that closes it, both included; strings may hold brackets.
+    /// From a bracket to its closing one, both included; strings may contain brackets.
     std::optional<std::string> bracketed(char open, char close) {
         if (peek() != open) {
             return {};
@@ -176,7 +176,7 @@ bool isSpecifier(std::string_view word) {
 
 bool readPrim(UsdText& text, UsdPrim& prim, int depth);
 
-/// After a name and '='.
+/// Reads the value after a name and '='.
 bool readValue(UsdText& text, const std::string& name, UsdPrim& prim) {
     auto value = valueOf(text);
     if (!value) {
@@ -193,8 +193,8 @@ bool readValue(UsdText& text, const std::string& name, UsdPrim& prim) {
     return true;
 }
 
-/// What stands between the braces of a prim. Of an attribute that is declared without a value
-/// nothing is kept; nor of variants, of which none is chosen.
+/// Reads the content between the braces of a prim. Attributes declared without a value are dropped,
+/// and so are variants, since no variant is selected.
 bool readContent(UsdText& text, UsdPrim& prim, int depth) {
     while (!text.take('}')) {
         std::string word = text.word();
@@ -223,7 +223,7 @@ bool readContent(UsdText& text, UsdPrim& prim, int depth) {
     return true;
 }
 
-/// After "def".
+/// Reads a prim after "def".
 bool readPrim(UsdText& text, UsdPrim& prim, int depth) {
     if (depth > kDeepest) {
         return false;
@@ -237,7 +237,7 @@ bool readPrim(UsdText& text, UsdPrim& prim, int depth) {
     return readContent(text, prim, depth);
 }
 
-/// What stands in the brackets at the beginning of a file, a comment aside.
+/// Parses the brackets at the beginning of a file, without comments.
 UsdValues metadataOf(std::string_view brackets) {
     UsdText text(brackets.substr(1, brackets.size() - 2));
     UsdValues values;

@@ -11,10 +11,10 @@
 
 namespace toile::io {
 
-/// Values by name, as the file's text: strings without their quotes, all else with its brackets.
+/// Values by name, as the file's text: strings without their quotes, others with their brackets.
 using UsdValues = std::map<std::string, std::string, std::less<>>;
 
-/// A prim of a USD file: what it is called, its attributes, and the prims in it.
+/// A prim of a USD file: its name, its attributes, and the prims in it.
 struct UsdPrim {
     std::string specifier{};  ///< "def", "over" or "class"
     std::string type{}, name{};
@@ -22,7 +22,7 @@ struct UsdPrim {
     UsdValues metadata{};  ///< of the attributes that have any, by the same names
     std::vector<UsdPrim> children{};
 
-    /// Null where there is none.
+    /// Null if there is none.
     const std::string* find(std::string_view attribute) const;
     const UsdPrim* child(std::string_view called) const;
 };
@@ -32,19 +32,19 @@ struct UsdStage {
     std::vector<UsdPrim> prims{};
 };
 
-/// USD as text, without what other files, variants and references add to it. Values are not looked
-/// at. Errors: MalformedFile with the line, also for prims that lie deeper than in any scene.
+/// Parses USD text, ignoring what other files, variants and references add. Values are not
+/// interpreted. Errors: MalformedFile with the line, also for excessive nesting.
 /// Cost: linear; all values are copied. Pure.
 Result<UsdStage> parseUsd(std::string_view bytes);
 
-/// All numbers of a value, whatever stands between them; none where one is out of all bounds or the
-/// value is null.
+/// All numbers of a value, whatever separates them; nothing if one is out of range or the value is
+/// null.
 std::optional<std::vector<double>> usdNumbers(const std::string* value);
 
-/// Those of an attribute; of one that moves, at the first moment it has.
+/// The numbers of an attribute; for an animated one, at its first time.
 std::optional<std::vector<double>> usdNumbersOf(const UsdPrim& prim, const std::string& attribute);
 
-/// The strings of a list of them: ["a", "b"].
+/// The strings of a list: ["a", "b"].
 std::vector<std::string> usdStrings(std::string_view list);
 
 }  // namespace toile::io

@@ -59,10 +59,10 @@ std::optional<std::vector<int>> countsOf(const UsdPrim& prim, const std::string&
 /// Texture coordinates by corner or by point.
 struct Texture {
     std::vector<double> st;
-    std::vector<int> indices;  ///< into pairs of `st`; empty: as they come
+    std::vector<int> indices;  ///< into pairs of `st`; empty: in order
     bool byPoint = false;
 
-    /// Null where there is none.
+    /// Null if there is none.
     const double* at(std::size_t corner, int point) const {
         std::size_t k = byPoint ? static_cast<std::size_t>(point) : corner;
         if (!indices.empty()) {
@@ -151,7 +151,7 @@ private:
         scale_ = unit.scale;
     }
 
-    /// What is wrong; null where nothing is. No deeper than the text may be.
+    /// Returns the fault, or null. Recursion is limited by the depth of the text.
     const char* readAll(const std::vector<UsdPrim>& prims, const Matrix4d& parent,
                         std::string_view material, bool isOurs, const Progress& progress) {
         for (const UsdPrim& prim : prims) {
@@ -177,7 +177,7 @@ private:
         return nullptr;
     }
 
-    /// The material of each face, where subsets say it; else empty.
+    /// The material of each face, if subsets set it; else empty.
     static std::vector<std::string_view> subsetMaterials(const UsdPrim& mesh, std::size_t faces,
                                                          std::string_view material) {
         std::vector<std::string_view> ofFaces;

@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-// Words stand in namespace `toile`, where the window looks for their translations.
+// These texts are in namespace `toile`, where the window looks up their translations.
 constexpr const char* kTooMany = translatable("it holds %1 files; unpack it and open the mesh");
 constexpr const char* kNoneIn = translatable("none of its %1 files is one of %2");
 constexpr const char* kEncrypted =
@@ -33,7 +33,7 @@ constexpr const char* kNoArchive = translatable("it is no .zip archive: %1");
 namespace toile::io {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates little
+constexpr std::size_t kChunk = 1 << 20;  // so that a false size allocates little memory
 
 struct Discard {
     void operator()(zip_t* archive) const { zip_discard(archive); }
@@ -88,7 +88,7 @@ public:
             return Error{ErrorCode::NoGeometry, Subject::file(name_),
                          worded(kNoneIn, {figure(static_cast<double>(count)), Wording(listed)})};
         }
-        // Over the whole archive: many small entries, or entries of the same bytes, add up.
+        // Limits the whole archive: many small entries, or entries with the same bytes, add up.
         const long long most =
             std::min(kMaxUnzippedBytes, kSmallUnzippedBytes + kMaxUnpackingRatio * packed_);
         std::vector<UnzippedFile> files;
@@ -110,7 +110,7 @@ public:
         return files;
     }
 
-    /// The first bytes of the first file with this ending; empty where none can be read.
+    /// The first bytes of the first file with this ending; empty if none can be read.
     std::string startOf(std::string_view ending) const {
         const auto found = archive_ ? entriesWith(zip_get_num_entries(archive_.get(), 0), ending)
                                     : std::vector<Entry>();
@@ -172,7 +172,7 @@ private:
                 return Error{ErrorCode::Cancelled, Subject::file(name_)};
             }
             const std::size_t at = bytes->size();
-            const std::size_t chunk = std::min(kChunk, size - at + 1);  // one more: is it longer?
+            const std::size_t chunk = std::min(kChunk, size - at + 1);  // one more: too long?
             bytes->resize(at + chunk);
             more = zip_fread(file.get(), bytes->data() + at, chunk);
             bytes->resize(at + static_cast<std::size_t>(std::max<zip_int64_t>(more, 0)));
@@ -196,7 +196,7 @@ private:
     std::string name_;
     long long packed_;  ///< bytes of the archive
     Archive archive_;
-    std::string why_;  ///< it could not be opened
+    std::string why_;  ///< why it could not be opened
 };
 
 }  // namespace

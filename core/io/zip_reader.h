@@ -12,8 +12,8 @@
 
 namespace toile::io {
 
-/// Limits of an archive: entries, and bytes of all its meshes together. Those are limited by the
-/// archive's size too: meshes as text pack 3 to 15 times, so more than that is no mesh.
+/// Limits of an archive: entries, and bytes of all its meshes together. The latter are limited by
+/// the archive's size too: meshes as text compress 3 to 15 times, so more is not a mesh.
 inline constexpr long long kMaxZipEntries = 1000, kMaxUnzippedBytes = (1LL << 31) - 1;
 inline constexpr long long kMaxUnpackingRatio = 30, kSmallUnzippedBytes = 1LL << 25;
 
@@ -23,19 +23,19 @@ struct UnzippedFile {
 };
 
 /// The meshes in a .zip archive: all files with the first of the endings that any of them has, in
-/// the archive's order. Folders, hidden files and what macOS adds are passed over. Unpacked in
-/// memory; nothing is written anywhere, so that names in the archive mean nothing.
+/// the archive's order. Folders, hidden files and those that macOS adds are skipped. Unpacked in
+/// memory; nothing is written to disk, so that names in the archive are harmless.
 /// @param archive  its bytes  @param name  the archive, for messages
-/// @param endings  ".obj" ...: what can be read, the likeliest first
-/// Errors: MalformedFile; NoGeometry where no mesh is in it; FileUnreadable where one is encrypted,
-/// packed in a way that is not known, or where they are beyond the bounds; Cancelled.
+/// @param endings  ".obj" ...: readable endings, the most likely first
+/// Errors: MalformedFile; NoGeometry if it contains no mesh; FileUnreadable if one is encrypted,
+/// packed in an unknown way, or if they exceed the limits; Cancelled.
 /// Cost: linear in the meshes. Re-entrant.
 Result<std::vector<UnzippedFile>> meshesInZip(std::string_view archive, const std::string& name,
                                               std::span<const std::string_view> endings,
                                               const Progress& progress);
 
-/// The first 64 KiB of the first file in an archive whose name ends so, in any case; empty where
-/// none can be read.
+/// The first 64 KiB of the first file in an archive with this ending, ignoring case; empty if none
+/// can be read.
 std::string startOfZipEntry(std::string_view archive, std::string_view ending);
 
 }  // namespace toile::io
