@@ -17,7 +17,7 @@
 namespace toile {
 namespace {
 
-/// Per position: whether it is on the border, by itself or by another one in the same place.
+/// Per position: whether it, or another one at the same place, is on the border.
 std::vector<char> onBorder(const MeshArrays& mesh) {
     const Triangles F = weldedFaces(mesh);
     const EdgeTable table = buildEdgeTable(F, static_cast<int>(mesh.V.rows()));
@@ -33,7 +33,7 @@ std::vector<char> onBorder(const MeshArrays& mesh) {
     return border;
 }
 
-/// Adds the mirror image of a UV map, to its right. @return what is to be added to an index
+/// Adds the mirror image of a UV map, to its right. @return the offset to add to an index
 int mirrorMap(std::vector<Eigen::Vector2d>& uvs) {
     constexpr double kGap = 0.05;  // of the map's width
     const auto count = static_cast<int>(uvs.size());
@@ -45,7 +45,7 @@ int mirrorMap(std::vector<Eigen::Vector2d>& uvs) {
         }
     }
     if (least > most) {
-        least = most = 0;  // no number among them
+        least = most = 0;  // no finite values
     }
     const double sum = 2 * most + kGap * (most - least);
     for (int k = 0; k < count; ++k) {
@@ -64,7 +64,7 @@ std::string mirroredName(const std::string& name) {
             const auto isLetter = [&name](std::size_t k) {
                 return k < name.size() && std::islower(static_cast<unsigned char>(name[k])) != 0;
             };
-            // A word of its own, as in "sleeveLeft": no "bright", no "Leftover".
+            // A whole word, as in "sleeveLeft"; not "bright" or "Leftover".
             const bool isWithin = at != std::string::npos &&
                                   ((isLetter(at) && isLetter(at - 1)) || isLetter(at + one.size()));
             if (at != std::string::npos && !isWithin) {
@@ -103,7 +103,7 @@ std::optional<CompletedHalf> completeHalf(const PolygonSoup& half,
     CompletedHalf whole{half, 0};
     PolygonSoup& soup = whole.soup;
     double least = 0, most = 0;
-    std::vector<int> image(half.positions.size());  // itself on the plane
+    std::vector<int> image(half.positions.size());  // same index on the plane
     for (std::size_t v = 0; v < half.positions.size(); ++v) {
         image[v] = static_cast<int>(soup.positions.size());
         if (!half.positions[v].allFinite()) {

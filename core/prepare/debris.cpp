@@ -11,11 +11,11 @@
 namespace toile {
 namespace {
 
-constexpr double kLargestArea = 1e-3;    // of a fragment, in those of the largest part
-constexpr double kLargestSize = 0.2;     // the diagonals of their boxes
-constexpr double kMostOfAllArea = 0.05;  // what is more is cloth in pieces
-constexpr int kFacesOfKind = 8;          // fewer are alike by chance
-constexpr double kSameKind = 0.01;       // how far area and size of two of a kind differ
+constexpr double kLargestArea = 1e-3;    // of a fragment, relative to the largest part
+constexpr double kLargestSize = 0.2;     // the same, by diagonals of boxes
+constexpr double kMostOfAllArea = 0.05;  // beyond this the fragments are cloth
+constexpr int kFacesOfKind = 8;          // fewer can be alike by chance
+constexpr double kSameKind = 0.01;       // largest difference of area and size within a kind
 
 struct Fragment {
     int faces = 0;
@@ -26,8 +26,8 @@ struct Fragment {
     double size() const { return box.isEmpty() ? 0 : box.diagonal().norm(); }
 };
 
-/// Label of the part of each face that hangs together by shared edges, numbered by first face: what
-/// touches in a vertex alone is no one cloth.
+/// Labels faces by the parts connected by shared edges, numbered by first face: parts that touch
+/// only at a vertex are separate.
 std::vector<int> edgeComponents(const MeshArrays& mesh) {
     const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
     geometry::DisjointSets sets(static_cast<int>(mesh.F.rows()));
@@ -66,7 +66,7 @@ bool ofAKind(const Fragment& a, const Fragment& b) {
            std::abs(a.size() - b.size()) <= kSameKind * std::max(a.size(), b.size());
 }
 
-/// Takes those that come as several of a kind out of the debris.
+/// Removes fragments that come as several of a kind from the debris.
 void keepKinds(std::vector<Fragment*>& small) {
     std::ranges::sort(small, [](const Fragment* a, const Fragment* b) {
         return std::tuple(a->faces, a->area, a->size()) < std::tuple(b->faces, b->area, b->size());

@@ -19,19 +19,19 @@ namespace {
 
 using Plane = Eigen::Hyperplane<double, 3>;
 
-/// Of a garment's size, how far its rims may lie off the plane.
+/// How far rims may lie off the plane, relative to a garment's size.
 constexpr double kHalfTolerance = 1e-3;
-/// Of a garment's size, how far it must stand off the plane, how far apart the rims in it must lie,
-/// seen from above, and how long they are where nobody says that it is half.
+/// Relative to a garment's size: the minimum depth off the plane, the minimum spread of the rims in
+/// it, seen from above, and their minimum length if the user did not say that it is half.
 constexpr double kLeastDepth = 0.05, kLeastSpread = 0.05, kOfferedLength = 0.5;
-/// What part of all rims lies in the plane.
+/// Minimum shares of all rims in the plane: offered, stated, and without any other rim.
 constexpr double kOfferedShare = 0.2, kStatedShare = 0.05, kNoOtherRim = 0.99;
-/// Of the rims in the plane, what must go up or down: those of panels that lie flat do not.
+/// Minimum share of the rims in the plane that go up or down: those of flat panels do not.
 constexpr double kRising = 0.3;
-/// Of the rims in the plane, what is a place of its own.
+/// Minimum share of the rims in the plane that counts as a separate place.
 constexpr double kChainShare = 0.1;
 
-/// What a search looks at.
+/// Input of the search.
 struct HalfRims {
     double lengthOf(const std::pair<int, int>& rim) const {
         return (V->row(rim.first) - V->row(rim.second)).norm();
@@ -39,10 +39,10 @@ struct HalfRims {
 
     const Points3* V = nullptr;
     std::vector<int> used;                  ///< vertices
-    std::vector<int> part;                  ///< per vertex: what cloth it hangs together with
+    std::vector<int> part;                  ///< per vertex: its connected part
     std::vector<std::pair<int, int>> rims;  ///< edges of the border
     double length = 0;                      ///< of these, mm
-    bool isOne = false;                     ///< they hang together, as those of a panel
+    bool isOne = false;                     ///< all connected, like those of a panel
     double size = 0;                        ///< of the garment, mm
     Eigen::Vector3d along[2];               ///< the two level axes
 };
@@ -91,23 +91,23 @@ HalfRims rimsOfHalf(const MeshArrays& mesh, UpAxis up) {
     return found;
 }
 
-/// The rims that lie in a plane.
+/// The rims in a plane.
 struct RimsInPlane {
-    double open = 0;        ///< mm, of those that go on outside it
-    double closed = 0;      ///< mm, of openings that lie in it as a whole
-    double spread = 0;      ///< how far they reach, seen from above, mm
-    double rise = 0;        ///< how much of the open ones goes up or down, mm
-    int chains = 0;         ///< of the open ones, those that are a good part
-    bool isBeside = false;  ///< parts side by side, each of which would close to a tube of its own
+    double open = 0;        ///< mm, of those that continue outside it
+    double closed = 0;      ///< mm, of openings entirely within it
+    double spread = 0;      ///< their extent seen from above, mm
+    double rise = 0;        ///< vertical extent of the open ones, mm
+    int chains = 0;         ///< number of long open ones
+    bool isBeside = false;  ///< parts side by side, each of which would close to its own tube
 };
 
-/// The rims of one part in the plane, by where they lie along it, mm.
+/// The rims of one part in the plane, by their position along it, mm.
 struct PartInPlane {
     double from = 0, to = 0;
     int chains = 0;
 };
 
-/// Half a garment goes round once, its lining within it: two strips beside each other go round
+/// Half a garment goes around once, with its lining inside; two strips next to each other go around
 /// twice.
 bool areBeside(const std::map<int, PartInPlane>& parts, double leastSpread) {
     std::vector<PartInPlane> round;
@@ -134,7 +134,7 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
         all += isIn(rim.first) && isIn(rim.second) ? half.lengthOf(rim) : 0;
     }
     if (all < kStatedShare * half.length) {
-        return {};  // as in most planes: what follows takes longer
+        return {};  // true for most planes: the rest takes longer
     }
     geometry::DisjointSets chains(static_cast<int>(half.V->rows()));
     std::vector<char> goesOn(static_cast<std::size_t>(half.V->rows()), 0);
@@ -189,15 +189,15 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
     return found;
 }
 
-/// Whether these rims alone say that the garment is there by half.
+/// Whether these rims alone indicate half a garment.
 bool mayBeOffered(const HalfRims& half, const RimsInPlane& in) {
     return in.open >= kOfferedShare * half.length && in.open >= kOfferedLength * half.size &&
            in.spread >= kLeastSpread * half.size && in.rise >= kRising * in.open && !in.isBeside &&
            (in.chains > 1 || !half.isOne);
 }
 
-/// The plane turned so that its normal points at the cloth; none where cloth lies on both sides or
-/// nowhere off it.
+/// The plane oriented so that its normal points at the cloth; nothing if cloth lies on both sides
+/// or nowhere off it.
 std::optional<Plane> besideCloth(const HalfRims& half, const Plane& plane, double tolerance) {
     double least = 0, most = 0;
     for (const int v : half.used) {
@@ -211,7 +211,7 @@ std::optional<Plane> besideCloth(const HalfRims& half, const Plane& plane, doubl
     return most >= -least ? plane : Plane(-plane.normal(), -plane.offset());
 }
 
-/// The convex hull of the rims as they are seen from above.
+/// The convex hull of the rims seen from above.
 geometry::Polygon outlineFromAbove(const HalfRims& half) {
     geometry::Polygon points(2 * static_cast<Eigen::Index>(half.rims.size()), 2);
     Eigen::Index k = 0;
@@ -223,7 +223,7 @@ geometry::Polygon outlineFromAbove(const HalfRims& half) {
     return geometry::convexHull(points);
 }
 
-/// Planes in which the cloth may be mirrored, the likeliest first; the first two are the file's.
+/// Candidate mirror planes, the most likely first; the first two are the file's own.
 std::vector<Plane> candidates(const HalfRims& half) {
     std::vector<Plane> planes{{half.along[0], 0}, {half.along[1], 0}};
     const geometry::Polygon hull = outlineFromAbove(half);
@@ -236,7 +236,7 @@ std::vector<Plane> candidates(const HalfRims& half) {
             planes.emplace_back(normal, -hull.row(k).dot(inwards));
         }
     }
-    // A flat panel has no outline from above: its ends.
+    // A flat panel has no outline from above: use its ends.
     for (const Eigen::Vector3d& axis : half.along) {
         double least = std::numeric_limits<double>::infinity(), most = -least;
         for (const int v : half.used) {
@@ -262,7 +262,7 @@ std::optional<HalfPlane> findHalfPlane(const FileSurface& surface, UpAxis up, bo
         return std::nullopt;
     }
     const double tolerance = kHalfTolerance * half.size;
-    std::vector<HalfPlane> offered;  // the file's own first
+    std::vector<HalfPlane> offered;  // the file's own planes first
     std::optional<HalfPlane> longest;
     int index = 0;
     for (const Plane& candidate : candidates(half)) {

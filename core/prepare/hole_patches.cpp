@@ -6,8 +6,8 @@
 #include <exception>
 #include <iterator>
 
-// Toile checks inputs before and results after, so CGAL's own checks are off. The Delaunay search
-// would need exact predicates and double the compile time.
+// Toile checks inputs and results, so CGAL's own checks are off. The Delaunay search would need
+// exact predicates and double the compile time.
 #ifndef CGAL_NDEBUG
 #define CGAL_NDEBUG
 #endif
@@ -68,8 +68,8 @@ MeshArrays toArrays(Surface& surface) {
     return mesh;
 }
 
-/// Fairs the patch so that it continues the surface smoothly. If that moves it too far, as at a
-/// ragged rim, the patch stays as it was.
+/// Fairs the patch so that it continues the surface smoothly. If that moves it too far, for example
+/// at a ragged rim, the patch is kept as it was.
 void fair(Surface& surface, const std::vector<Vertex>& inner, const Eigen::AlignedBox3d& around,
           double farthest) {
     std::vector<Kernel::Point_3> taut;
@@ -124,7 +124,7 @@ PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> hole
                            const Progress& progress) {
     Surface surface = toSurface(mesh);
     if (static_cast<Eigen::Index>(surface.number_of_faces()) != mesh.F.rows()) {
-        return {mesh, {}};  // no manifold
+        return {mesh, {}};  // not manifold
     }
     PatchedSurface patched;
     for (std::size_t i = 0; i < holes.size() && !progress.isCancelled(); ++i) {
@@ -132,12 +132,12 @@ PatchedSurface withPatches(const MeshArrays& mesh, std::span<const RimLoop> hole
             patched.hole.resize(patched.hole.size() + closeHole(surface, holes[i]),
                                 static_cast<int>(i));
         } catch (const std::exception&) {
-            return {mesh, {}};  // the surface may be half changed
+            return {mesh, {}};  // the surface may be partly changed
         }
         progress.report(static_cast<double>(i + 1) / static_cast<double>(holes.size()));
     }
     patched.mesh = toArrays(surface);
-    patched.mesh.F.topRows(mesh.F.rows()) = mesh.F;  // CGAL begins with another corner
+    patched.mesh.F.topRows(mesh.F.rows()) = mesh.F;  // CGAL starts at another corner
     return patched;
 }
 

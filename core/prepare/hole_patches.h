@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// A surface of whose holes some are closed: vertices and faces as they were, then new ones.
+/// A surface with some holes closed: the original vertices and faces, then new ones.
 struct PatchedSurface {
     MeshArrays mesh;
     std::vector<int> hole;  ///< per new face: index of the hole that it closes
@@ -17,7 +17,7 @@ struct PatchedSurface {
 
 /// Closes holes with patches of about the density of the surrounding mesh, which continue it
 /// smoothly ([Lie03]). A hole stays open if every patch would put two triangles in one place, or if
-/// it has more than 400 edges, because the cost grows with their third power.
+/// it has more than 400 edges, because the cost is cubic in them.
 /// @param mesh   mm, an oriented manifold (`isValidSurface`)
 /// @param holes  rims of `mesh`
 /// If cancelled between holes, returns the mesh with the holes closed so far. Pure.

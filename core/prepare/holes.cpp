@@ -4,7 +4,7 @@
 namespace toile {
 namespace {
 
-constexpr double kFlatness = 0.5;  // of a hole, at least
+constexpr double kFlatness = 0.5;  // minimum for a hole
 
 }  // namespace
 
@@ -12,10 +12,10 @@ double flatness(const MeshArrays& mesh, const EdgeTable& table, const RimLoop& r
     const auto point = [&mesh, &rim](std::size_t i) -> Eigen::Vector3d {
         return mesh.V.row(rim.vertices[i % rim.vertices.size()]).transpose();
     };
-    const Eigen::Vector3d origin = point(0);  // so that far away nothing cancels out
+    const Eigen::Vector3d origin = point(0);  // avoids cancellation far from the origin
     Eigen::Vector3d area = Eigen::Vector3d::Zero(), cloth = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < rim.vertices.size(); ++i) {
-        // A patch runs the other way around than the rim, which has the cloth on its left.
+        // A patch has the opposite direction of the rim, which has the cloth on its left.
         area -= (point(i) - origin).cross(point(i + 1) - origin);
         const int tail = rim.vertices[i], head = rim.vertices[(i + 1) % rim.vertices.size()];
         const int face = table.usesOf(findEdge(table.edges, tail, head)).front() / 3;

@@ -14,15 +14,15 @@ namespace {
 
 using layers::PartDepth;
 
-/// Of its area, what a part must have inside others for a file to be recognised by it, and how much
-/// of the file such parts must be.
+/// Minimum share of a part's area inside others for a file to be recognised by it, and minimum
+/// share of the file in such parts.
 constexpr double kSurelyInside = 0.8, kLeastInside = 0.1;
-/// Parts of less than this share of the area are no layer of their own.
+/// Parts with less than this share of the area are not a layer of their own.
 constexpr double kSmallPart = 0.02;
-/// Of its area, up to which a part lies on no other.
+/// Up to this share of its area a part does not lie on another.
 constexpr double kLiesOnNone = 0.2;
 
-/// How many vertices each two parts have at the same places: they are sewn there.
+/// Number of vertices that two parts share by position: they are sewn there.
 std::vector<std::map<int, int>> sewnTo(const MeshArrays& mesh, const SurfaceParts& parts) {
     std::vector<int> partOf(static_cast<std::size_t>(mesh.V.rows()), -1);
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
@@ -53,7 +53,7 @@ int heaviest(const std::map<int, Weight>& weights, const std::vector<char>& isKn
     return found;
 }
 
-/// Gives parts that say nothing of their layer that of the parts next to them.
+/// Assigns parts of unknown layer to the layer of adjacent parts.
 void attach(std::vector<PartDepth>& seen, const SurfaceParts& parts,
             const std::vector<std::map<int, int>>& sewn) {
     int deepest = 0;
@@ -66,7 +66,7 @@ void attach(std::vector<PartDepth>& seen, const SurfaceParts& parts,
     for (std::size_t p = 0; p < seen.size(); ++p) {
         isKnown[p] = seen[p].layer <= deepest && seen[p].onOthers > kLiesOnNone;
     }
-    for (bool isAny = true; isAny;) {  // along chains of parts, a ring at a time
+    for (bool isAny = true; isAny;) {  // along chains of parts, one ring at a time
         isAny = false;
         const std::vector<char> before = isKnown;
         for (std::size_t p = 0; p < seen.size(); ++p) {
@@ -84,7 +84,7 @@ void attach(std::vector<PartDepth>& seen, const SurfaceParts& parts,
     }
 }
 
-/// The layers numbered without gaps. @return how many
+/// Renumbers the layers without gaps. @return their number
 int renumber(std::vector<PartDepth>& seen) {
     std::vector<int> layers;
     layers.reserve(seen.size());

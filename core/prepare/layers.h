@@ -10,22 +10,22 @@
 
 namespace toile {
 
-/// Sheets that lie inside each other, as a lining in its shell.
+/// Sheets inside each other, like a lining in its shell.
 struct Layers {
-    std::vector<int> of;  ///< per triangle, from the outermost, 0
+    std::vector<int> of;  ///< per triangle, the outermost is 0
     int count = 0;
-    double apart = 0;  ///< how far one lies from the next, mm, by area
-    /// Which side is the outer one was seen by the garment's shape. False of flat sheets, which
-    /// might as well be front and back: then the file's first sheet is the outermost.
+    double apart = 0;  ///< distance between layers, mm, weighted by area
+    /// Whether the garment's shape shows the outer side. False for flat sheets, which might be
+    /// front and back: then the file's first sheet is the outermost.
     bool isSure = false;
 };
 
-/// Finds the layers of a file by its connected parts: one that has others outside it, near it over
-/// most of its area, is as many layers further in as these are. A part that lies on none belongs to
-/// the layer that it is sewn to; so does a small one that would be a layer of its own, as a button
-/// on a lining. How faces are turned does not matter. None where less than a tenth of the area lies
+/// Finds the layers of a file by its connected parts: a part with others outside it, close to it
+/// over most of its area, is as many layers further in. A part that lies on no other belongs to the
+/// layer that it is sewn to; so does a small one that would be a layer of its own, like a button on
+/// a lining. The winding of faces does not matter. Nothing if less than a tenth of the area lies
 /// inside other parts.
-/// @param surface  mm; faces may be there twice  @param progress  cancelled, nothing is found
+/// @param surface  mm; faces may be doubled  @param progress  if cancelled, nothing is found
 /// Cost: n log n, and rays of at most 400 triangles of each part. Pure.
 std::optional<Layers> findLayers(const FileSurface& surface, const Progress& progress);
 

@@ -21,16 +21,16 @@
 namespace toile {
 namespace {
 
-/// An axis is clear where the openings lie this many times as far apart along it.
+/// An axis is clear if the openings lie this many times as far apart along it.
 constexpr double kClearlyApart = 2;
-/// Openings that enclose less of the bounding box between them are buttonholes and slits.
+/// Openings with less of the bounding box between them are buttonholes and slits.
 constexpr double kMinBetween = 0.01;
-/// Nor is a box that is flatter than this part of its size a measure.
+/// A box flatter than this part of its size is not a measure either.
 constexpr double kFlattest = 0.1;
 /// The only opening of a hat or a sock is smaller than this part of the surface. It faces along an
-/// axis where this much of its area does.
+/// axis if this much of its area does.
 constexpr double kOneOpening = 0.6, kFacesAlong = 0.8;
-/// A surface of which more than this part lies level is a sheet with a hole and no tube.
+/// A surface with a larger horizontal share is a sheet with a hole, not a tube.
 constexpr double kLevel = 0.85;
 
 /// A loop of border edges, or several that touch.
@@ -38,7 +38,7 @@ struct Opening {
     int part = 0;  ///< connected part of the surface
     double length = 0;
     Eigen::Vector3d centre{0, 0, 0};  ///< mean by length
-    /// Of a fan that closes it, as seen along each axis: however the faces beside it are wound.
+    /// Of a fan that closes it, seen along each axis; independent of the faces' windings.
     Eigen::Vector3d area{0, 0, 0};
 };
 
@@ -83,7 +83,7 @@ std::vector<Opening> openingsOf(const MeshArrays& mesh) {
     return openings;
 }
 
-/// The volume between the two openings that enclose most, along each axis.
+/// The largest volume between two openings, along each axis.
 Eigen::Vector3d volumesBetween(const std::vector<Opening>& openings) {
     Eigen::Vector3d most(0, 0, 0);
     for (std::size_t i = 0; i < openings.size(); ++i) {
@@ -107,7 +107,7 @@ Eigen::Vector3d extentsOf(const MeshArrays& mesh) {
     return box.isEmpty() ? Eigen::Vector3d(0, 0, 0) : Eigen::Vector3d(box.sizes());
 }
 
-/// The area as seen along each axis, the far side added to the near, and the area itself.
+/// The area seen along each axis, near and far side added, and the area itself.
 Eigen::Vector4d areasAlong(const MeshArrays& mesh) {
     Eigen::Vector4d sum(0, 0, 0, 0);
     for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
@@ -118,8 +118,8 @@ Eigen::Vector4d areasAlong(const MeshArrays& mesh) {
     return sum;
 }
 
-/// The axis along which the only opening of a surface faces that is nearly closed by itself; none
-/// where it faces between them, or there are more.
+/// The axis along which the only opening of a nearly closed surface faces; nothing if it faces
+/// between axes, or there are more openings.
 std::optional<int> axisOfOnlyOpening(const MeshArrays& mesh, const std::vector<Opening>& openings) {
     if (openings.size() != 1) {
         return std::nullopt;
@@ -180,17 +180,17 @@ UpGuess guessUpAxis(const MeshArrays& mesh) {
 
 namespace {
 
-/// Triangles to look from.
+/// Number of triangles to sample.
 constexpr int kMaxLooks = 500;
-/// By how many of its directions one side must see more cloth than the other.
+/// In how many more directions one side must see cloth than the other.
 constexpr int kSeesMore = 2;
-/// A part, or a file, is a sheet where less than this share of it has an inside. Of a part that has
-/// one, this much must look to the same side.
+/// A part, or a file, is a sheet if less than this share of it has an inside. If it has one, at
+/// least the second share must face the same side.
 constexpr double kEnoughSeen = 0.3, kMaxLook = 0.8;
-/// Less cloth that looks inwards than this share is a pocket or a facing.
+/// A smaller share of cloth that faces inwards is a pocket or a facing.
 constexpr double kInwards = 0.1;
 
-/// Triangles that stand for equal shares of the area.
+/// Triangles that represent equal shares of the area.
 std::vector<int> sampledTriangles(const Eigen::VectorXd& areas) {
     std::vector<double> upTo(static_cast<std::size_t>(areas.size()));
     std::partial_sum(areas.begin(), areas.end(), upTo.begin());
@@ -203,7 +203,7 @@ std::vector<int> sampledTriangles(const Eigen::VectorXd& areas) {
     return sampled;
 }
 
-/// Faces that are wound alike and joined by edges: pieces, once they are repaired.
+/// Faces with the same winding, joined by edges: pieces, after repair.
 geometry::DisjointSets partsWoundAlike(const Triangles& F, Eigen::Index vertices) {
     const EdgeTable table = buildEdgeTable(F, static_cast<int>(vertices));
     geometry::DisjointSets parts(static_cast<int>(F.rows()));
@@ -217,7 +217,7 @@ geometry::DisjointSets partsWoundAlike(const Triangles& F, Eigen::Index vertices
     return parts;
 }
 
-/// How many of five directions around the normal, or against it, meet cloth.
+/// How many of five directions around the normal, or against it, hit cloth.
 int clothSeen(const shell::Rays& rays, int triangle, const Eigen::Vector3d& normal) {
     const Eigen::Vector3d across = normal.unitOrthogonal(), other = normal.cross(across);
     int met = rays.all(triangle, normal).empty() ? 0 : 1;
@@ -228,7 +228,7 @@ int clothSeen(const shell::Rays& rays, int triangle, const Eigen::Vector3d& norm
     return met;
 }
 
-/// What was seen from a part.
+/// The observations of a part.
 struct PartLooks {
     int looks = 0, outwards = 0, inwards = 0;
 

@@ -9,34 +9,34 @@
 namespace toile::layers {
 namespace {
 
-/// How far a layer lies from the next at most: mm, and of the root of the area, lest a small model
-/// is all one thickness.
+/// Largest distance between layers: in mm, and relative to the root of the area, so that a small
+/// model is not all one thickness.
 constexpr double kFarthestLayer = 30, kFarthestOfSize = 0.1;
-/// Of its area, what a part must have inside others to count as inside them.
+/// Minimum share of a part's area inside others to count as inside them.
 constexpr double kMostOfIt = 0.6;
-/// Triangles that are looked at of one part.
+/// Number of triangles sampled per part.
 constexpr std::size_t kLooksPerPart = 400;
-/// Least cosine between sheets that lie on each other.
+/// Minimum cosine between adjacent sheets.
 constexpr double kAlongside = 0.8;
-/// Shares of a part's area that must agree on where the garment's inside is, and on how the part is
-/// bent: flat sheets say neither.
+/// Minimum shares of a part's area that agree on the garment's inside, and on the part's bend: flat
+/// sheets show neither.
 constexpr double kLeastVote = 0.2, kLeastBend = 0.1;
 
-/// What lies near one side of a triangle.
+/// Cloth near one side of a triangle.
 struct SideSeen {
-    std::vector<std::pair<int, double>> parts;  ///< others than its own, nearest first; gaps in mm
-    int nearest = -1;                           ///< another part, however it lies
-    bool isBacked = false;                      ///< there is cloth farther off
+    std::vector<std::pair<int, double>> parts;  ///< other parts, nearest first; gaps in mm
+    int nearest = -1;                           ///< another part, at any angle
+    bool isBacked = false;                      ///< there is cloth farther away
 };
 
-/// A triangle, looked at.
+/// The view from a triangle.
 struct Look {
     double area = 0;
-    SideSeen before, behind;  ///< where its normal points, and the other way
-    double fromMiddle = 0;    ///< cosine of its normal to the way from the part's middle
+    SideSeen before, behind;  ///< along its normal, and the other way
+    double fromMiddle = 0;    ///< cosine of its normal and the direction from the part's centroid
 };
 
-/// What a part is judged by.
+/// The evidence for a part.
 struct PartSeen {
     int part;
     std::vector<Look> looks{};
@@ -120,8 +120,8 @@ private:
                 length > 0 ? out.dot(normal) / length : 0};
     }
 
-    /// Which way is out where a triangle itself does not show it: as most of the part says, else
-    /// as it is bent, else towards what comes earlier in the file. Of these the last is a guess.
+    /// The outward direction if a triangle itself does not show it: as most of the part, else by
+    /// its bend, else towards earlier parts in the file, which is a guess.
     /// @return positive where the normals point outwards
     static double outwardsOf(const PartSeen& seen, bool& isSure) {
         double vote = 0, bend = 0, order = 0;

@@ -7,13 +7,13 @@
 
 namespace toile {
 
-/// What a file may hold.
+/// The possible contents of a file.
 enum class FileKind {
-    Sheet,   ///< cloth as one surface without thickness: nothing to be done
-    Shell,   ///< cloth with a thickness: two surfaces a little apart, joined by rims or not
+    Sheet,   ///< a single surface without thickness: no preparation
+    Shell,   ///< cloth with a thickness: two surfaces close together, joined by rims or not
     Scan,    ///< a measured surface: noise, holes, debris, uneven triangles
-    Layers,  ///< sheets one inside the other, as a lining in its shell
-    Solid,   ///< a form that is to be covered, as a cushion or a shoe
+    Layers,  ///< sheets inside each other, like a lining in its shell
+    Solid,   ///< a closed form to cover, like a cushion or a shoe
     Soup,    ///< triangles that share no vertices
 };
 
@@ -22,7 +22,7 @@ inline constexpr Word<FileKind> kFileKindWords[] = {
     {FileKind::Layers, "layers"}, {FileKind::Solid, "solid"}, {FileKind::Soup, "soup"},
 };
 
-/// Which surface of a shell becomes the sheet.
+/// The surface of a shell that becomes the sheet.
 enum class ShellSurface { Outer, Inner, Middle };
 
 inline constexpr Word<ShellSurface> kShellSurfaceWords[] = {
@@ -31,29 +31,29 @@ inline constexpr Word<ShellSurface> kShellSurfaceWords[] = {
     {ShellSurface::Middle, "middle"},
 };
 
-/// Of the lengths below, the greatest that may be said, mm.
+/// Maximum of the lengths below, mm.
 inline constexpr double kMaxPreparedLength = 10'000;
 
-/// What is done with a scan; lengths in mm, 0: not done.
+/// Steps of preparing a scan; lengths in mm, 0 disables a step.
 struct ScanSteps {
-    bool dropDebris = true;    ///< fragments that are small and no part of the garment
+    bool dropDebris = true;    ///< small fragments outside the garment
     double largestHole = 300;  ///< perimeter up to which holes are closed
     double smoothing = 1;      ///< how far noise may move a point, features kept
-    double edgeLength = 0;     ///< of the triangles that it is made anew of
+    double edgeLength = 0;     ///< of the new triangles
 
     bool operator==(const ScanSteps&) const = default;
 };
 
-/// What a person has said of how files are to be read.
+/// The user's choices for reading files.
 struct Preparation {
-    std::optional<FileKind> as{};  ///< recognised where not said
+    std::optional<FileKind> as{};  ///< detected if empty
     ShellSurface surface = ShellSurface::Outer;
     ScanSteps scan{};
-    /// Within which vertices of a soup become one, mm; 0: a thousandth of the median edge.
+    /// Distance within which vertices of a soup are merged, mm; 0: a thousandth of the median edge.
     double weldDistance = 0;
-    int onlyLayer = 0;      ///< of layers, which alone is taken, from the outermost, 1; 0: all
+    int onlyLayer = 0;      ///< the only layer to use, the outermost is 1; 0: all
     bool isHalf = false;    ///< half a garment: its mirror image is added
-    bool isTurned = false;  ///< turn all faces: the other side of the cloth is the right one
+    bool isTurned = false;  ///< flip all faces, which swaps the right and wrong side of the cloth
 
     bool operator==(const Preparation&) const = default;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 
-/// These faces of the file alone, without the positions that none of them uses.
+/// Only these faces of the file, without unused positions.
 MeshArrays facesOf(const FileSurface& surface, const std::vector<int>& faces) {
     std::vector<char> isWanted(surface.face.empty() ? 0U : std::size_t(surface.face.back()) + 1, 0);
     for (const int face : faces) {
@@ -38,7 +38,7 @@ MeshArrays facesOf(const FileSurface& surface, const std::vector<int>& faces) {
     return mesh;
 }
 
-/// Puts one surface of a shell in the file's place.
+/// Replaces the file by one surface of a shell.
 void takeSurface(PreparedFile& file, const FileSurface& surface, const Shell& shell,
                  ShellSurface which, const std::string& name) {
     LeftOut out = leftOut(surface, shell, which);
@@ -64,8 +64,8 @@ void takeSurface(PreparedFile& file, const FileSurface& surface, const Shell& sh
     file.soup = std::make_shared<const PolygonSoup>(sheetOf(*file.soup, surface, shell, which));
 }
 
-/// Says of each face which layer it is of; where one alone is wanted, that is the file.
-/// @param only  from the outermost, 1; 0: all
+/// Stores the layer of each face; if a single layer is wanted, the file is reduced to it.
+/// @param only  the outermost is 1; 0: all
 void takeLayers(PreparedFile& file, const FileSurface& surface, const Layers& layers, int only,
                 const std::string& name) {
     std::vector<int> layerOfFace(static_cast<std::size_t>(file.soup->faceCount()), 0);
@@ -97,7 +97,7 @@ void takeLayers(PreparedFile& file, const FileSurface& surface, const Layers& la
     file.soup = std::make_shared<const PolygonSoup>(withFaces(*file.soup, kept));
 }
 
-/// A file that a person says is layers, or of which one layer is wanted.
+/// Reads a file that the user declared as layers, or from which one layer is wanted.
 void readLayers(PreparedFile& file, const FileSurface& surface, int only, const std::string& name,
                 const Progress& progress) {
     if (const auto layers = findLayers(surface, progress)) {

@@ -17,35 +17,34 @@
 
 namespace toile {
 
-/// The plane in which all rims of one side of a garment lie that is there by half.
+/// The mirror plane of half a garment, which contains all rims of one side.
 struct HalfPlane {
-    Eigen::Hyperplane<double, 3> plane;  ///< mm, in the file's axes; its normal is of unit length
-    double length = 0;                   ///< of the rims that lie in it, mm
+    Eigen::Hyperplane<double, 3> plane;  ///< mm, in the file's axes; with unit normal
+    double length = 0;                   ///< of the rims in it, mm
     bool isCompleted = false;            ///< the mirror image was added
 };
 
-/// As what a file was read.
+/// How a file was read.
 struct FileReading {
     FileKind kind = FileKind::Sheet;
-    bool isStated = false;  ///< by a person; else recognised
-    Wording evidence;       ///< what it was recognised by, for a person; may be empty
+    bool isStated = false;  ///< by the user; else detected
+    Wording evidence;       ///< why it was detected, for display; may be empty
     std::optional<HalfPlane> half{};
-    /// Per face of what came of it: which layer it belongs to, from the outermost, 0; empty where
-    /// there is but one.
+    /// Per resulting face: its layer, the outermost is 0; empty if there is only one.
     std::vector<int> layerOfFace{};
     MeshArrays leftOut{Points3(0, 3), Triangles(0, 3)};  ///< mm, in the file's axes
 };
 
 struct PreparedFile {
-    std::shared_ptr<const PolygonSoup> soup;  ///< that of the file where nothing was done
+    std::shared_ptr<const PolygonSoup> soup;  ///< the file's own soup if nothing was done
     FileReading reading;
-    Problems problems;  ///< what was done, and what might be
+    Problems problems;  ///< changes made, and possible problems
 };
 
-/// Makes of a file what can be divided into pieces. By itself it does that where it is sure what
-/// the file is and what was meant: of a shell it takes one surface. A scan is prepared where a
-/// person says that it is one; else that it looks like one is said.
-/// @param soup         welded   @param wasSoup  its vertices were joined by `weldSoup`
+/// Prepares a file for the division into pieces. Without a choice of the user it acts only if the
+/// kind of file and the intent are certain: of a shell it takes one surface. A scan is prepared if
+/// the user says that it is a scan; otherwise a note says that it looks like a scan.
+/// @param soup         welded   @param wasSoup  its vertices were merged by `weldSoup`
 /// @param millimetres  per unit of the file   @param name  of the file, for the notes
 /// Errors: Cancelled. Cost: those of `recognise`, `sheetOf` and `prepareScan`. Pure.
 Result<PreparedFile> prepareFile(std::shared_ptr<const PolygonSoup> soup, bool wasSoup,

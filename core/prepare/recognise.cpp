@@ -10,12 +10,11 @@
 namespace toile {
 namespace {
 
-/// So many fragments are those of a scan.
+/// At least this many fragments indicate a scan.
 constexpr int kFewestFragments = 5;
-/// Of a solid's area, what must belong to closed surfaces.
+/// Minimum share of a solid's area in closed surfaces.
 constexpr double kClosedShare = 0.95;
-/// Of the faces, how many lie on each other where a few are only folded, as in corners of a
-/// cushion.
+/// Up to this share of coinciding faces is only folded, as in the corners of a cushion.
 constexpr double kFoldedShare = 0.02;
 
 constexpr const char* kOneThickness = translatable("two surfaces %1 mm apart");
@@ -28,7 +27,7 @@ Wording evidenceOf(const Shell& shell) {
                   : worded(kThicknesses, {figure(shell.thinnest, 1), figure(shell.thickest, 1)});
 }
 
-/// A mesh that is to be seen from both sides is not closed by that.
+/// A double-sided mesh is not closed for that reason.
 bool isClosed(const FileSurface& surface) {
     const FileSurface single = withoutDoubles(surface);
     const auto faces = static_cast<double>(surface.mesh.F.rows());
@@ -40,7 +39,7 @@ bool isClosed(const FileSurface& surface) {
 
 Recognition recognise(const FileSurface& surface, const Progress& progress) {
     if (auto shell = findShell(surface, progress)) {
-        // Two panels behind each other look like that too: nothing of them may go by itself.
+        // Two panels behind each other look like this too: nothing may be removed automatically.
         const bool hasRims = std::ranges::find(shell->side, ShellSide::Rim) != shell->side.end();
         if (hasRims) {
             const Wording evidence = evidenceOf(*shell);

@@ -9,17 +9,17 @@
 
 namespace toile {
 
-/// What a file was taken for, and what it was seen by.
+/// The detected kind of a file, with its evidence.
 struct Recognition {
     FileKind kind = FileKind::Sheet;
-    Wording evidence{};            ///< for a person; empty of plain sheets
-    std::optional<Shell> shell{};  ///< where there are two surfaces; a Shell only if rims join them
+    Wording evidence{};            ///< for display; empty for plain sheets
+    std::optional<Shell> shell{};  ///< if there are two surfaces; a Shell only if rims join them
     std::optional<Layers> layers{};
 };
 
-/// What a file holds, by its shape alone. Whatever is in doubt is a sheet. Vertices that lie on
-/// each other are to be joined before: a soup cannot be told from sheets here.
-/// @param progress  cancelled, anything is a sheet
+/// Detects the contents of a file from its shape alone. In doubt the result is a sheet. Coinciding
+/// vertices must be merged before, because a soup cannot be distinguished from sheets here.
+/// @param progress  if cancelled, the result is a sheet
 /// Cost: those of `findShell` and `findLayers`. Pure.
 Recognition recognise(const FileSurface& surface, const Progress& progress);
 

@@ -16,23 +16,23 @@
 namespace toile {
 namespace {
 
-/// Where edges are split and collapsed, of the length aimed at ([BK04] 4).
+/// Edges are split and collapsed at these multiples of the target length ([BK04] 4).
 constexpr double kMaxEdge = 4.0 / 3, kMinEdge = 4.0 / 5;
-/// Target length of the passes, relative to the wanted one: the mean comes out shorter.
+/// Target length of the passes, relative to the wanted length: the mean turns out shorter.
 constexpr double kAim = 1.02;
 constexpr int kRounds = 5, kLastRounds = 2;
-/// The least cosine between the normals of a triangle before and after a step.
+/// Minimum cosine between the normals of a triangle before and after a step.
 constexpr double kMinTurnCosine = 0.87;
-/// The least cosine between the normals of two triangles after a flip and their normal before.
+/// Minimum cosine between the normals of two triangles after a flip and their normal before.
 constexpr double kMinFlipCosine = 0.9;
 /// No step makes triangles of a lower quality than this, unless they were worse before.
 constexpr double kMinQuality = 0.3;
-/// A vertex is on a fold if the normals around it add up to less than this part of the area. It
-/// moves off the fold by so much of the edge length at most.
+/// A vertex is on a fold if the normals around it add up to less than this part of the area. A step
+/// moves it off the fold by at most this part of the edge length.
 constexpr double kFoldedArea = 0.8, kMaxFoldLoss = 0.05;
-/// How strongly normals that differ keep a vertex in its place: see `smoothed`.
+/// How strongly differing normals fix a vertex in its place: see `smoothed`.
 constexpr int kCreaseDamping = 20;
-/// Distances from the input below this are left, of the edge length.
+/// Distances from the input below this are ignored, relative to the edge length.
 constexpr double kSlightDistance = 0.005;
 constexpr double kMaxRimLoss = 0.003;  // of length
 
@@ -74,21 +74,21 @@ private:
     using Edge = TriMesh::EdgeHandle;
     using Halfedge = TriMesh::HalfedgeHandle;
     using Vector = Eigen::Vector3d;
-    /// An edge to split or collapse, and its squared length when it was found.
+    /// An edge to split or collapse, and its squared length at the time.
     using Candidate = std::pair<double, int>;
     enum class Role : char { Inner, Rim, Corner };
 
     struct Corners {
         Vector a, b, c;
         Vector normal() const { return (b - a).cross(c - a); }
-        /// 1 of an equilateral triangle, 0 of one without height.
+        /// 1 for an equilateral triangle, 0 for one without height.
         double quality() const {
             return 2 * std::sqrt(3) * normal().norm() /
                    ((b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm());
         }
     };
 
-    // Passes: false if cancelled.
+    // Passes; they return false if cancelled.
     bool splitLongEdges();
     bool collapseShortEdges();
     template <class Improves>
@@ -114,7 +114,7 @@ private:
     Halfedge alongOf(Edge e) const { return mesh_.halfedge_handle(e, 0); }
     Halfedge backOf(Edge e) const { return mesh_.halfedge_handle(e, 1); }
     Corners faceOf(Halfedge h) const { return {at(tail(h)), at(head(h)), at(apex(h))}; }
-    /// At right angles to the surface, as long as the doubled area around.
+    /// Normal of the surface, with the doubled area around as its length.
     Vector normalAt(Vertex v) const {
         Vector sum = Vector::Zero();
         for (const Halfedge h : mesh_.voh_range(v)) {
@@ -136,7 +136,7 @@ private:
     double maxSquare_, minSquare_;  ///< squared length of an edge
     const Progress& progress_;
     std::vector<Role> roles_;     ///< per vertex
-    std::vector<int> nearFaces_;  ///< per vertex: a face of the input not far off
+    std::vector<int> nearFaces_;  ///< per vertex: a nearby face of the input
     std::vector<int> valences_;   ///< per vertex, during flips
     std::size_t steps_ = 0;
 };
@@ -252,7 +252,7 @@ bool Remesher::canCollapse(Halfedge h) {
     if (!mesh_.is_collapse_ok(h)) {
         return false;
     }
-    // A tetrahedron would become two triangles in one place.
+    // A tetrahedron would become two coinciding triangles.
     const Halfedge right = mesh_.opposite_halfedge_handle(mesh_.next_halfedge_handle(h));
     if (!isOnRim && roleOf(apex(h)) == Role::Inner && mesh_.valence(apex(h)) == 3 &&
         apex(right) == apex(mesh_.opposite_halfedge_handle(h))) {
@@ -263,7 +263,7 @@ bool Remesher::canCollapse(Halfedge h) {
 
 /// Whether the triangles around a vertex keep their orientation and quality if it moves, and still
 /// cover its place if the surface is folded there.
-/// @param gone  triangles with this corner do not count
+/// @param gone  triangles with this corner are ignored
 bool Remesher::keepsTriangles(Vertex v, const Vector& p, Vertex gone) const {
     Vector normal = Vector::Zero();
     double area = 0, worstBefore = 1, worstAfter = 1;
@@ -319,7 +319,7 @@ bool Remesher::flipEdges(Improves improves) {
         if (mesh_.is_boundary(e) || !improves(e)) {
             continue;
         }
-        // The surface stays where it is: both new triangles lie as the old ones do.
+        // The surface does not move: both new triangles lie in the old ones.
         const Corners left = faceOf(alongOf(e)), right = faceOf(backOf(e));
         const Vector one = Corners{right.c, left.c, left.a}.normal();
         const Vector other = Corners{left.c, right.c, left.b}.normal();
@@ -335,7 +335,7 @@ bool Remesher::flipEdges(Improves improves) {
     return true;
 }
 
-/// Towards six edges at a vertex, or four on a rim.
+/// Whether a flip brings valences closer to six, or four on a rim.
 bool Remesher::evensValences(Edge e) const {
     const auto change = [this](Vertex v, int added) {
         const int excess = valences_[v.idx()] - (roleOf(v) == Role::Inner ? 6 : 4);
@@ -354,7 +354,7 @@ bool Remesher::evensValences(Edge e) const {
 }
 
 bool Remesher::raisesQuality(Edge e) const {
-    constexpr double kClearly = 1.0001;  // so that no edge flips to and fro
+    constexpr double kClearly = 1.0001;  // so that no edge flips back and forth
     const Corners left = faceOf(alongOf(e)), right = faceOf(backOf(e));
     return std::min(Corners{right.c, left.c, left.a}.quality(),
                     Corners{left.c, right.c, left.b}.quality()) >
@@ -387,9 +387,9 @@ bool Remesher::smooth() {
     return true;
 }
 
-/// The centre of the triangles around a vertex, weighted by area, within its tangent plane ([BK04]
-/// 4). With M the mean of n n^T over the normals around, and k = kCreaseDamping, the move times
-/// (1 - M)^k is in that plane if the place is flat, and follows the crease if it has one.
+/// The centroid of the triangles around a vertex, weighted by area, within its tangent plane
+/// ([BK04] 4). With M the mean of n n^T over the normals around, and k = kCreaseDamping, the move
+/// times (1 - M)^k stays in that plane on a flat surface, and follows a crease.
 Remesher::Vector Remesher::smoothed(Vertex v) const {
     Vector p = at(v);
     Vector sum = Vector::Zero();
@@ -415,7 +415,7 @@ Remesher::Vector Remesher::smoothed(Vertex v) const {
     return p + way;
 }
 
-/// Half way between its neighbours along the rim.
+/// Midpoint between its neighbours along the rim.
 Remesher::Vector Remesher::smoothedOnRim(Vertex v) const {
     const Halfedge ahead = mesh_.halfedge_handle(v);  // on the border
     const Vector p = at(v);
@@ -427,8 +427,8 @@ Remesher::Vector Remesher::smoothedOnRim(Vertex v) const {
     return length > 0 ? Vector(p + one * ((length - other.norm()) / (2 * length))) : p;
 }
 
-/// Moves vertices along their normals to where the middles of their edges lie on the input, on
-/// average: chords between vertices on a bent surface all lie on one side of it.
+/// Moves vertices along their normals so that the midpoints of their edges lie on the input, on
+/// average: all chords of a curved surface lie on one side of it.
 bool Remesher::fit() {
     std::vector<Vector> sums(mesh_.n_vertices(), Vector::Zero());
     std::vector<double> weights(mesh_.n_vertices(), 1);  // of the vertex, which is on the input
@@ -485,7 +485,7 @@ MeshArrays Remesher::result() const {
     std::vector<int> numbers(mesh_.n_vertices(), -1);
     MeshArrays result{Points3(mesh_.n_vertices(), 3), Triangles(mesh_.n_faces(), 3)};
     int vertices = 0, faces = 0;
-    for (const Vertex v : mesh_.vertices()) {  // without those that are deleted
+    for (const Vertex v : mesh_.vertices()) {  // skips deleted vertices
         numbers[v.idx()] = vertices;
         result.V.row(vertices++) = at(v).transpose();
     }
@@ -535,7 +535,7 @@ std::vector<int> findRimCorners(const Points3& V, const RimLoop& rim, double edg
     }
     spare -= length - distance(places.back(), 0);
 
-    // The loss that is left pays for removing corners that make short edges, cheapest first.
+    // Use the remaining loss to remove corners that make short edges, cheapest first.
     int left = static_cast<int>(places.size());
     std::vector<int> next(places.size()), previous(places.size());
     for (int k = 0; k < left; ++k) {
@@ -560,7 +560,7 @@ std::vector<int> findRimCorners(const Points3& V, const RimLoop& rim, double edg
         const auto [loss, k] = queue.top();
         queue.pop();
         if (places[k] < 0 || lossAt(k) != loss) {
-            continue;  // its neighbours have changed since
+            continue;  // its neighbours have changed
         }
         spare -= loss;
         places[k] = -1;

@@ -19,7 +19,7 @@
 namespace toile {
 namespace {
 
-/// The triangles on their way; a step at a time.
+/// The triangles during the preparation; one step at a time.
 class ScanPreparation {
 public:
     ScanPreparation(const PolygonSoup& soup, double millimetres)
@@ -61,7 +61,7 @@ public:
         hasChanged_ = hasChanged_ || !result.repairs.empty();
     }
 
-    /// Whether holes, noise and triangles can be seen to.
+    /// Whether holes, noise and triangles can be processed.
     bool isSurface() {
         effect_.isSurface = isValidSurface(part_.mesh, edges());
         return effect_.isSurface;
@@ -86,7 +86,7 @@ public:
             effect_.holes += i == 0 || patched.hole[i] != patched.hole[i - 1] ? 1 : 0;
         }
         hasNewFaces_ = hasNewFaces_ || !patched.hole.empty();
-        makeSurface();  // a patch may have flat triangles
+        makeSurface();  // a patch may contain flat triangles
     }
 
     void smooth(double strength, const Progress& progress) {
@@ -146,7 +146,7 @@ private:
     std::vector<int> debris_;
     ScanEffect effect_;
     bool hasChanged_ = false;   ///< positions, or triangles by repairs
-    bool hasNewFaces_ = false;  ///< that the scan had not, of whatever names
+    bool hasNewFaces_ = false;  ///< not in the scan, whatever their names
 };
 
 }  // namespace
@@ -169,7 +169,7 @@ Result<PreparedScan> prepareScan(const PolygonSoup& soup, double millimetres,
     if (goesOn) {
         scan.makeSurface();
         if (steps.dropDebris) {
-            scan.dropDebris();  // what hung on by an edge of three triangles
+            scan.dropDebris();  // parts connected by an edge of three triangles
         }
         goesOn = scan.isSurface();
     }

@@ -6,8 +6,8 @@
 namespace toile {
 namespace {
 
-/// The UV that a face of the file has at a position, which another one in the same place may stand
-/// for since they were welded; -1 where it has none.
+/// The UV of a face of the file at a position, or at another one in the same place, since they were
+/// welded; -1 if it has none.
 int uvAt(const PolygonSoup& file, int face, int position) {
     for (int corner = file.faceStart[face]; corner < file.faceStart[face + 1]; ++corner) {
         if (file.corners[corner] == position ||

@@ -6,9 +6,9 @@
 
 namespace toile {
 
-/// Triangles made of a file as a file's triangles again, in its unit: with the names of the faces
-/// that they come of, and where wanted with their UV map. What has not moved has the file's own
-/// numbers; the file's text of them is gone.
+/// Converts triangles made from a file back to a soup in its unit: with the names of their original
+/// faces, and optionally with their UV map. Unmoved positions keep the file's numbers, but not the
+/// file's text of them.
 /// @param part         in mm; `sourceFace` -1: a face without names
 /// @param millimetres  per unit of the file
 /// Cost: linear. Pure.

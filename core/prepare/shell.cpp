@@ -10,16 +10,16 @@
 namespace toile {
 namespace {
 
-/// Which shares make a file a shell: of its area the two surfaces, of the two surfaces what lies at
-/// one or two thicknesses.
+/// Minimum shares for a shell: of its area in the two surfaces, and of the two surfaces at one or
+/// two thicknesses.
 constexpr double kLeastSides = 0.6;
 constexpr double kLeastConstant = 0.9;
-/// Thickness, of the root of the outer surface's area: cloth that is thicker is a solid.
+/// Maximum thickness, relative to the root of the outer surface's area: thicker is a solid.
 constexpr double kThickestOfSize = 0.05;
 
 using ValueAndWeight = std::vector<std::pair<double, double>>;
 
-/// The value below which lies this share of the weight. Precondition: sorted, not empty.
+/// The value below which this share of the weight lies. Precondition: sorted, not empty.
 double areaQuantile(const ValueAndWeight& values, double share) {
     double all = 0;
     for (const auto& [value, weight] : values) {
@@ -42,7 +42,7 @@ std::optional<Shell> findShell(const FileSurface& surface, const Progress& progr
     if (mesh.F.rows() < 2) {
         return std::nullopt;
     }
-    // Only where the file leaves surfaces open: panels that are closed each keep to themselves.
+    // Only if the file leaves surfaces open: closed panels stay separate.
     const std::vector<int> target = findWeld(mesh.F, mesh.V, {}).target;
     Triangles F = mesh.F;
     for (int& v : F.reshaped()) {

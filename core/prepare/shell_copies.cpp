@@ -9,13 +9,13 @@
 namespace toile::shell {
 namespace {
 
-/// How much farther apart, or nearer, a pair of corners may be than its neighbours: a corner that
-/// lies on its copy's neighbour is farther off where triangles are larger than the thickness.
+/// How many times farther apart, or closer, a pair of corners may be than its neighbours: a corner
+/// paired with its copy's neighbour is farther away if triangles are larger than the thickness.
 constexpr double kDistanceRatio = 2;
-/// Least cosine, on average, between the way to the copy and the normal: in rows of a rim the way
-/// lies in the surface.
+/// Minimum mean cosine between the direction to the copy and the normal: in rows of a rim that
+/// direction lies in the surface.
 constexpr double kThrough = 0.25;
-/// Polygons with more corners are no cloth's; finding how two lie on each other is quadratic.
+/// Polygons with more corners are not cloth; matching two of them is quadratic.
 constexpr int kMostCorners = 64;
 
 std::uint64_t keyOf(int a, int b) {
@@ -41,7 +41,7 @@ Copies::Copies(const Surface& surface, Facing facing, double farthest)
     partner_.assign(static_cast<std::size_t>(surface.mesh.V.rows()), -1);
 }
 
-/// The outline of triangles: their sides that have no other among them.
+/// The outline of triangles: their sides that no other of them shares.
 void Copies::addPolygon(int first, int last) {
     const Triangles& F = surface_.mesh.F;
     const int polygon = static_cast<int>(firstTriangle_.size());
@@ -62,7 +62,7 @@ void Copies::addPolygon(int first, int last) {
         }
         sides = std::move(outline);
     }
-    // In the order in which they follow each other; what does not close is no polygon.
+    // In their order along the outline; an outline that does not close is not a polygon.
     std::vector<int> loop;
     for (std::size_t i = 0, at = 0; i < sides.size(); ++i) {
         loop.push_back(static_cast<int>(sides[at] >> 32));
@@ -112,7 +112,7 @@ void Copies::linkSides() {
     }
 }
 
-/// The corner of the other polygon on which corner k lies.
+/// The corner of the other polygon that matches corner k.
 int Copies::mirrored(int other, int shift, int k) const {
     const int count = corners(other);
     return cornerAt(other, facing_ == Facing::Alike ? shift + k : shift + count - k % count);
@@ -143,7 +143,7 @@ Copies::Seed Copies::seedOf(int triangle, const Meeting& met) const {
     return best;
 }
 
-/// Makes the corners of two polygons partners where they can be.
+/// Pairs the corners of two polygons if possible.
 bool Copies::pairUp(const Seed& seed, double reference) {
     const int count = corners(seed.polygon);
     if (seed.polygon == seed.other || mate_[seed.polygon] >= 0 || mate_[seed.other] >= 0 ||
@@ -176,7 +176,7 @@ bool Copies::pairUp(const Seed& seed, double reference) {
     mate_[seed.polygon] = seed.other;
     mate_[seed.other] = seed.polygon;
     for (int k = 0; k < count; ++k) {
-        // Against it the side runs from the next corner's copy, with it from this one's.
+        // If reversed, the side runs from the next corner's copy, else from this one's.
         const int from = facing_ == Facing::Alike ? seed.shift + k : seed.shift + 2 * count - k - 1;
         open_.push_back({start_[seed.polygon] + k, start_[seed.other] + from % count});
     }
@@ -203,7 +203,7 @@ void Copies::follow(const Seed& seed) {
         if (beyond < 0 || otherBeyond < 0) {
             continue;
         }
-        // Beyond, a side begins where it ended.
+        // In the next polygon, a side begins where it ended here.
         Seed next{0, owner_[beyond], owner_[otherBeyond]};
         const int k = beyond - start_[next.polygon], count = corners(next.polygon);
         const int j = otherBeyond - start_[next.other];

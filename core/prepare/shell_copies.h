@@ -7,27 +7,27 @@
 
 namespace toile::shell {
 
-/// Follows two surfaces of which one is a copy of the other, polygon by polygon, as exporters make
-/// a thickness: from one pair of polygons over their sides to the next, as far as they are alike.
+/// Follows two surfaces, one a copy of the other, polygon by polygon, as exporters create a
+/// thickness: from one pair of polygons over their sides to the next, as long as they match.
 class Copies {
 public:
     Copies(const Surface& surface, Facing facing, double farthest);
 
-    /// How two polygons lie on each other.
+    /// How two polygons match.
     struct Seed {
-        double slant = 2;  ///< 1 - cosine between the normal and the way from corner to corner
+        double slant = 2;  ///< 1 - cosine between the normal and the way between corners
         int polygon = -1, other = -1;
-        int shift = 0;  ///< of the other's corner on which the first corner lies
+        int shift = 0;  ///< index of the other's corner that matches the first corner
     };
-    /// A seed with a slant of 2 where a triangle's polygon and that which it met are not alike.
+    /// A seed with a slant of 2 if the polygons of a triangle and the one that it met do not match.
     Seed seedOf(int triangle, const Meeting& met) const;
 
-    /// Takes a seed and all that follows from it, where none of it is taken.
+    /// Accepts a seed and all pairs that follow from it, if none of them is taken.
     void follow(const Seed& seed);
 
     /// Whether a triangle's polygon has a copy.
     bool isPaired(int triangle) const { return mate_[polygon_[triangle]] >= 0; }
-    /// Whether a triangle's polygon leads from a vertex to its copy.
+    /// Whether a triangle's polygon connects a vertex with its copy.
     bool isRim(int triangle) const;
     /// A triangle of the copy of a triangle's polygon. Precondition: isPaired
     int mateOf(int triangle) const { return firstTriangle_[mate_[polygon_[triangle]]]; }
@@ -59,7 +59,7 @@ private:
     std::vector<int> start_{0};       ///< per polygon: of its corners; one more for the end
     std::vector<int> corner_;         ///< vertices
     std::vector<int> owner_;          ///< per corner: the polygon; side s begins at corner s
-    std::vector<int> across_;         ///< per side: the only other one there, run against it, or -1
+    std::vector<int> across_;         ///< per side: the only other one there, in reverse, or -1
     std::vector<int> mate_;           ///< per polygon, or -1
     std::vector<int> partner_;        ///< per vertex, or -1
     std::vector<SidePair> open_;

@@ -11,21 +11,21 @@
 namespace toile::shell {
 namespace {
 
-/// No cloth is thicker, quilted down included.
+/// No cloth is thicker, including quilted down.
 constexpr double kThickest = 30;
-/// Nor is it thicker than this share of the root of the area: a small model in the wrong unit.
+/// Maximum relative to the root of the area: for a small model in the wrong unit.
 constexpr double kThickestOfSize = 0.05;
-/// A few triangles say how the surfaces are turned, more of them whether it is a shell: the shares
-/// of their area that must face another surface, the second within two spans of distances.
+/// The first sample shows the surfaces' orientation, the second whether it is a shell: minimum
+/// shares of their area that face another surface, the second within two spans of distances.
 constexpr int kFirstSample = 200, kSample = 2000;
 constexpr double kFirstShare = 0.3, kLeastShare = 0.5;
-/// How much farther, or nearer, than nearly all of the sample a surface may be.
+/// How many times farther, or closer, than nearly all of the sample a surface may be.
 constexpr double kBeyondSample = 3;
-/// Slant of a seed that is believed: 18 degrees.
+/// Slant up to which a seed is accepted: 18 degrees.
 constexpr double kBelievedSlant = 0.05;
 constexpr int kRaysPerCancelCheck = 1 << 10;
 
-/// What a sample of triangles meets.
+/// The hits of a sample of triangles.
 struct Sample {
     double area = 0, all = 0;
     std::vector<int> triangles;
@@ -65,8 +65,8 @@ std::vector<Copies::Seed> seedsOf(const Copies& copies, const Sample& sample) {
     return seeds;
 }
 
-/// From a triangle's corners to their partners, on average: a corner within a polygon, where a slit
-/// of it was welded, has none.
+/// Mean vector from a triangle's corners to their partners: a corner within a polygon, at a welded
+/// slit, has none.
 Eigen::Vector3d wayToPartners(const MeshArrays& mesh, int triangle,
                               const std::vector<int>& partner) {
     Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
@@ -80,14 +80,14 @@ Eigen::Vector3d wayToPartners(const MeshArrays& mesh, int triangle,
     return sum.transpose() / std::max(count, 1);
 }
 
-/// How two surfaces lie to each other.
+/// The relative position of two surfaces.
 struct Reach {
     Facing facing = Facing::Apart;
-    double nearest = 0, farthest = 0;  ///< distances at which one is looked for, mm
+    double nearest = 0, farthest = 0;  ///< search distances, mm
     Sample sample;
 };
 
-/// None where a sample says that it is no shell.
+/// Nothing if a sample shows that it is not a shell.
 std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Progress& progress) {
     Reach reach;
     reach.farthest = std::min(kThickest, kThickestOfSize * std::sqrt(surface.area.sum()));
@@ -106,7 +106,7 @@ std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Pro
     }
     Sample& sample = reach.sample;
     sample = sampleOf(surface, rays, reach.facing, reach.farthest, kSample, progress);
-    const double share = shareInTwoSpans(sample.distances);  // they are sorted now
+    const double share = shareInTwoSpans(sample.distances);  // sorted by this call
     if (sample.area == 0 || share * sample.area < kLeastShare * sample.all) {
         return std::nullopt;
     }
@@ -117,7 +117,7 @@ std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Pro
     return reach;
 }
 
-/// Where there are copies, these are what lies opposite, and what leads to them is a rim.
+/// If there are copies, they are the opposites, and polygons that connect them are rims.
 void takeCopies(const Surface& surface, const Copies& copies, Pairs& pairs) {
     for (int t = 0; t < std::ssize(pairs.opposite); ++t) {
         if (copies.isPaired(t)) {

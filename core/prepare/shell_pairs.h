@@ -9,34 +9,34 @@
 
 namespace toile::shell {
 
-/// Triangles with what is asked of them again and again.
+/// Triangles with values that are used repeatedly.
 struct Surface {
-    MeshArrays mesh;        ///< open edges that lie on each other are one
-    std::vector<int> face;  ///< the polygon that a triangle is part of; ascending
-    Points3 normal;         ///< unit, per triangle; zero where it has no area
+    MeshArrays mesh;        ///< coinciding open edges are merged
+    std::vector<int> face;  ///< the polygon of each triangle; ascending
+    Points3 normal;         ///< unit, per triangle; zero if it has no area
     Eigen::VectorXd area;   ///< mm2, per triangle
 };
 
 Surface surfaceWith(MeshArrays mesh, std::vector<int> face);
 
-/// What lies opposite to what across the cloth.
+/// Opposite triangles and vertices across the cloth.
 struct Pairs {
     std::vector<int> partner;       ///< per vertex: its copy on the other surface, or -1
     std::vector<int> opposite;      ///< per triangle: one of the other surface, or -1
     std::vector<char> isRim;        ///< per triangle: joins a vertex with its partner
-    Points3 across;                 ///< per triangle with an opposite: the way there
+    Points3 across;                 ///< per triangle with an opposite: the vector to it
     std::vector<double> thickness;  ///< per triangle with an opposite, mm, along the normal
 };
 
-/// Largest of these values that counts as the same thickness as the least.
+/// Largest ratio of thicknesses that count as the same.
 inline constexpr double kSameThickness = 1.5;
 
-/// Which share of a weight lies within two spans of values, each from some value to kSameThickness
-/// times as much.
-/// @param valueAndWeight  reordered
+/// The largest share of weight within two spans of values, each from some value to kSameThickness
+/// times that.
+/// @param valueAndWeight  is reordered
 double shareInTwoSpans(std::vector<std::pair<double, double>>& valueAndWeight);
 
-/// None where a sample says that the surface faces no other at a thickness's distance.
+/// Nothing if a sample shows that the surface faces no other at the distance of a thickness.
 std::optional<Pairs> findPairs(const Surface& surface, const Progress& progress);
 
 }  // namespace toile::shell

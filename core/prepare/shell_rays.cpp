@@ -9,26 +9,26 @@
 namespace toile::shell {
 namespace {
 
-/// Least cosine between triangles that face each other: 37 degrees, as cloth is thinner than its
-/// folds are wide. A rim that is rounded off has no opposite.
+/// Minimum cosine between triangles that face each other: 37 degrees, as cloth is thinner than its
+/// folds are wide. A rounded rim has no opposite.
 constexpr double kFacing = 0.8;
-/// Triangles that one ray looks at: more lie in one place only where somebody has piled them up.
+/// Triangles tested per ray: more coincide only in files made to do so.
 constexpr int kMostVisits = 2000;
 
-/// Where a half-line enters a box; infinite where it misses it.
-/// @param inverse  of its direction, number by number
+/// Where a ray enters a box; infinite if it misses it.
+/// @param inverse  componentwise inverse of its direction
 template <class Box>
 double entry(const Box& box, const Eigen::Vector3d& origin, const Eigen::Vector3d& inverse,
              double farthest) {
     double from = 0, to = farthest;
     for (int k = 0; k < 3; ++k) {
         const auto at = static_cast<std::size_t>(k);
-        // Not in order of size: a box with nothing in it begins behind its end, and is missed.
+        // Not in order of size: an empty box begins behind its end, and is missed.
         const bool isForward = !std::signbit(inverse[k]);
         const double a = ((isForward ? box.low : box.high)[at] - origin[k]) * inverse[k];
         const double b = ((isForward ? box.high : box.low)[at] - origin[k]) * inverse[k];
         if (std::isnan(a) || std::isnan(b)) {
-            continue;  // parallel and within the slab's plane
+            continue;  // parallel and within the slab
         }
         from = std::max(from, a);
         to = std::min(to, b);
@@ -66,7 +66,7 @@ void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& fa
         if (other == triangle) {
             return;
         }
-        // By the volumes that the ray spans with the edges.
+        // Compares the volumes that the ray spans with the edges.
         const Eigen::Vector3d a = corner(other, 0) - origin, b = corner(other, 1) - origin,
                               c = corner(other, 2) - origin;
         const double u = direction.dot(c.cross(b)), v = direction.dot(a.cross(c)),

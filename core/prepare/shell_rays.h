@@ -8,33 +8,33 @@
 
 namespace toile::shell {
 
-/// How the two surfaces of a file are turned to each other.
+/// The relative orientation of the two surfaces of a file.
 enum class Facing {
-    Apart,    ///< as a solid's: both look away from the cloth
+    Apart,    ///< like a solid's: both face away from the cloth
     Towards,  ///< a solid inside out
-    Alike,    ///< a copy that looks the same way
+    Alike,    ///< a copy with the same orientation
 };
 
-/// What a ray meets.
+/// The hit of a ray.
 struct Meeting {
     int triangle = -1;
-    Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< from the middle of the triangle asked about
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< from the centroid of the queried triangle
 };
 
-/// Looks from triangles across the cloth. Keeps a reference. Immutable.
+/// Casts rays from triangles across the cloth. Keeps a reference. Immutable.
 class Rays {
 public:
     explicit Rays(const Surface& surface);
 
-    /// The nearest triangle that one meets at right angles to its middle, where it is turned as
-    /// asked and not farther; none where something else is nearer.
+    /// The nearest triangle along the normal at the centroid, if it has the given facing and is
+    /// within the distance; nothing if another one is nearer.
     Meeting opposite(int triangle, Facing facing, double farthest) const;
 
-    /// All that one meets from its middle in this direction, nearest first, however turned.
+    /// All hits from the centroid in this direction, nearest first, at any angle.
     std::vector<Meeting> all(int triangle, const Eigen::Vector3d& direction) const;
 
 private:
-    /// @param onMet  (triangle, distance) of one that is not farther; may bring `farthest` nearer
+    /// @param onMet  called with (triangle, distance) within `farthest`, which it may reduce
     template <class OnMet>
     void look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
               const OnMet& onMet) const;
@@ -42,7 +42,7 @@ private:
 
     const Surface& surface_;
     geometry::TriangleTree<3, double> tree_;
-    double same_;  ///< nearer than this is no other surface, mm
+    double same_;  ///< mm; closer hits are the same surface
 };
 
 }  // namespace toile::shell

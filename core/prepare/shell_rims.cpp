@@ -11,19 +11,19 @@
 namespace toile::shell {
 namespace {
 
-/// Where more than two meet, as at a seam of panels that are thick each, none goes on smoothly.
+/// If more than two meet, as at a seam of thick panels, none continues smoothly.
 constexpr double kManyMeet = 2;
-/// Triangles at one edge that are all taken for neighbours; of more, those next in the file.
+/// At most this many triangles at one edge are all neighbours; of more, those adjacent in the file.
 constexpr std::size_t kMostAtEdge = 8;
 
-/// Of the length of a shell's edges: how much may be openings around both surfaces.
+/// Maximum share of openings around both surfaces in the length of a shell's edges.
 constexpr double kMostShared = 0.04;
-/// Of a file's area: how large an island may be that is taken for a mistake.
+/// Maximum share of an island in a file's area to be taken for a mistake.
 constexpr double kIsland = 1e-3;
-/// How many times as wide as the cloth is thick a rim may be.
+/// Maximum width of a rim, in multiples of the thickness.
 constexpr double kWidestRim = 4;
 
-/// The edges at which one shell's surfaces end, at a rim, at each other or open; lengths.
+/// The edges at the end of one shell's surfaces, at a rim, at each other or open; lengths.
 struct Edging {
     double all = 0;
     double shared = 0;  ///< of openings that run along both surfaces
@@ -35,7 +35,7 @@ std::size_t numberOf(ShellSide side) {
     return static_cast<std::size_t>(side);
 }
 
-/// Which openings run along which sides: open edges by their first vertex.
+/// The sides along each opening: open edges by their first vertex.
 struct Openings {
     geometry::DisjointSets sets;
     std::vector<std::array<bool, 4>> along;  ///< per root
@@ -64,7 +64,7 @@ Openings openingsOf(const EdgeTable& table, int vertexCount, const Sides& sides)
     return openings;
 }
 
-/// Gives small islands of one surface in the other, or of neither, to what surrounds them.
+/// Reassigns small islands of one surface in the other, or of neither, to their surroundings.
 void takeOverIslands(const Surface& surface, const std::vector<Neighbours>& neighbours,
                      TwoSided& sets, Sides& sides) {
     const int count = static_cast<int>(sides.side.size());

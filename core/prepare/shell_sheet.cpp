@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-/// What becomes of a face of the file: what most of its area is, and how it runs.
+/// The role of a face of the file, by most of its area, and its winding.
 struct FaceSide {
     int face;
     ShellSide side;
@@ -39,7 +39,7 @@ ShellSide sideOf(ShellSurface which) {
     return which == ShellSurface::Inner ? ShellSide::Inner : ShellSide::Outer;
 }
 
-/// How many mm a unit of the soup is.
+/// Millimetres per unit of the soup.
 double millimetresOf(const PolygonSoup& soup, const FileSurface& surface) {
     double inFile = 0, inMillimetres = 0;
     for (std::size_t v = 0; v < soup.positions.size(); ++v) {
@@ -51,7 +51,7 @@ double millimetresOf(const PolygonSoup& soup, const FileSurface& surface) {
     return inFile > 0 ? inMillimetres / inFile : 1;
 }
 
-/// The way of each vertex of the outer surface to the middle, mm; those in one place go one way.
+/// The vector of each vertex of the outer surface to the middle, mm; equal for coinciding ones.
 Points3 waysToMiddle(const FileSurface& surface, const Shell& shell) {
     const MeshArrays& mesh = surface.mesh;
     Points3 way = Points3::Zero(mesh.V.rows(), 3);
@@ -99,7 +99,7 @@ void moveToMiddle(PolygonSoup& sheet, const FileSurface& surface, const Shell& s
     }
 }
 
-/// Turns a face over, from its first corner on.
+/// Reverses a face, keeping its first corner.
 void turn(PolygonSoup& soup, int face) {
     const auto reverse = [&soup, face](std::vector<int>& perCorner) {
         if (!perCorner.empty()) {

@@ -12,14 +12,14 @@
 namespace toile::shell {
 namespace {
 
-/// Of a shell's area: how much may lie opposite itself.
+/// Maximum share of a shell's area that is opposite itself.
 constexpr double kMostConflicts = 0.05;
-/// How much smaller the one surface may be than the other.
+/// Minimum ratio of the areas of the two surfaces.
 constexpr double kLeastBalance = 0.6;
-/// Of the root of one surface's area: how thick it may be. Buttons are thicker.
+/// Maximum thickness, relative to the root of one surface's area. Buttons are thicker.
 constexpr double kThickestPart = 0.15;
 
-/// What is said of which triangles, the surest first.
+/// A relation between triangles; the most certain ones come first.
 struct Link {
     double doubt;
     int a, b;
@@ -48,11 +48,11 @@ TwoSided twoSidesOf(const Pairs& pairs, const std::vector<Neighbours>& neighbour
     return sides;
 }
 
-/// The sums over one shell that decide about it.
+/// Sums over one shell that decide about it.
 struct Sums {
     std::array<double, 2> area{}, facing{};
-    double outwards = 0;  ///< positive where its first side is the outer one
-    double volume = 0;    ///< of the cloth, from either side: twice what there is
+    double outwards = 0;  ///< positive if its first side is the outer one
+    double volume = 0;    ///< of the cloth, from both sides: twice the true volume
     double conflicts = 0;
 
     bool isShell() const {

@@ -8,7 +8,7 @@
 
 namespace toile::shell {
 
-/// Which triangle lies on which side.
+/// The side of each triangle.
 struct Sides {
     std::vector<ShellSide> side;  ///< per triangle
     std::vector<char> turned;     ///< per triangle: runs clockwise, seen from outside
@@ -19,8 +19,8 @@ inline bool isSide(ShellSide side) {
     return side == ShellSide::Outer || side == ShellSide::Inner;
 }
 
-/// Parts the triangles into the two surfaces: what joins smoothly is one surface, what lies
-/// opposite the other. Where both are said of the same triangles they are no shell's, and single.
+/// Divides the triangles into the two surfaces: smoothly joined triangles are one surface, opposite
+/// ones the other. If both relations hold for the same triangles, they are not a shell, and single.
 Sides findSides(const Surface& surface, const Pairs& pairs);
 
 }  // namespace toile::shell

@@ -17,11 +17,11 @@ namespace {
 constexpr int kDirectionPasses = 10;
 constexpr int kVertexPasses = 15;
 // Directions that differ by this many times the noise smooth each other by 0.6, those of a feature
-// not at all; at most 20 degrees, so that right angles stay in whatever noise.
+// not at all; at most 20 degrees, so that right angles survive any noise.
 constexpr double kFeaturePerNoise = 4;
 constexpr double kLargestFeature = 0.35;
-constexpr std::size_t kLargestFan = 64;  // to which each triangle at a vertex looks
-constexpr int kCancelCheck = 4096;       // a millisecond or so
+constexpr std::size_t kLargestFan = 64;  // larger fans are not used for smoothing
+constexpr int kCancelCheck = 4096;       // about a millisecond
 
 using Directions = Points3;  // unit vectors, of triangles or of rim edges
 
@@ -29,8 +29,8 @@ double likeness(const Directions& N, int a, int b, double feature) {
     return std::exp((N.row(a) - N.row(b)).squaredNorm() / (-2 * feature * feature));
 }
 
-/// How noisy normals are: by how much each differs from the mean of its neighbours, which a surface
-/// that bends evenly does not; the median.
+/// The noise of normals: the median of how much each differs from the mean of its neighbours, which
+/// is zero on an evenly curved surface.
 double noiseOf(const Triangles& F, const EdgeTable& table, const Directions& normal) {
     std::vector<double> differences;
     for (int f = 0; f < F.rows(); ++f) {
@@ -55,13 +55,13 @@ double noiseOf(const Triangles& F, const EdgeTable& table, const Directions& nor
     return medianOf(std::move(differences));
 }
 
-/// A vertex on the rim, and the rim's edges before and behind it: each is named by its tail.
+/// A vertex on the rim, and the rim's edges before and after it: each is identified by its tail.
 struct RimVertex {
     int before = -1;
     int after = -1;
 };
 
-/// Rims as lines in space: what normals are to a surface, directions are to these.
+/// Rims as lines in space: their directions play the role of a surface's normals.
 class RimLines {
 public:
     RimLines(const MeshArrays& mesh, const EdgeTable& table)
@@ -96,7 +96,7 @@ public:
         direction_ = std::move(filtered);
     }
 
-    /// Where a vertex lies across the lines of its two edges, in the middle.
+    /// Where a vertex would lie on the lines of its two edges, on average.
     Eigen::RowVector3d pull(const Points3& V, int v) const {
         Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
         for (const auto& [edge, other] :
@@ -174,9 +174,9 @@ private:
                 return false;
             }
             Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-            for (int k = 0; k < 3; ++k) {  // across an edge a neighbour counts twice
+            for (int k = 0; k < 3; ++k) {  // a neighbour across an edge counts twice
                 if (around_[mesh_.F(f, k)].size() > kLargestFan) {
-                    continue;  // the neighbours there are those at the other corners, too
+                    continue;  // its neighbours also appear at the other corners
                 }
                 for (const int other : around_[mesh_.F(f, k)]) {
                     sum +=
@@ -217,7 +217,7 @@ private:
         return true;
     }
 
-    /// Puts corners of triangles that have turned over or gone flat back; whether there were any.
+    /// Restores the corners of triangles that have flipped or become flat; whether there were any.
     bool takeBack(Points3& V) const {
         const MeshArrays now{V, mesh_.F};
         bool any = false;
@@ -236,12 +236,12 @@ private:
 
     const MeshArrays& mesh_;
     double strength_;
-    double feature_;  ///< how much directions differ that hardly smooth each other
+    double feature_;  ///< difference of directions that hardly smooth each other
     const Progress& progress_;
     RimLines rims_;
     geometry::Buckets<> around_;  ///< triangles, per vertex
     Directions normal_;           ///< per triangle
-    Eigen::VectorXd area_;        ///< per triangle, of the mesh as it was; doubled
+    Eigen::VectorXd area_;        ///< per triangle, of the original mesh; doubled
 };
 
 }  // namespace

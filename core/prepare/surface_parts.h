@@ -7,18 +7,17 @@
 
 namespace toile {
 
-/// Without the faces that lie on others, as those of meshes that are to be seen from both sides.
-/// Cost: n log n. Pure.
+/// Removes faces that coincide with others, like those of double-sided meshes. Cost: n log n. Pure.
 FileSurface withoutDoubles(const FileSurface& file);
 
-/// What of a surface hangs together by vertices.
+/// The parts of a surface connected by vertices.
 struct SurfaceParts {
     std::vector<int> of;         ///< per triangle, numbered by first triangle
     std::vector<double> area{};  ///< per part, mm2
     std::vector<char> isClosed{};
     double total = 0;  ///< mm2
 
-    /// Of the area, what belongs to closed parts.
+    /// Share of the area in closed parts.
     double closedShare() const;
 };
 

@@ -16,7 +16,7 @@
 namespace toile {
 namespace {
 
-/// "x = 12.5 mm", or a place that the plane runs through.
+/// "x = 12.5 mm", or a point on the plane.
 Wording planeWording(const Eigen::Hyperplane<double, 3>& plane) {
     const Eigen::Vector3d foot = plane.projection(Eigen::Vector3d::Zero());
     for (int axis = 0; axis < 3; ++axis) {
@@ -28,7 +28,7 @@ Wording planeWording(const Eigen::Hyperplane<double, 3>& plane) {
     return worded("the upright plane through %1 mm", {placeWording(foot.x(), foot.y(), foot.z())});
 }
 
-/// A file of which no more is known than that it looks like this is not looked at for halves.
+/// Files that only look like their kind, without certainty, are not tested for halves.
 bool mayBeHalf(const FileReading& reading) {
     return reading.kind != FileKind::Solid && (reading.kind != FileKind::Scan || reading.isStated);
 }

@@ -9,10 +9,10 @@
 
 namespace toile {
 
-/// Sees whether a file holds half a garment (`findHalfPlane`), and adds its mirror image where a
-/// person says that it does. What was found stands in the file's reading, what was done in its
-/// problems: ReadAs; CannotReadAs where there is no plane to mirror it in.
-/// @param file  as prepared otherwise  @param millimetres  per unit of the file
+/// Tests whether a file holds half a garment (`findHalfPlane`), and adds its mirror image if the
+/// user said so. The plane found is stored in the file's reading, the change in its problems:
+/// ReadAs; CannotReadAs if there is no mirror plane.
+/// @param file  after the other preparation  @param millimetres  per unit of the file
 /// @param name  of the file, for the notes
 /// Cost: n log n. Pure.
 void takeHalf(PreparedFile& file, const Preparation& preparation, UpAxis up, double millimetres,

@@ -9,7 +9,7 @@
 namespace toile::shell {
 
 /// Union-find over 0 .. size-1 in which each member of a set is on one of two sides. The root of a
-/// set is its least member.
+/// set is its smallest member.
 class TwoSided {
 public:
     explicit TwoSided(int size) : parent_(size), flipped_(size, 0) {
@@ -38,7 +38,7 @@ public:
         return place;
     }
 
-    /// Passed over where the two are in one set already.
+    /// Ignored if the two are in one set already.
     void join(int a, int b, bool areApart) {
         const Place at = find(a), to = find(b);
         if (at.root != to.root) {
@@ -50,7 +50,7 @@ public:
 
 private:
     std::vector<int> parent_;
-    std::vector<char> flipped_;  ///< against the parent
+    std::vector<char> flipped_;  ///< relative to the parent
 };
 
 }  // namespace toile::shell
