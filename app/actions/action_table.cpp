@@ -26,7 +26,7 @@ namespace toile::app {
 namespace {
 
 using When = std::function<bool(Workspace&)>;
-using Pieces = std::vector<int>;
+using PieceIndices = std::vector<int>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
@@ -113,8 +113,8 @@ bool isOneFlatPiece(Workspace& on) {
 }
 
 /// Of the selected pieces those that cuts may open.
-Pieces selectedOpenable(Workspace& on) {
-    Pieces found;
+PieceIndices selectedOpenable(Workspace& on) {
+    PieceIndices found;
     for (const int piece : on.document().selection()) {
         if (isOpenable(*on.document().garment()->pieces[static_cast<std::size_t>(piece)])) {
             found.push_back(piece);
@@ -299,10 +299,11 @@ ActionWork reads(bool LoadOptions::*field, void (Workspace::*set)(bool)) {
 }
 
 /// Does something to the selected pieces that are flat, of which there have to be so many.
-ActionWork onSelected(std::size_t least, std::function<void(Document&, const Pieces&)> change) {
+ActionWork onSelected(std::size_t least,
+                      std::function<void(Document&, const PieceIndices&)> change) {
     return {[change = std::move(change)](GarmentActions& on, bool) {
                 Document& document = on.workspace().document();
-                if (const Pieces pieces = selectedFlat(document); !pieces.empty()) {
+                if (const PieceIndices pieces = selectedFlat(document); !pieces.empty()) {
                     change(document, pieces);
                 }
             },
@@ -310,7 +311,7 @@ ActionWork onSelected(std::size_t least, std::function<void(Document&, const Pie
 }
 
 /// Does something to the selected pieces, flat or not.
-ActionWork onPieces(std::function<void(Document&, const Pieces&)> change, When when) {
+ActionWork onPieces(std::function<void(Document&, const PieceIndices&)> change, When when) {
     return {[change = std::move(change)](GarmentActions& on, bool) {
                 Document& document = on.workspace().document();
                 const Document::Selection pieces = document.selection();
@@ -320,26 +321,27 @@ ActionWork onPieces(std::function<void(Document&, const Pieces&)> change, When w
 }
 
 ActionWork turns(double angle) {
-    return onSelected(1, [angle](Document& document, const Pieces& pieces) {
+    return onSelected(1, [angle](Document& document, const PieceIndices& pieces) {
         turnTogether(document, GarmentActions::tr("Turn %1"), pieces, angle);
     });
 }
 
 ActionWork mirrors(Mirroring mirroring) {
-    return onSelected(1, [mirroring](Document& document, const Pieces& pieces) {
+    return onSelected(1, [mirroring](Document& document, const PieceIndices& pieces) {
         mirrorTogether(document, GarmentActions::tr("Mirror %1"), pieces, mirroring);
     });
 }
 
 template <class Where>
-ActionWork arranges(void (*arrange)(Document&, const Pieces&, Where), Where where,
+ActionWork arranges(void (*arrange)(Document&, const PieceIndices&, Where), Where where,
                     std::size_t least) {
-    return onSelected(
-        least, [=](Document& document, const Pieces& pieces) { arrange(document, pieces, where); });
+    return onSelected(least, [=](Document& document, const PieceIndices& pieces) {
+        arrange(document, pieces, where);
+    });
 }
 
 /// To the selected pieces, or to all where none is.
-ActionWork onChosen(void (*change)(Document&, const Pieces&)) {
+ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
     return {[change](GarmentActions& on, bool) {
                 change(on.workspace().document(), selectedOrAllFlat(on.workspace().document()));
             },
@@ -763,14 +765,14 @@ std::vector<ActionSpec> makeActions() {
         {ActionId::LeaveOut, "leaveOut", TR("&Leave out"), "",
          TR("Take the selected pieces out of the pattern, as buttons and zips are: they are not "
             "flattened, and in no file, check or figure"),
-         onPieces(
-             [](Document& document, const Pieces& pieces) { setLeftOut(document, pieces, true); },
-             [](Workspace& on) { return isAnyPieceOut(on, false); })},
+         onPieces([](Document& document,
+                     const PieceIndices& pieces) { setLeftOut(document, pieces, true); },
+                  [](Workspace& on) { return isAnyPieceOut(on, false); })},
         {ActionId::TakeIn, "takeIn", TR("&Take in"), "",
          TR("Put the selected pieces that are left out back into the pattern"),
-         onPieces(
-             [](Document& document, const Pieces& pieces) { setLeftOut(document, pieces, false); },
-             [](Workspace& on) { return isAnyPieceOut(on, true); })},
+         onPieces([](Document& document,
+                     const PieceIndices& pieces) { setLeftOut(document, pieces, false); },
+                  [](Workspace& on) { return isAnyPieceOut(on, true); })},
         {ActionId::LeaveOutSmall, "leaveOutSmall", TR("Leave out &small pieces…"), "",
          TR("Leave out all pieces below an area that you type"), whenOpen()},
         {ActionId::CutOpen,

@@ -44,8 +44,8 @@ Wording faultOf(const UserCut& cut) {
 
 }  // namespace
 
-CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                        const std::vector<UserCut>& cuts, const Progress& progress) {
+CutOwners findCutOwners(const Pieces& pieces, const std::vector<UserCut>& cuts,
+                        const Progress& progress) {
     CutOwners owners;
     owners.cutsOf.resize(pieces.size());
     if (cuts.empty()) {

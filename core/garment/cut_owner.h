@@ -24,7 +24,7 @@ inline constexpr double kFarFromSurface = 0.1;
 
 /// Cost: a tree of boxes per piece, and one question per piece and point; nothing without cuts.
 /// @param progress  polled from piece to piece
-CutOwners findCutOwners(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                        const std::vector<UserCut>& cuts, const Progress& progress);
+CutOwners findCutOwners(const Pieces& pieces, const std::vector<UserCut>& cuts,
+                        const Progress& progress);
 
 }  // namespace toile

@@ -62,14 +62,14 @@ struct CutRecord {
     bool automatic = false;
     int proposer = 0;         ///< its `way`; 0: no proposals were asked for
     bool namesPiece = false;  ///< proposed cuts are called by their piece, too
-    std::vector<std::shared_ptr<const Piece>> pieces{};
+    Pieces pieces{};
     std::vector<AppliedCut> cuts{};
     Problems problems{};
 };
 
 /// Pieces after cutting, and what was done.
 struct CutPieces {
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    Pieces pieces;
     std::vector<AppliedCut> cuts;
     Problems problems;  ///< CutImpossible, for each cut of the user's that could not be made
     std::vector<CutRecord> records;  ///< of those pieces that were to be cut
@@ -91,8 +91,8 @@ struct CutPieces {
 /// @param before    what an earlier call did: where the same is asked of the same piece, the same
 ///                  parts come of it, by pointer
 /// Deterministic. Re-entrant.
-CutPieces cutPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
-                    std::vector<UserCut> cuts, bool automatic, const Progress& progress,
-                    const std::vector<CutRecord>& before = {}, const CutProposer& proposer = {});
+CutPieces cutPieces(const Pieces& uncut, std::vector<UserCut> cuts, bool automatic,
+                    const Progress& progress, const std::vector<CutRecord>& before = {},
+                    const CutProposer& proposer = {});
 
 }  // namespace toile

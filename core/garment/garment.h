@@ -56,10 +56,9 @@ struct SourceFile {
 /// and sewn. All of it follows from the files and the orders given; nothing is changed later.
 struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
-    std::vector<std::shared_ptr<const Piece>> pieces;  ///< as cut
-    std::vector<std::shared_ptr<const Piece>>
-        uncut{};  ///< as divided, before any join or cut; those
-                  ///< that none touches are the same pointers
+    Pieces pieces;   ///< as cut
+    Pieces uncut{};  ///< as divided, before any join or cut; those
+                     ///< that none touches are the same pointers
     std::vector<AppliedJoin> joins{};
     std::vector<AppliedCut> cuts{};
     std::vector<CutRecord> cutRecords{};       ///< what became of the pieces that were to be cut

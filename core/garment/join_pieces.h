@@ -21,7 +21,7 @@ struct AppliedJoin {
 
 /// Pieces after joining, and what was done.
 struct JoinedPieces {
-    std::vector<std::shared_ptr<const Piece>> pieces;
+    Pieces pieces;
     std::vector<AppliedJoin> joins;
     Problems problems;  ///< JoinImpossible, for each seam that could not be taken out
 };
@@ -38,7 +38,7 @@ struct JoinedPieces {
 /// @param progress  reported; once it is cancelled, what is returned is worth nothing
 /// Cost: linear in all triangles, and for every join in those of its two pieces and in the edges of
 /// all rims; nothing without joins. Deterministic. Re-entrant.
-JoinedPieces joinPieces(const std::vector<std::shared_ptr<const Piece>>& uncut,
-                        const std::vector<UserJoin>& joins, const Progress& progress = Progress());
+JoinedPieces joinPieces(const Pieces& uncut, const std::vector<UserJoin>& joins,
+                        const Progress& progress = Progress());
 
 }  // namespace toile

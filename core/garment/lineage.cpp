@@ -42,8 +42,7 @@ PieceId idOf(const Lineage& lineage) {
     return {id};
 }
 
-std::vector<int> predecessors(const std::vector<std::shared_ptr<const Piece>>& before,
-                              const std::vector<std::shared_ptr<const Piece>>& after) {
+std::vector<int> predecessors(const Pieces& before, const Pieces& after) {
     std::map<PieceId, int> byId;
     std::map<PieceId, std::vector<int>> byUncut;
     for (std::size_t i = 0; i < before.size(); ++i) {

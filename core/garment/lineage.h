@@ -10,6 +10,8 @@
 namespace toile {
 
 struct Piece;
+/// Shared: versions of a garment have the pieces in common that an edit leaves alone.
+using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
 /// On which side of a cut a part of a piece lies that the cut parted.
 struct CutSide {
@@ -39,8 +41,7 @@ PieceId idOf(const Lineage& lineage);
 /// @param before  with ids; null ones are passed by
 /// @return per piece of `after`: index into `before`, or -1. Cost: n log n; of a piece that a cut
 /// has parted otherwise now, all its parts before times its parts after. Pure.
-std::vector<int> predecessors(const std::vector<std::shared_ptr<const Piece>>& before,
-                              const std::vector<std::shared_ptr<const Piece>>& after);
+std::vector<int> predecessors(const Pieces& before, const Pieces& after);
 
 /// Where an edge of a piece's rim comes from: a stretch of a rim of the division, or one side of a
 /// cut. Places are shares of that line's length, 0 to 1, so that they stay where the garment is

@@ -14,7 +14,7 @@ bool isUsable(const std::shared_ptr<const Piece>& piece) {
     return piece && piece->mesh.F.rows() > 0 && piece->mesh.V.allFinite();
 }
 
-double toleranceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+double toleranceOf(const Pieces& pieces) {
     Eigen::AlignedBox3d box;
     for (const auto& piece : pieces) {
         if (isUsable(piece)) {
@@ -27,7 +27,7 @@ double toleranceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
 
 }  // namespace
 
-RimPairs::RimPairs(const std::vector<std::shared_ptr<const Piece>>& pieces)
+RimPairs::RimPairs(const Pieces& pieces)
     : rims_(pieces.size()), index_(places_, toleranceOf(pieces)) {
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         if (isUsable(pieces[p])) {

@@ -35,7 +35,7 @@ public:
 
     /// @param pieces  null ones are passed by
     /// Cost: linear in the triangles, n log n in the rim edges.
-    explicit RimPairs(const std::vector<std::shared_ptr<const Piece>>& pieces);
+    explicit RimPairs(const Pieces& pieces);
 
     const Edge& edge(int e) const { return edges_[e]; }
     /// Per piece: its edges, in the order of its table.

@@ -83,7 +83,7 @@ std::shared_ptr<Piece> withSlitsClosed(const Piece& piece, const RimPairs& rims,
 
 }  // namespace
 
-std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+std::vector<Slit> slitsInside(const Pieces& pieces) {
     const RimPairs rims(pieces);
     std::vector<Slit> slits;
     for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -115,7 +115,7 @@ std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& p
 }
 
 void closeSlits(std::vector<std::shared_ptr<Piece>>& pieces) {
-    const std::vector<std::shared_ptr<const Piece>> before(pieces.begin(), pieces.end());
+    const Pieces before(pieces.begin(), pieces.end());
     const RimPairs rims(before);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
         const auto loops = slitLoops(rims, p, pieces[p]->mesh);

@@ -22,7 +22,7 @@ struct Slit {
 
 /// The slits inside the pieces, by piece. The longest rim of a piece is its outline, whatever it
 /// lies on. Cost: linear in the triangles, n log n in the edges of rims. Pure.
-std::vector<Slit> slitsInside(const std::vector<std::shared_ptr<const Piece>>& pieces);
+std::vector<Slit> slitsInside(const Pieces& pieces);
 
 /// Makes every piece with slits anew, both sides of each slit one: the same faces in the same
 /// order, and no reference panel, which is open there. One that would be no surface then stays as

@@ -143,7 +143,7 @@ std::vector<std::unique_ptr<WholePiece>> wholePieces(const Garment& garment) {
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
         indexOf.emplace(garment.pieces[p]->id, static_cast<int>(p));
     }
-    std::vector<std::shared_ptr<const Piece>> wholeOf(garment.pieces);
+    Pieces wholeOf(garment.pieces);
     for (const CutRecord& record : garment.cutRecords) {
         for (const auto& part : record.pieces) {
             if (const auto found = indexOf.find(part->id); found != indexOf.end()) {

@@ -115,7 +115,7 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
                                               const OnPiece& onPiece) {
     const std::vector<KeptPointer> before = snapshot();
     std::map<const Piece*, KeptPointer> byPiece;
-    std::vector<std::shared_ptr<const Piece>> piecesBefore;
+    Pieces piecesBefore;
     for (const KeptPointer& kept : before) {
         byPiece.emplace(kept->result->piece.get(), kept);
         piecesBefore.push_back(kept->result->piece);

@@ -79,9 +79,9 @@ private:
 
     /// The symmetry of a garment, and the data it depends on; the plane depends on `uncut` alone.
     struct KeptSymmetry {
-        std::vector<std::shared_ptr<const Piece>> uncut;
+        Pieces uncut;
         std::optional<MirrorPlane> plane;
-        std::vector<std::shared_ptr<const Piece>> pieces;
+        Pieces pieces;
         std::vector<double> places;            ///< of the seams' sides
         std::optional<Symmetry> found, close;  ///< `close`: by `withinTolerance`
     };

@@ -21,8 +21,8 @@ bool isAsBefore(const Piece& now, const Piece& before) {
 
 }  // namespace
 
-void reusePieces(std::vector<std::shared_ptr<const Piece>>& pieces, const Garment& before) {
-    std::map<PieceId, std::vector<std::shared_ptr<const Piece>>> known;
+void reusePieces(Pieces& pieces, const Garment& before) {
+    std::map<PieceId, Pieces> known;
     const auto know = [&known](const std::shared_ptr<const Piece>& piece) {
         known[piece->id].push_back(piece);
     };

@@ -11,6 +11,6 @@ namespace toile {
 
 /// Replaces pieces by equal ones of an earlier garment, so that data known about them (parts, flat
 /// points) stays valid. Cost: linear in the meshes.
-void reusePieces(std::vector<std::shared_ptr<const Piece>>& pieces, const Garment& before);
+void reusePieces(Pieces& pieces, const Garment& before);
 
 }  // namespace toile

@@ -30,8 +30,7 @@ struct FileEdge {
     }
 };
 
-std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                                const Outlines& outlines) {
+std::vector<FileEdge> fileEdges(const Pieces& pieces, const Outlines& outlines) {
     std::vector<FileEdge> found;
     for (std::size_t o = 0; o < outlines.list.size(); ++o) {
         const Outline& outline = outlines.list[o];
@@ -56,8 +55,8 @@ std::vector<FileEdge> fileEdges(const std::vector<std::shared_ptr<const Piece>>&
 
 }  // namespace
 
-std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                                    const Outlines& outlines, std::vector<char>& settled) {
+std::vector<Contact> sharedContacts(const Pieces& pieces, const Outlines& outlines,
+                                    std::vector<char>& settled) {
     const std::vector<FileEdge> edges = fileEdges(pieces, outlines);
     std::vector<Contact> contacts;
     for (std::size_t from = 0, to = 0; from < edges.size(); from = to) {
@@ -252,7 +251,7 @@ namespace {
 /// Seams that are known from shared or coincident vertices, so that proximity need not guess.
 class KnownSeams {
 public:
-    KnownSeams(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines)
+    KnownSeams(const Pieces& pieces, const Outlines& outlines)
         : pieces_(pieces),
           outlines_(outlines),
           groups_(static_cast<int>(pieces.size())),
@@ -305,7 +304,7 @@ private:
         return isCutEdge(c.a) && isCutEdge(c.b);
     }
 
-    const std::vector<std::shared_ptr<const Piece>>& pieces_;
+    const Pieces& pieces_;
     const Outlines& outlines_;
     geometry::DisjointSets groups_;  ///< pieces that were one before they were cut
     std::vector<char> isWelded_;     ///< per group: welded to another group
@@ -314,9 +313,8 @@ private:
 
 }  // namespace
 
-void dropContradicted(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                      const Outlines& outlines, const std::vector<Contact>& shared,
-                      std::vector<Contact>& near) {
+void dropContradicted(const Pieces& pieces, const Outlines& outlines,
+                      const std::vector<Contact>& shared, std::vector<Contact>& near) {
     const auto coincides = [&outlines](const Contact& c) {
         return std::max(c.gap0, c.gap1) <= kCoincidentShare * outlines.size;
     };

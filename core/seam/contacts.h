@@ -43,8 +43,8 @@ struct Contact {
 /// Edges of one file between the same two source positions. Edges found twice or more are marked in
 /// `settled`, so that proximity is not tested for them. If three or more share the positions, every
 /// pair gives a contact that is not certain.
-std::vector<Contact> sharedContacts(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                                    const Outlines& outlines, std::vector<char>& settled);
+std::vector<Contact> sharedContacts(const Pieces& pieces, const Outlines& outlines,
+                                    std::vector<char>& settled);
 
 /// Pairs of unsettled edges that come closer than `gap` local edge lengths along a common stretch
 /// and run (nearly) along one line; parallel pairs only between different pieces. Pairs in crowded
@@ -62,9 +62,8 @@ inline constexpr double kCoincidentShare = 1e-6;
 /// a cut, it adds nothing if the cloth of both lies on the same side, as in layers. The parts
 /// of a cut piece count as a single piece. Coincident contacts are kept.
 /// @param shared  from `sharedContacts`  Cost: linear.
-void dropContradicted(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                      const Outlines& outlines, const std::vector<Contact>& shared,
-                      std::vector<Contact>& near);
+void dropContradicted(const Pieces& pieces, const Outlines& outlines,
+                      const std::vector<Contact>& shared, std::vector<Contact>& near);
 
 /// Removes contacts that run the wrong way: the balance of contacts decides which pieces have
 /// opposite winding. Sorts by (a, b).

@@ -107,8 +107,7 @@ Problems notesOf(const std::vector<seam::CrowdedPlace>& crowded) {
 
 }  // namespace
 
-SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                    const SeamOptions& options, const Progress& progress) {
+SeamGraph findSeams(const Pieces& pieces, const SeamOptions& options, const Progress& progress) {
     const auto goesOnAt = [&progress](double share) {
         progress.report(share);
         return !progress.isCancelled();

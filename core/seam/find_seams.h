@@ -42,7 +42,7 @@ struct SeamOptions {
 /// vertex and face order affect only the numbering of equal names. Cost: n log n in the outline
 /// edges and linear in the meshes. Re-entrant.
 /// @param progress  reported; after a cancel the result is invalid
-SeamGraph findSeams(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                    const SeamOptions& options = {}, const Progress& progress = Progress());
+SeamGraph findSeams(const Pieces& pieces, const SeamOptions& options = {},
+                    const Progress& progress = Progress());
 
 }  // namespace toile

@@ -201,8 +201,7 @@ Key keyOf(const Outlines& outlines, const Seam& seam) {
 }
 
 /// The name without its number, and the noun to put before a number.
-std::pair<std::string, std::string> baseName(
-    const std::vector<std::shared_ptr<const Piece>>& pieces, const Seam& seam) {
+std::pair<std::string, std::string> baseName(const Pieces& pieces, const Seam& seam) {
     const std::string& left = pieces[seam.left.piece]->name;
     switch (seam.kind) {
         case SeamKind::Dart:
@@ -220,8 +219,7 @@ std::pair<std::string, std::string> baseName(
 
 }  // namespace
 
-void orderAndName(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
-                  std::vector<Seam>& seams) {
+void orderAndName(const Pieces& pieces, const Outlines& outlines, std::vector<Seam>& seams) {
     std::vector<std::pair<Key, std::size_t>> order;
     std::map<std::string, int> count, used;
     for (std::size_t k = 0; k < seams.size(); ++k) {

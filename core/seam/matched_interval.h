@@ -101,7 +101,6 @@ Seam finishSeam(const Outlines& outlines, MatchedInterval interval);
 Seam freeEdge(const Outlines& outlines, int index, Arc arc);
 
 /// Orders seams (sewn ones first; by piece, kind, then place in space) and names them.
-void orderAndName(const std::vector<std::shared_ptr<const Piece>>& pieces, const Outlines& outlines,
-                  std::vector<Seam>& seams);
+void orderAndName(const Pieces& pieces, const Outlines& outlines, std::vector<Seam>& seams);
 
 }  // namespace toile::seam

@@ -59,7 +59,7 @@ double Outline::nearestVertex(double s) const {
     return s - wrap(s) + line.arc()[share < 0.5 ? edge : edge + 1];
 }
 
-Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+Outlines buildOutlines(const Pieces& pieces) {
     Outlines all;
     Eigen::AlignedBox3d box;
     all.firstEdge.push_back(0);

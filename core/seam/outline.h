@@ -62,6 +62,6 @@ struct Outlines {
     }
 };
 
-Outlines buildOutlines(const std::vector<std::shared_ptr<const Piece>>& pieces);
+Outlines buildOutlines(const Pieces& pieces);
 
 }  // namespace toile::seam

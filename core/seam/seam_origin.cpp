@@ -98,8 +98,7 @@ std::vector<geometry::Interval> partsOf(const LineStretch& stretch, const seam::
     return parts;
 }
 
-void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                  const seam::Outlines& outlines, std::vector<Seam>& seams) {
+void traceOrigins(const Pieces& pieces, const seam::Outlines& outlines, std::vector<Seam>& seams) {
     const auto trace = [&](const SeamSide& side, std::vector<CutId>* cuts) -> LineStretch {
         return tracedStretch(side, outlines.list[outlines.indexOf(side)],
                              pieces[side.piece]->origins, cuts);
@@ -150,7 +149,7 @@ void nameAfterCuts(SeamGraph& graph, const std::vector<AppliedCut>& cuts) {
     }
 }
 
-UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces) {
+UserJoin joinAlong(const Seam& seam, const Pieces& pieces) {
     const Points3 line = spaceLine(seam.left, *pieces[seam.left.piece]);
     std::vector<double> arc{0};
     for (Eigen::Index i = 1; i < line.rows(); ++i) {

@@ -22,12 +22,11 @@ std::vector<geometry::Interval> partsOf(const LineStretch& stretch, const seam::
 
 /// Records for every seam and free edge the origin of its two sides, and gives it an id. Cost:
 /// linear in the edges of the seams, times the logarithm of the outlines' edges.
-void traceOrigins(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                  const seam::Outlines& outlines, std::vector<Seam>& seams);
+void traceOrigins(const Pieces& pieces, const seam::Outlines& outlines, std::vector<Seam>& seams);
 
 /// The command that removes a seam made by the garment's own division: points along its left side,
 /// mm, including its ends.
-UserJoin joinAlong(const Seam& seam, const std::vector<std::shared_ptr<const Piece>>& pieces);
+UserJoin joinAlong(const Seam& seam, const Pieces& pieces);
 
 /// Names seams after the user's or the tailor's cut that made them: "inseam", or "inseam 1",
 /// "inseam 2" in the order of the graph; if two cuts make one seam, the first cut's name is used.

@@ -10,8 +10,7 @@ namespace toile::symmetry {
 namespace {
 
 /// Appends the arrays of all pieces.
-void appendPieces(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                  GarmentSurface& surface) {
+void appendPieces(const Pieces& pieces, GarmentSurface& surface) {
     Eigen::Index vertices = 0, faces = 0;
     for (const auto& piece : pieces) {
         vertices += piece->mesh.V.rows();
@@ -65,7 +64,7 @@ std::vector<int> GarmentSurface::sampled(int most) const {
     return vertices;
 }
 
-GarmentSurface surfaceOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+GarmentSurface surfaceOf(const Pieces& pieces) {
     GarmentSurface surface;
     appendPieces(pieces, surface);
     weigh(surface);

@@ -27,6 +27,6 @@ struct GarmentSurface {
 };
 
 /// Precondition: finite positions.  Cost: linear. Pure.
-GarmentSurface surfaceOf(const std::vector<std::shared_ptr<const Piece>>& pieces);
+GarmentSurface surfaceOf(const Pieces& pieces);
 
 }  // namespace toile::symmetry

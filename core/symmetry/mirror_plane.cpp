@@ -157,8 +157,7 @@ std::vector<Eigen::Vector3d> axesOf(const GarmentSurface& surface) {
 
 }  // namespace
 
-std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                                           const Progress& progress) {
+std::optional<MirrorPlane> findMirrorPlane(const Pieces& pieces, const Progress& progress) {
     const GarmentSurface surface = symmetry::surfaceOf(pieces);
     if (!(surface.radius() > 0)) {
         return std::nullopt;

@@ -49,7 +49,6 @@ inline constexpr double kMinMirrorWidth = 0.1;
 /// Precondition: finite positions. Deterministic.
 /// Cost: 40 rounds, with a search of O(log #F) for each vertex: a second, or two to three for a
 /// hundred thousand vertices.  Pure.
-std::optional<MirrorPlane> findMirrorPlane(const std::vector<std::shared_ptr<const Piece>>& pieces,
-                                           const Progress& progress = {});
+std::optional<MirrorPlane> findMirrorPlane(const Pieces& pieces, const Progress& progress = {});
 
 }  // namespace toile

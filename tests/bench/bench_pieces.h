@@ -13,7 +13,6 @@ namespace toile::bench {
 /// The pieces that speed is measured on, by the names that benchmarks carry: "panel/45000",
 /// "head/1000000" (bench_meshes.h), or "dress", "face" and "mannequin-devil" from the folder of
 /// shared garments. Made at the first call and kept: afterwards they cost nothing. One thread.
-using Pieces = std::vector<std::shared_ptr<const Piece>>;
 
 /// Empty where the file is not there. Pieces that are no disk are left out.
 const Pieces& piecesOf(const std::string& name);

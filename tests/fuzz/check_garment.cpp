@@ -18,7 +18,7 @@ namespace {
 constexpr int kMaxGarmentFaces = 400;
 constexpr std::size_t kMaxGarmentBytes = 16 * 1024;
 
-double areaOf(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+double areaOf(const Pieces& pieces) {
     double area = 0;
     for (const auto& piece : pieces) {
         area += triangleAreas3d(piece->mesh).sum();

@@ -63,14 +63,14 @@ void expectIsACut(const Piece& piece, const CrossingCut& cut) {
 }
 
 /// The two parts, flattened for themselves.
-std::vector<std::shared_ptr<const Piece>> partsOf(const Piece& piece, const CrossingCut& cut) {
+Pieces partsOf(const Piece& piece, const CrossingCut& cut) {
     std::set<std::pair<int, int>> walls;
     for (std::size_t k = 1; k < cut.path.size(); ++k) {
         walls.insert(std::minmax(cut.path[k - 1], cut.path[k]));
     }
     const int faces = static_cast<int>(piece.mesh.F.rows());
     std::vector<int> part(faces, -1);
-    std::vector<std::shared_ptr<const Piece>> parts;
+    Pieces parts;
     for (int seed = 0; seed < faces; ++seed) {
         if (part[seed] >= 0) {
             continue;

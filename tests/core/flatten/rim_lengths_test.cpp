@@ -43,7 +43,7 @@ std::shared_ptr<const Piece> withHoles(const MeshArrays& mesh, int axis, double 
 }
 
 /// Cloth that is curved both ways, this way and that, about one hole and two.
-std::vector<std::shared_ptr<const Piece>> curvedPieces() {
+Pieces curvedPieces() {
     return {withHoles(test::bentPanel(30), 2, 90, {{300, 300}}),
             withHoles(test::bentPanel(30), 2, 60, {{180, 250}, {420, 330}}),
             withHoles(test::sphericalCap(24, 100, 0.6), 1, 12, {{20, 10}}),

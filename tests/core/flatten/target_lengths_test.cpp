@@ -106,9 +106,9 @@ TEST(TargetLengths, OneSideOfASquareGrows) {
 
 TEST(TargetLengths, OfCurvedClothAreKeptToo) {
     // The deep cap's descent begins with a coarse one, which has to know them as well.
-    const std::vector<std::shared_ptr<const Piece>> pieces{
-        test::asPiece(test::bentPanel(24)), test::asPiece(test::sphericalCap(24, 100, 2.2)),
-        test::asPiece(test::saddle(20, 100, 1.2))};
+    const Pieces pieces{test::asPiece(test::bentPanel(24)),
+                        test::asPiece(test::sphericalCap(24, 100, 2.2)),
+                        test::asPiece(test::saddle(20, 100, 1.2))};
     for (const auto& piece : pieces) {
         const auto targets = stretched(*piece, 0.93, [](const auto& p) { return p.x() > 30; });
         for (const Method method : lengthKeepers()) {

@@ -12,8 +12,6 @@
 namespace toile {
 namespace {
 
-using Pieces = std::vector<std::shared_ptr<const Piece>>;
-
 /// A piece that knows where it comes from, as `divide` makes them.
 std::shared_ptr<const Piece> fromFile(MeshArrays mesh, const std::string& name) {
     auto piece = std::make_shared<Piece>(makePiece(name, std::move(mesh)));

@@ -16,7 +16,6 @@
 namespace toile {
 namespace {
 
-using Pieces = std::vector<std::shared_ptr<const Piece>>;
 using Points = std::vector<Eigen::Vector3d>;
 
 /// A piece that knows where it comes from; vertex v stands for position `first` + v of the file.

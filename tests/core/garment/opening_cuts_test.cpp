@@ -20,8 +20,7 @@ std::shared_ptr<const Piece> named(MeshArrays mesh, const std::string& name) {
 TEST(OpeningCuts, OpenOnePieceAndLeaveTheOthers) {
     MeshArrays beside = test::tube(24, 9);
     beside.V.col(0).array() += 300;
-    const std::vector<std::shared_ptr<const Piece>> legs{named(test::tube(24, 9), "left"),
-                                                         named(std::move(beside), "right")};
+    const Pieces legs{named(test::tube(24, 9), "left"), named(std::move(beside), "right")};
     ASSERT_TRUE(isOpenable(*legs[0]));
     const auto cuts = openingCuts(*legs[0], true);
     ASSERT_TRUE(cuts);
@@ -43,8 +42,7 @@ TEST(OpeningCuts, OpenTheOneOfTwoThatMeetAtAllRims) {
         shell.V(v, 0) *= out;
         shell.V(v, 2) *= out;
     }
-    const std::vector<std::shared_ptr<const Piece>> both{named(test::tube(24, 9), "lining"),
-                                                         named(std::move(shell), "shell")};
+    const Pieces both{named(test::tube(24, 9), "lining"), named(std::move(shell), "shell")};
     for (std::size_t opened = 0; opened < 2; ++opened) {
         const auto cuts = openingCuts(*both[opened], true);
         ASSERT_TRUE(cuts);

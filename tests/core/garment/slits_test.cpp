@@ -15,8 +15,6 @@
 namespace toile {
 namespace {
 
-using Pieces = std::vector<std::shared_ptr<const Piece>>;
-
 /// A sheet of 12 x 12 squares of 10 mm, open along these ways of vertices.
 std::shared_ptr<Piece> slitSheet(const std::vector<std::vector<int>>& ways) {
     const test::Surface sheet(test::planeGrid(12, 12, 10));

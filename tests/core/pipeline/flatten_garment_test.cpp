@@ -22,7 +22,7 @@ const double kAllowed = isSanitized() ? 1 : kCancelSeconds;
 /// The machine may be busy with something else at just the wrong moment.
 constexpr int kTries = 3;
 
-Garment garmentOf(std::vector<std::shared_ptr<const Piece>> pieces) {
+Garment garmentOf(Pieces pieces) {
     Garment garment;
     garment.pieces = std::move(pieces);
     return garment;
@@ -121,7 +121,7 @@ TEST(FlattenGarment, KeepsWhatIsDoneWhenCancelled) {
     const auto flap = test::bentPanel(8);
     for (int flaps = 256;; flaps *= 2) {
         ASSERT_LT(flaps, 20000) << "no cancel had an effect";
-        std::vector<std::shared_ptr<const Piece>> pieces;
+        Pieces pieces;
         for (int k = 0; k < flaps; ++k) {
             pieces.push_back(test::asPiece(flap, "flap " + std::to_string(k)));
         }

@@ -20,8 +20,7 @@ namespace {
 
 /// The stitched lines of the seams file; stitches to the inside of a panel are no outline and are
 /// left out, repeated seams count once.
-std::vector<test::SewnLine> readStitches(const std::filesystem::path& path,
-                                         const std::vector<std::shared_ptr<const Piece>>& pieces,
+std::vector<test::SewnLine> readStitches(const std::filesystem::path& path, const Pieces& pieces,
                                          const test::BoundaryPlaces& places) {
     std::ifstream stream(path);
     const auto json = nlohmann::json::parse(stream);
@@ -79,7 +78,7 @@ protected:
         pieces_ = garment->pieces;
     }
 
-    test::SeamScore measured(const test::Pieces& pieces, const char* what) const {
+    test::SeamScore measured(const Pieces& pieces, const char* what) const {
         const test::BoundaryPlaces places(pieces);
         const auto known = readStitches(stitches_, pieces, places);
         const SeamGraph graph = findSeams(pieces);
@@ -94,7 +93,7 @@ protected:
         return s;
     }
 
-    test::Pieces pieces_;
+    Pieces pieces_;
     std::filesystem::path stitches_;
 };
 
@@ -110,7 +109,7 @@ TEST_F(Dress14, SeamsOfDifferentSamplingAreFound) {
 TEST_F(Dress14, ARoughDrapeMakesNoWrongPairs) {
     for (const double noise : {0.1, 0.5}) {
         std::mt19937 random(11);
-        test::Pieces shaken;
+        Pieces shaken;
         for (const auto& piece : pieces_) {
             auto copy = std::make_shared<Piece>(*piece);
             for (Eigen::Index k = 0; k < copy->mesh.V.size(); ++k) {

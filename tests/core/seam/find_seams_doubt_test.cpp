@@ -16,7 +16,6 @@ namespace {
 using test::asPiece;
 using test::named;
 using test::only;
-using test::Pieces;
 using test::rectangle;
 
 TEST(SeamsInDoubt, APieceWoundTheOtherWayIsSewnAlong) {

@@ -14,7 +14,6 @@ namespace toile {
 namespace {
 
 using test::asPiece;
-using test::Pieces;
 
 bool inPatch(const Eigen::RowVector3d& p) {
     return p.x() > 40 && p.x() < 70 && p.y() > 30 && p.y() < 80;

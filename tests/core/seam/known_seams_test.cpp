@@ -27,7 +27,7 @@ nlohmann::json readJson(const std::filesystem::path& path) {
 
 /// The panels of a welded file as pieces, in the order of the truth, positions as in the file. A
 /// corner's texture vertex tells the two sides of a panel that is sewn to itself apart.
-test::Pieces cutIntoPanels(const PolygonSoup& soup, const nlohmann::json& truth) {
+Pieces cutIntoPanels(const PolygonSoup& soup, const nlohmann::json& truth) {
     struct Panel {
         std::vector<int> corners, source;
         std::map<int, int> index;  // of each texture vertex
@@ -44,7 +44,7 @@ test::Pieces cutIntoPanels(const PolygonSoup& soup, const nlohmann::json& truth)
             panel.corners.push_back(at->second);
         }
     }
-    test::Pieces pieces;
+    Pieces pieces;
     for (std::size_t p = 0; p < panels.size(); ++p) {
         MeshArrays mesh;
         mesh.F = Eigen::Map<Triangles>(panels[p].corners.data(),
@@ -108,7 +108,7 @@ void expectKnown(const SeamGraph& graph, const std::vector<int>& panel, const nl
 
 /// What is sewn is as long as the edges that pieces have in common: between two pieces, and where
 /// more meet in an edge, over all of them.
-void expectSharedLengths(const SeamGraph& graph, const test::Pieces& pieces) {
+void expectSharedLengths(const SeamGraph& graph, const Pieces& pieces) {
     std::map<PanelPair, std::vector<std::pair<int, double>>> owners;  // by the ends of an edge
     for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
         const Piece& piece = *pieces[static_cast<std::size_t>(p)];
@@ -155,7 +155,7 @@ TEST_P(WeldedSeams, AreTheTrueOnes) {
     const auto soup = readSoup(mesh, progress);
     ASSERT_TRUE(soup);
     const auto truth = readJson(truthFile);
-    const test::Pieces pieces = cutIntoPanels(*soup, truth);
+    const Pieces pieces = cutIntoPanels(*soup, truth);
     const SeamGraph graph = findSeams(pieces);
     test::expectValid(graph, pieces);
     std::vector<int> panel(pieces.size());
@@ -169,7 +169,7 @@ TEST_P(WeldedSeams, AreTheTrueOnes) {
         }
     }
     // Without the shared vertices, the coinciding positions must say the same.
-    test::Pieces apart;
+    Pieces apart;
     for (const auto& piece : pieces) {
         auto copy = std::make_shared<Piece>(*piece);
         copy->sourceVertex.clear();

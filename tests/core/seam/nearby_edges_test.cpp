@@ -17,7 +17,6 @@ namespace toile {
 namespace {
 
 using test::asPiece;
-using test::Pieces;
 using test::rectangle;
 
 /// A fan with corners at two radii in turn: all its edges crowd.

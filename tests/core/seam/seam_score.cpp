@@ -67,7 +67,7 @@ void along(const SewnLine& line, const Visit& visit) {
 
 }  // namespace
 
-BoundaryPlaces::BoundaryPlaces(const std::vector<std::shared_ptr<const Piece>>& pieces) {
+BoundaryPlaces::BoundaryPlaces(const Pieces& pieces) {
     for (const auto& piece : pieces) {
         double arc = 0;
         auto& arcs = arcs_.emplace_back();

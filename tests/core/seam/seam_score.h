@@ -22,7 +22,7 @@ struct SewnLine {
 /// Arc length of each boundary vertex of a piece by its index in the file; -1 where it is none.
 class BoundaryPlaces {
 public:
-    explicit BoundaryPlaces(const std::vector<std::shared_ptr<const Piece>>& pieces);
+    explicit BoundaryPlaces(const Pieces& pieces);
 
     double arcOf(int piece, int sourceVertex) const;
     double length(int piece) const { return lengths_[piece]; }

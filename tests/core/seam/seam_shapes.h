@@ -10,8 +10,6 @@
 
 namespace toile::test {
 
-using Pieces = std::vector<std::shared_ptr<const Piece>>;
-
 /// A rectangle in the plane z = 0 with its lower left corner at (x, y): columns x rows squares.
 MeshArrays rectangle(double x, double y, double width, double height, int columns, int rows);
 /// The mesh with every triangle wound the other way.

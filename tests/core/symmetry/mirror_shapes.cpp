@@ -38,7 +38,7 @@ std::shared_ptr<const Piece> panel(const std::string& name, double from, double 
     return asPiece(std::move(mesh), name);
 }
 
-Garment sewn(std::vector<std::shared_ptr<const Piece>> pieces) {
+Garment sewn(Pieces pieces) {
     Garment garment;
     garment.pieces = std::move(pieces);
     garment.uncut = garment.pieces;

@@ -13,9 +13,9 @@ namespace toile {
 namespace {
 
 /// The mean of each part's vertices, by the name that it gets.
-std::map<std::string, Eigen::Vector3d> partsByName(
-    const std::vector<std::shared_ptr<const Piece>>& pieces, const std::vector<UserCut>& own = {},
-    bool isFrontSwapped = false) {
+std::map<std::string, Eigen::Vector3d> partsByName(const Pieces& pieces,
+                                                   const std::vector<UserCut>& own = {},
+                                                   bool isFrontSwapped = false) {
     const CutPieces made = cutPieces(
         pieces, own, true, Progress(), {},
         {[isFrontSwapped](const auto& piece, const auto& drawn, const Progress& progress) {
