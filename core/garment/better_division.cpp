@@ -7,7 +7,7 @@ namespace {
 constexpr SplitMode kCandidates[] = {SplitMode::Uv, SplitMode::Objects, SplitMode::Groups,
                                      SplitMode::Materials, SplitMode::Components};
 
-/// Whether the file has what the mode divides by.
+/// Whether the file has the names or the map that the mode needs.
 bool isThere(SplitMode mode, const PolygonSoup& soup) {
     switch (mode) {
         case SplitMode::Uv:

@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// How many pieces a division gives, and how many of them can lie flat as they are.
+/// Number of pieces of a division, and how many of them can lie flat without cuts.
 struct DivisionCount {
     SplitMode mode = SplitMode::Components;
     int pieces = 0;
@@ -17,11 +17,11 @@ struct DivisionCount {
     bool operator==(const DivisionCount&) const = default;
 };
 
-/// The division of the file of which the largest share of pieces can lie flat, where that is a
-/// larger share than of the present one, and more pieces; of two alike the one of fewer pieces.
-/// UV islands, objects, groups, materials and connected parts are looked at, by topology alone:
-/// before any repair, and a piece with holes counts as one that cannot.
-/// Cost: linear, a second or so for all at a million triangles. Pure. Nothing after a cancel.
+/// The division of the file with the largest share of pieces that can lie flat, if that share is
+/// larger than the present one, and with more pieces; of equal shares the one with fewer pieces.
+/// Compares UV islands, objects, groups, materials and connected parts, by topology alone: before
+/// any repair, and a piece with holes does not count as flat.
+/// Cost: linear, about a second for all at a million triangles. Pure. Nothing after a cancel.
 std::optional<DivisionCount> betterDivision(const PolygonSoup& soup, const DivisionCount& present,
                                             const Progress& progress = {});
 

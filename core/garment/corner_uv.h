@@ -9,14 +9,13 @@
 
 namespace toile {
 
-/// Finds the uv index of a face's corner at a position. Asked face by face it costs no more than
-/// the corners, even where one polygon has thousands. Keeps a reference. Not shareable.
+/// Finds the uv index of a face's corner at a position. If called face by face, the cost is linear
+/// in the corners, even for one polygon with thousands. Keeps a reference. Not shareable.
 class CornerUvs {
 public:
     explicit CornerUvs(const PolygonSoup& soup) : soup_(soup) {}
 
-    /// The index, or -1. Faces that use a position twice are left out before, so the corner is the
-    /// only one.
+    /// The index, or -1. Faces that repeat a position are dropped before, so the corner is unique.
     int at(int face, int position) {
         if (soup_.cornerUvs.empty()) {
             return -1;
@@ -37,7 +36,7 @@ public:
     }
 
 private:
-    static constexpr int kFew = 16;  // corners: looked through faster than sorted
+    static constexpr int kFew = 16;  // corners: a linear search is faster than sorting
 
     void sort(int face) {
         sorted_.clear();

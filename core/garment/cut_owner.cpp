@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-/// How far a cut's points lie from a piece.
+/// Distance of a cut's points from a piece.
 struct Distance {
     double sum = 0;
     double farthest = 0;
@@ -29,7 +29,7 @@ Distance distanceTo(const MeshArrays& mesh, const NearestSurface& surface, const
     return distance;
 }
 
-/// What is wrong with a cut before any piece is looked at; empty where nothing is.
+/// The fault of a cut itself, before any piece is checked; empty if there is none.
 Wording faultOf(const UserCut& cut) {
     if (cut.points.empty()) {
         return worded("it has no points");
@@ -57,7 +57,7 @@ CutOwners findCutOwners(const Pieces& pieces, const std::vector<UserCut>& cuts,
     for (std::size_t p = 0; p < pieces.size() && !progress.isCancelled(); ++p) {
         const MeshArrays& mesh = pieces[p]->mesh;
         if (mesh.F.rows() == 0 || !mesh.V.allFinite()) {
-            continue;  // a piece left as it was, for its defect to name
+            continue;  // an unchanged piece, reported by its defect
         }
         box.extend(mesh.V.colwise().minCoeff().transpose());
         box.extend(mesh.V.colwise().maxCoeff().transpose());

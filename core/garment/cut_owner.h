@@ -11,15 +11,15 @@
 
 namespace toile {
 
-/// The user's cuts of each piece: every cut goes to the piece whose surface lies nearest to its
-/// points, in the sum of distances, the first of equals.
+/// Assigns the user's cuts to pieces: every cut goes to the piece whose surface is closest to its
+/// points, by the sum of distances, the first of equals.
 struct CutOwners {
     std::vector<std::vector<UserCut>> cutsOf;  ///< per piece, in the order given
     Problems problems;  ///< cuts with a point far from every piece, or without any finite point
 };
 
-/// A point farther from its piece than this fraction of the garment's diagonal is a mistake: of the
-/// unit, or of the garment.
+/// A point farther from its piece than this fraction of the garment's diagonal indicates a wrong
+/// unit or a wrong garment.
 inline constexpr double kFarFromSurface = 0.1;
 
 /// Cost: a tree of boxes per piece, and one question per piece and point; nothing without cuts.

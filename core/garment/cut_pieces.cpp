@@ -19,19 +19,19 @@ namespace {
 
 using PiecePointer = std::shared_ptr<const Piece>;
 
-/// Of a piece's time, about, for the user's cuts, and for proposing others and making them; and of
-/// making any for tracing them.
+/// Approximate shares of a piece's time: for the user's cuts, and for proposing and making others;
+/// and within making cuts, for tracing them.
 constexpr double kByHandShare = 0.2, kByProposalShare = 0.4;
 constexpr double kTracingShare = 0.7;
-/// Of proposals' time, about, for finding them.
+/// Approximate share of the time of proposals for finding them.
 constexpr double kProposingShare = 0.7;
-/// A piece that the user's cuts part in more than so many is cut enough for proposals.
+/// If the user's cuts divide a piece into more parts than this, no cuts are proposed.
 constexpr std::size_t kMaxParts = 50;
 
-/// Cuts of one piece that part crossings: what needs more is for a person to look at.
+/// Maximum cuts per piece to separate crossings; more need the user's attention.
 constexpr int kMaxCrossingCuts = 8;
 
-/// A point of the reference panel by its place on the surface.
+/// A point of the reference panel from its place on the surface.
 Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const SurfacePoint& place) {
     Eigen::RowVector2d point = Eigen::RowVector2d::Zero();
     for (int k = 0; place.face >= 0 && k < 3; ++k) {
@@ -40,10 +40,10 @@ Eigen::RowVector2d panelPoint(const Points2& panel, const Triangles& F, const Su
     return point;
 }
 
-/// Cuts one piece along curves. What comes of it has the old piece's file, sources and panel, and
-/// its name; several parts are the caller's to name.
+/// Cuts one piece along curves. The result has the old piece's file, sources, panel and name; the
+/// caller names several parts.
 /// @param ids     of the cuts, one per path
-/// @param opened  gets what each curve opened
+/// @param opened  receives the runs that each curve opened
 Result<std::vector<Piece>> cutPiece(const Piece& piece, const std::vector<PathPolyline>& paths,
                                     const std::vector<CutId>& ids, const CutOptions& options,
                                     const Progress& progress, std::vector<OpenedCut>& opened) {
@@ -148,18 +148,18 @@ private:
         return automatic_ && piece.defect && cutsCanRepair(piece.defect->code);
     }
 
-    /// Whether a piece is one that cuts may be proposed for.
+    /// Whether cuts can be proposed for a piece.
     bool isToAskAbout(const Piece& piece) const {
         return automatic_ && proposer_.propose &&
                (isToOpen(piece) || (proposer_.isForDisks && !piece.defect));
     }
 
-    /// Whether a piece is to be parted if its flat outline crosses itself.
+    /// Whether a piece is divided if its flat outline crosses itself.
     bool mayCross(const Piece& piece) const {
         return automatic_ && proposer_.partCrossing && !piece.defect;
     }
 
-    /// Whether its parts can be called what they were called.
+    /// Whether its parts can get their earlier names.
     bool areFree(const CutRecord& cut) const {
         return std::ranges::all_of(cut.pieces, [&](const PiecePointer& part) {
             return part->name == cut.whole->name || names_.isFree(part->name);
@@ -168,7 +168,7 @@ private:
 
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
         std::vector<Piece> parts = byHand(*whole, done_.asked, Progress(progress, kByHandShare));
-        if (parts.empty()) {  // no cut of the user's, or none that could be made
+        if (parts.empty()) {  // no cut of the user, or none could be made
             if (!isToOpen(*whole) && !isToAskAbout(*whole)) {
                 done_.pieces.push_back(whole);
                 return;
@@ -200,8 +200,8 @@ private:
 
     using PartNames = std::function<std::string(const Piece&)>;
 
-    /// The id of the last of some cuts, which is proposed: by its name, that it stays where another
-    /// cut comes or goes.
+    /// The id of the last of some cuts, a proposed one: based on its name, so that it is stable if
+    /// another cut is added or removed.
     static CutId idOf(const Piece& piece, const std::vector<UserCut>& cuts) {
         std::uint64_t hash = hashOf({piece.id.value, 'p', contentHash(cuts.back().name)});
         while (std::ranges::any_of(
@@ -211,16 +211,16 @@ private:
         return {hash};
     }
 
-    /// What a part is called. @param own  its own name within the piece; empty: a number
+    /// The name of a part. @param own  its own name within the piece; empty: a number
     std::string freeName(const Piece& whole, const std::string& own) {
         return own.empty()   ? names_.numbered(whole.name)
                : namesPiece_ ? names_.free(whole.name + ", " + own)
                              : names_.free(own);
     }
 
-    /// Makes the cuts that are proposed beside the user's, if cuts can open what all these leave
-    /// closed.
-    /// @param parts  those after the user's cuts alone; replaced where others are made
+    /// Makes the proposed cuts in addition to the user's, if automatic cuts can open the parts that
+    /// remain closed.
+    /// @param parts  those after the user's cuts alone; replaced if others are made
     /// @return  the names of the parts
     PartNames byProposal(const PiecePointer& piece, std::vector<Piece>& parts,
                          const Progress& progress) {
@@ -241,13 +241,13 @@ private:
         if (cuts.size() > own) {
             made = byHand(*piece, cuts, Progress(progress, 1 - kProposingShare));
         }
-        done_.problems = before.problems;  // what could not be made of them nobody has asked for
+        done_.problems = before.problems;  // ignore problems of proposed cuts
         const bool isHopeless = std::ranges::any_of(made, [](const Piece& part) {
             return part.defect && !cutsCanRepair(part.defect->code);
         });
         if (made.empty() || isHopeless) {
             done_.cuts = before.cuts;
-            const bool isEnough = cuts.size() == own && proposed.nameOf;  // though it is seen
+            const bool isEnough = cuts.size() == own && proposed.nameOf;  // it is recognised
             if (own == 0 && isToOpen(*piece) && !isEnough) {
                 done_.problems.push_back({ErrorCode::NoBodySeen, subjectOf(*piece)});
             }
@@ -264,7 +264,7 @@ private:
         return std::move(proposed.nameOf);
     }
 
-    /// The parts after some cuts; none where no cut was made.
+    /// The parts after some cuts; empty if no cut was made.
     std::vector<Piece> byHand(const Piece& piece, const std::vector<UserCut>& cuts,
                               const Progress& progress) {
         if (cuts.empty()) {
@@ -323,7 +323,7 @@ private:
                                                         : error.detail})));
     }
 
-    /// Makes a disk of a piece, or says in its defect why that is not done.
+    /// Makes a disk of a piece, or stores the reason in its defect if that fails.
     void byItself(Piece& piece, const Progress& progress) {
         const auto proposal = proposeCuts(piece.mesh, piece.table, {}, progress);
         if (!proposal) {
@@ -356,7 +356,7 @@ private:
         piece = std::move(parts->front());
     }
 
-    /// Parts what would cross itself in the plane, and the parts in turn.
+    /// Divides pieces whose flat outline would cross itself, and then their parts.
     void partCrossings(const Progress& progress) {
         int count = 0;
         for (std::size_t p = 0; p < done_.pieces.size() && count < kMaxCrossingCuts;) {
@@ -371,7 +371,7 @@ private:
         }
     }
 
-    /// Replaces a piece of the record by what a way along its edges makes of it.
+    /// Replaces a piece of the record by its parts along a path of edges.
     bool divideAlong(const PiecePointer& piece, const std::vector<int>& way, int number,
                      const Progress& progress) {
         const PathPolyline path = polylineOf(SurfaceLinks(piece->mesh, piece->table), way);
@@ -401,7 +401,7 @@ private:
     const bool namesPiece_;
     std::unordered_map<const Piece*, const CutRecord*> before_;
     UniqueNames names_;
-    CutRecord done_;  ///< with the piece at hand
+    CutRecord done_;  ///< of the current piece
     CutPieces made_;
 };
 

@@ -13,8 +13,8 @@
 namespace toile {
 namespace {
 
-/// A UV map whose scale is this close to 1 is in the file's own unit: the draped cloth differs from
-/// its flat panel by no more. Any other scale was normalised and is fitted.
+/// A UV map whose scale is this close to 1 is in the file's own unit: draped cloth differs from its
+/// flat panel by no more. Maps of any other scale were normalised and are fitted.
 constexpr double kExactScaleBand = 0.1;
 
 constexpr const char* kPanel = "panel";
@@ -24,8 +24,8 @@ std::string nameOf(const std::vector<int>& ofFace, const std::vector<std::string
     return ofFace.empty() || ofFace[face] < 0 ? std::string() : names[ofFace[face]];
 }
 
-/// What the file calls the piece that a face belongs to: by the mode's own kind of name, else its
-/// object, its group; "panel" where a UV map's islands have no names of their own, else "piece".
+/// The file's name for the piece of a face: by the mode's own kind of name, else its object, its
+/// group; "panel" if the islands of a UV map have no names of their own, else "piece".
 std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
     std::string name;
     if (mode == SplitMode::Materials) {
@@ -33,7 +33,7 @@ std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
     } else if (mode == SplitMode::Groups) {
         name = nameOf(soup.faceGroup, soup.groups, face);
     } else if (mode == SplitMode::Uv) {
-        // One name over the whole garment says nothing about its panels.
+        // One name for the whole garment does not distinguish its panels.
         if (soup.objects.size() > 1) {
             name = nameOf(soup.faceObject, soup.objects, face);
         } else if (soup.groups.size() > 1) {
@@ -50,8 +50,8 @@ std::string nameInFile(const PolygonSoup& soup, SplitMode mode, int face) {
     return name.empty() ? "piece" : name;
 }
 
-/// Triangles and vertices of a division by their part, ascending in each. Vertices are in order of
-/// their position in the file, so that a piece does not depend on the order of corners.
+/// Triangles and vertices of a division by part, ascending in each. Vertices are in order of their
+/// position in the file, so that a piece does not depend on the order of corners.
 struct Parts {
     geometry::Buckets<> triangles, vertices;
 };
@@ -72,7 +72,7 @@ Parts partsOf(const Division& division) {
     return {byPart(partOf), byPart(partOfVertex)};
 }
 
-/// @param local  as long as the division's vertices; what it holds does not matter
+/// @param local  as long as the division's vertices; scratch space
 MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Division& division,
                 const Parts& parts, int part, std::vector<int>& local) {
     const double millimetres = millimetresPer(file.unit);
@@ -96,7 +96,7 @@ MeshPart gather(const SourceFile& file, const Triangulation& triangles, const Di
     return made;
 }
 
-/// The uv of each vertex of a piece, by its corners' faces; nothing where a corner has none.
+/// The uv of each vertex of a piece, by its corners' faces; nothing if a corner has none.
 std::optional<Points2> flatPanel(const PolygonSoup& soup, const Piece& piece, double scale) {
     CornerUvs uvs(soup);
     Points2 panel = Points2::Constant(piece.mesh.V.rows(), 2, std::nan(""));
@@ -145,7 +145,7 @@ public:
     }
 
 private:
-    /// Adds the piece, or the pieces, that a part of the division becomes.
+    /// Adds the piece, or the pieces, of one part of the division.
     void addPieces(MeshPart part) {
         const std::string wanted =
             nameInFile(*file_.soup, divided_.split.mode, part.sourceFace.front());
@@ -164,18 +164,18 @@ private:
         }
         for (auto& [connected, ignored] : connectedParts(std::move(part))) {
             if (name.empty()) {
-                name = uniqueName(wanted);  // the part fell apart: its pieces share the name
+                name = uniqueName(wanted);  // the part was divided: its pieces share the name
             }
             add(makePiece(prefix_ + std::exchange(name, ""), std::move(connected.mesh)), connected);
         }
     }
 
-    /// Panels without a name are numbered from 1: there will be more.
+    /// Panels without a name are numbered from 1 on.
     std::string uniqueName(const std::string& wanted) {
         return wanted == kPanel ? names_.numbered(wanted) : names_.free(wanted);
     }
 
-    /// @param sources  where the piece comes from; gives them away
+    /// @param sources  the piece's origin; moved from
     void add(Piece made, MeshPart& sources) {
         auto piece = std::make_shared<Piece>(std::move(made));
         piece->file = fileIndex_;

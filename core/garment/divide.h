@@ -12,7 +12,7 @@ namespace toile {
 
 struct DivideOptions {
     SplitMode split = SplitMode::Auto;
-    /// What can be repaired is, with a note per kind; else it stays as it is.
+    /// Repair pieces, with a note per kind of fault; else they are unchanged.
     bool repair = true;
 };
 
@@ -25,15 +25,15 @@ struct DividedFile {
     int partCount = 0;                           ///< beyond `kMaxPiecesOfFile` no pieces are made
     std::vector<std::shared_ptr<Piece>> pieces;  ///< without ids yet (`identify`)
     SplitChoice split;                           ///< the mode used, and why
-    Problems problems;                           ///< what triangulating and repair had to say
+    Problems problems;                           ///< from triangulating and repair
 };
 
 /// Divides a file into pieces, in order of first face, positions scaled to millimetres. Each part
-/// is repaired (`repair`) and checked (`makePiece`); one that is no disk keeps its arrays
-/// and says why in `defect`. Pieces are named from the file's names for their faces; several of one
-/// name get " 2", " 3"; `namePrefix` goes before every name. Where the UV map is the garment's flat
-/// pattern, each piece keeps its panel as `reference`.
-/// Cost: linear, but for repair. Re-entrant.
+/// is repaired (`repair`) and checked (`makePiece`); a part that is not a disk keeps its arrays and
+/// stores the reason in `defect`. Pieces are named from the file's names for their faces; equal
+/// names get " 2", " 3"; `namePrefix` is put in front of every name. If the UV map is the garment's
+/// flat pattern, each piece keeps its panel as `reference`.
+/// Cost: linear, except for repair. Re-entrant.
 DividedFile divide(const SourceFile& file, int fileIndex, const std::string& namePrefix,
                    const DivideOptions& options);
 

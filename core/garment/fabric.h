@@ -9,10 +9,10 @@
 
 namespace toile {
 
-/// How far a cloth gives way along one direction before it tears, puckers or bags; parts of its
+/// How far cloth can be strained along one direction before it tears, puckers or bags; parts of its
 /// length at rest, `least` <= 0 <= `most`.
 struct StrainLimits {
-    double least = 0;  ///< taken in without folds
+    double least = 0;  ///< compressed without folds
     double most = 0;   ///< stretched
 
     bool operator==(const StrainLimits&) const = default;
@@ -21,20 +21,20 @@ struct StrainLimits {
 inline constexpr double kUsualClothWidth = 1400;  // mm
 inline constexpr double kMaxClothWidth = 100'000;
 
-/// What a garment is cut from, as far as flattening needs it.
+/// The properties of the cut fabric that matter for flattening.
 struct Fabric {
-    std::string id;     ///< "woven"; of a preset, or "custom"; "unstated": nothing is known of it
-    StrainLimits warp;  ///< along the grain
-    StrainLimits weft;  ///< across it
-    StrainLimits bias;  ///< at 45 degrees to it
-    double width = kUsualClothWidth;  ///< as it is sold, across the warp, mm
+    std::string id;                   ///< "woven"; of a preset, or "custom"; "unstated": unknown
+    StrainLimits warp;                ///< along the grain
+    StrainLimits weft;                ///< across it
+    StrainLimits bias;                ///< at 45 degrees to it
+    double width = kUsualClothWidth;  ///< as sold, across the warp, mm
 
     bool operator==(const Fabric&) const = default;
 };
 
-/// Common fabrics, the first of them the one to begin with: not stated, without limits. Rules of
-/// thumb, not measurements: where it matters a sample is to be measured and the limits typed in.
-/// Widths are common ones.
+/// Common fabrics; the first one, the default, is not stated and has no limits. These are rules of
+/// thumb, not measurements: for accurate limits, measure a sample and type them in. Widths are
+/// common ones.
 inline std::span<const Fabric> fabricPresets() {
     static const Fabric presets[] = {
         {"unstated", {}, {}, {}},
@@ -51,12 +51,12 @@ inline std::span<const Fabric> fabricPresets() {
     return presets;
 }
 
-/// Whether anything is known of what the fabric takes: false as long as nobody has stated it.
+/// Whether the fabric's limits are known: false until the user states them.
 inline bool hasLimits(const Fabric& fabric) {
     return fabric.id != fabricPresets().front().id;
 }
 
-/// The preset whose limits it has, as they are, whatever its width; null where there is none.
+/// The preset with the same limits, whatever its width; null if there is none.
 inline const Fabric* presetOf(const Fabric& fabric) {
     const auto presets = fabricPresets();
     const auto found = std::ranges::find_if(presets, [&fabric](const Fabric& preset) {
@@ -66,36 +66,36 @@ inline const Fabric* presetOf(const Fabric& fabric) {
     return found == presets.end() ? nullptr : &*found;
 }
 
-/// What goes beyond a preset is a matter of judgement; limits that a person typed are not.
+/// Limits of a preset are a matter of judgement; limits typed by the user are not.
 inline bool isRuleOfThumb(const Fabric& fabric) {
     return presetOf(fabric) != nullptr;
 }
 
-/// What some pieces are cut from beside the garment's own fabric: its lining, an interfacing.
+/// A second fabric of some pieces besides the garment's own: its lining, an interfacing.
 struct Material {
-    std::string name;  ///< as a person calls it
+    std::string name;  ///< the user's name for it
     Fabric fabric = fabricPresets().front();
 
     bool operator==(const Material&) const = default;
 };
 
-/// By name, each once.
+/// By name, each name once.
 using MaterialList = std::vector<Material>;
 
-/// Null where it is none of these, or has no name.
+/// Null if the name is empty or not among these.
 inline const Material* findMaterial(std::string_view name, const MaterialList& materials) {
     const auto found = std::ranges::find(materials, name, &Material::name);
     return name.empty() || found == materials.end() ? nullptr : &*found;
 }
 
-/// What a piece of this material is cut from: the garment's own fabric where it is none of these.
+/// The fabric of a material: the garment's own fabric if the material is not among these.
 inline const Fabric& fabricOf(std::string_view material, const MaterialList& materials,
                               const Fabric& own) {
     const Material* found = findMaterial(material, materials);
     return found ? found->fabric : own;
 }
 
-/// The preset of this id; null where there is none.
+/// The preset with this id; null if there is none.
 inline const Fabric* fabricPreset(std::string_view id) {
     const auto presets = fabricPresets();
     const auto found = std::ranges::find(presets, id, &Fabric::id);

@@ -22,38 +22,38 @@
 
 namespace toile {
 
-/// What a mesh file held when it was read: whatever is divided, cut or exported later is made of
-/// this, not of what is on the disk by then. Equal where it is the same reading.
+/// The contents of a mesh file when it was read: later divisions, cuts and exports use this, not
+/// the current file on disk. Equal for the same reading.
 struct ReadFile {
     std::filesystem::path path;
     std::shared_ptr<const PolygonSoup> soup{};
-    double seconds = 0;  ///< that reading took
+    double seconds = 0;  ///< reading time
 
     bool operator==(const ReadFile& other) const { return soup == other.soup; }
 };
 
-/// One mesh file of a garment, and how it was taken.
+/// One mesh file of a garment, with its interpretation.
 struct SourceFile {
     std::filesystem::path path;
     FileUnit unit = LengthUnit::Millimetre;
-    Wording unitReason;  ///< why this unit, where it was not stated; else empty
+    Wording unitReason;  ///< why this unit, if it was not stated; else empty
     bool unitInDoubt = false;
     UpAxis up = UpAxis::Y;  ///< the file's axis that points up; pieces have y up
-    Wording upReason;       ///< why this axis, where it was not stated; else empty
+    Wording upReason;       ///< why this axis, if it was not stated; else empty
     bool upInDoubt = false;
-    ClothSide side;  ///< which way the faces look, as seen or as turned
-    /// As read, welded and prepared; never null.
+    ClothSide side;  ///< which way the faces look, as detected or after turning
+    /// After reading, welding and preparing; never null.
     std::shared_ptr<const PolygonSoup> soup = std::make_shared<const PolygonSoup>();
-    FileReading reading;  ///< as what it was read; `soup` is what came of that
-    SplitChoice split;    ///< by what the file was divided, and why
-    /// By which more pieces could lie flat, where Toile chose and some cannot.
+    FileReading reading;  ///< how it was read; the result is `soup`
+    SplitChoice split;    ///< how the file was divided, and why
+    /// A division with more pieces that lie flat, if Toile chose and some pieces cannot.
     std::optional<DivisionCount> betterSplit{};
-    Problems problems;       ///< of the file as a whole; a piece's own are with the piece
+    Problems problems;       ///< of the file as a whole; pieces have their own
     double readSeconds = 0;  ///< reading and dividing
 };
 
-/// A garment: files, the pieces found in them, in order of their first face, and how these are cut
-/// and sewn. All of it follows from the files and the orders given; nothing is changed later.
+/// A garment: files, the pieces found in them in order of their first face, and how these are cut
+/// and sewn. Everything follows from the files and the settings; nothing is changed later.
 struct Garment {
     std::vector<std::shared_ptr<const SourceFile>> files;
     Pieces pieces;   ///< as cut
@@ -61,10 +61,10 @@ struct Garment {
                      ///< that none touches are the same pointers
     std::vector<AppliedJoin> joins{};
     std::vector<AppliedCut> cuts{};
-    std::vector<CutRecord> cutRecords{};       ///< what became of the pieces that were to be cut
+    std::vector<CutRecord> cutRecords{};       ///< see `CutPieces::records`
     SeamGraph seams{};                         ///< of `pieces`
-    std::vector<SeamSettings> seamSettings{};  ///< that these follow
-    Problems problems{};  ///< of the garment as a whole: cuts and joins that could not be
+    std::vector<SeamSettings> seamSettings{};  ///< settings applied to these
+    Problems problems{};                       ///< of the garment as a whole: failed cuts and joins
 };
 
 }  // namespace toile

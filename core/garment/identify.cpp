@@ -12,8 +12,8 @@
 namespace toile {
 namespace {
 
-/// Farther apart than this part of their size, or more different in area than by this logarithm,
-/// two pieces are not one; with the same name, than this many times as much.
+/// Two pieces differ if they are farther apart than this part of their size, or differ in area by
+/// more than this logarithm; with equal names, by more than this many times as much.
 constexpr double kSamePlace = 0.25, kSameArea = 0.25, kByName = 4;
 
 KnownPiece knownBy(const Piece& piece, const SourceFile& file) {
@@ -36,7 +36,7 @@ KnownPiece knownBy(const Piece& piece, const SourceFile& file) {
     return known;
 }
 
-/// How unlike two pieces are; nothing where they cannot be one.
+/// Dissimilarity of two pieces; nothing if they cannot be the same.
 std::optional<double> unlikeness(const KnownPiece& a, const KnownPiece& b) {
     const bool sameName = a.name == b.name;
     if (!(a.area > 0) || !(b.area > 0)) {
@@ -71,7 +71,7 @@ public:
         }
         matchOthers(unknown);
         for (const std::size_t i : unknown) {
-            if (!uncut_[i]->id) {  // it is new
+            if (!uncut_[i]->id) {  // a new piece
                 PieceId id = proposed_[i];
                 while (!taken_.insert(id).second) {
                     id.value = hashOf({id.value});
@@ -174,7 +174,7 @@ void identify(std::vector<std::shared_ptr<Piece>>& uncut,
 
 void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
                   const std::vector<std::shared_ptr<Piece>>& uncut) {
-    std::map<std::string_view, PieceId> byName;  // all of one division: no two are called alike
+    std::map<std::string_view, PieceId> byName;  // of one division: names are unique
     for (const auto& piece : uncut) {
         byName.emplace(piece->name, piece->id);
         nameDefect(*piece);

@@ -12,7 +12,7 @@
 
 namespace toile {
 
-/// By what a piece of the division is known again in another version of its file.
+/// The features by which a piece of the division is recognised in another version of its file.
 struct KnownPiece {
     PieceId id;
     int file = 0;      ///< index into Garment::files
@@ -27,23 +27,23 @@ struct KnownPiece {
 /// Of the garment's pieces before any join or cut. Linear.
 std::vector<KnownPiece> knownPieces(const Garment& garment);
 
-/// By content, and how often the garment has had it before. Linear.
+/// By content, and how often the same content occurred before in the garment. Linear.
 std::vector<FileId> fileIds(const std::vector<std::shared_ptr<const SourceFile>>& files);
 
-/// Gives the pieces of a division their ids, and their rims their origins. The same pieces of the
-/// same file have the same ids: by its content, how often the garment has had it before, the
-/// piece's first face and how many it has. Where a piece is not known by that, the file is another
-/// version: of the known pieces of the same file that are left, it is the one that lies where it
-/// lies and is as large, or has its name and is not far from it. Cost: linear in the meshes, and in
-/// known times unknown pieces of each file. Pure.
+/// Assigns ids to the pieces of a division, and origins to their rims. The same pieces of the same
+/// file have the same ids: by its content, how often the garment has had it before, the piece's
+/// first face and number of faces. If a piece is not found in this way, the file is another
+/// version: of the remaining known pieces of the same file, the one at the same place with the same
+/// size is taken, or one with the same name not far away. Cost: linear in the meshes, and in known
+/// times unknown pieces of each file. Pure.
 /// @param uncut  of all files
 void identify(std::vector<std::shared_ptr<Piece>>& uncut,
               const std::vector<std::shared_ptr<const SourceFile>>& files,
               const std::vector<KnownPiece>& known);
 
-/// Completes with these ids what reading, repairing and checking said of files and pieces by name.
-/// Precondition: the uncut pieces are those of `files`, with ids. n log n in what was said and the
-/// pieces.
+/// Adds these ids to the notes of reading, repairing and checking, which refer to files and pieces
+/// by name. Precondition: the uncut pieces are those of `files`, with ids. n log n in the notes and
+/// the pieces.
 void nameSubjects(const std::vector<std::shared_ptr<SourceFile>>& files,
                   const std::vector<std::shared_ptr<Piece>>& uncut);
 

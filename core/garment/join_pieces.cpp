@@ -22,21 +22,21 @@ namespace {
 
 using PiecePointer = std::shared_ptr<const Piece>;
 
-/// A rim edge with a partner counts as meant although one without is nearer, by this part of its
-/// length: the mesh may have changed a little since the points were set.
+/// A rim edge with a partner is preferred although one without is closer, by up to this part of its
+/// length: the mesh may have changed slightly since the points were set.
 constexpr double kNearlyThere = 0.5;
 
 Error joinError(const UserJoin& join, Wording detail) {
     return {ErrorCode::JoinImpossible, Subject::join(join.name), std::move(detail)};
 }
 
-/// A place on a rim edge: how far along, and how far the asker is from it.
+/// A point on a rim edge: its position along it, and its distance from the query.
 struct OnEdge {
     double along = 0;  ///< mm from its tail
     double distance = std::numeric_limits<double>::infinity();
 };
 
-/// What is to become one: vertices of the left piece, and of the right one in the same order.
+/// Vertices to merge: of the left piece, and of the right one in the same order.
 struct SewnChain {
     int left = 0, right = 0;
     std::vector<std::pair<int, int>> vertices;
@@ -106,7 +106,7 @@ private:
         return box.isEmpty() ? 0 : kFarFromSurface * box.diagonal().norm();
     }
 
-    /// The rim edge with a partner that the middle of the join lies on.
+    /// The rim edge with a partner that contains the middle of the join.
     Result<int> findSeed(const UserJoin& join) const {
         const Eigen::Vector3d& middle = join.points[join.points.size() / 2];
         int nearest = -1, paired = -1;
@@ -172,20 +172,20 @@ private:
         return at;
     }
 
-    /// The part of the chain that the join's points span, in whole edges, one at least.
+    /// The part of the chain that the join's points span, in whole edges, at least one.
     SewnChain weldAlong(const PairedChain& chain, const UserJoin& join) const {
         const std::vector<double> arc = arcsOf(chain);
         double at = arcAt(chain, arc, join.points.front()), low = at, high = at;
         for (std::size_t i = 1; i < join.points.size(); ++i) {
             double step = arcAt(chain, arc, join.points[i]) - at;
-            if (chain.closed) {  // the shorter path round
+            if (chain.closed) {  // the shorter way around
                 step -= arc.back() * std::round(step / arc.back());
             }
             at += step;
             low = std::min(low, at);
             high = std::max(high, at);
         }
-        // A closed seam that no chain goes all round, because it passes a doubtful vertex.
+        // A closed seam without a closed chain, because it passes an ambiguous vertex.
         if (!chain.closed && (join.points.front() - join.points.back()).norm() <
                                  kNearlyThere * lengthOf(chain.edges.front())) {
             low = 0;
@@ -297,7 +297,7 @@ private:
         return both;
     }
 
-    /// Of the rims that stay open. @param number  per vertex of both: its new index
+    /// Of the remaining rims. @param number  per vertex of both: its new index
     static std::vector<EdgeOrigin> originsOf(const Piece& left, const Piece* right,
                                              const std::vector<int>& number, int offset) {
         std::vector<EdgeOrigin> all;
@@ -327,8 +327,8 @@ private:
                defect == ErrorCode::DuplicateFace || defect == ErrorCode::DegenerateFace;
     }
 
-    std::vector<PiecePointer> pieces_;  ///< null where a piece has become part of another
-    std::optional<RimPairs> rims_;      ///< of these, once there is a join
+    std::vector<PiecePointer> pieces_;  ///< null if a piece was merged into another
+    std::optional<RimPairs> rims_;      ///< computed for the first join
     UniqueNames names_;
     JoinedPieces made_;
 };

@@ -12,30 +12,30 @@
 
 namespace toile {
 
-/// A seam that was taken out.
+/// A removed seam.
 struct AppliedJoin {
-    std::string name;   ///< the user's
-    std::string piece;  ///< what came of it: "front + back", or the one piece on both sides
-    double length = 0;  ///< mm, of the line that was closed
+    std::string name;   ///< the user's name
+    std::string piece;  ///< the result: "front + back", or the one piece on both sides
+    double length = 0;  ///< mm, of the closed line
 };
 
-/// Pieces after joining, and what was done.
+/// Pieces after joining, with records.
 struct JoinedPieces {
     Pieces pieces;
     std::vector<AppliedJoin> joins;
-    Problems problems;  ///< JoinImpossible, for each seam that could not be taken out
+    Problems problems;  ///< JoinImpossible, for each seam that could not be removed
 };
 
-/// Takes seams out, one after the other: where two rims have the same vertices along the points of
-/// a join, the two are made one. The first piece keeps its place in the list, its vertices and its
-/// faces their numbers; those of the second follow, less the vertices that became the first's. Both
-/// sides may be of one piece: the two edges of a dart, or of a tube. Area, winding and sources are
-/// kept; the reference panel is not, since two panels are not one. What comes of it need be no
-/// disk: that is then its defect. Pieces without a join are handed on as they are, by pointer.
-/// Refused, each with its reason, and nothing else left out for it: points far from any rim; a rim
-/// there that has no other one with the same vertices, or more than one; pieces of two files; what
-/// would be no surface any more.
-/// @param progress  reported; once it is cancelled, what is returned is worth nothing
+/// Removes seams one after the other: if two rims have the same vertices along the points of a
+/// join, they are merged. The first piece keeps its position in the list, its vertices and faces
+/// their indices; those of the second follow, without the merged vertices. Both sides may belong to
+/// one piece: the two edges of a dart, or of a tube. Area, winding and sources are kept; the
+/// reference panel is dropped, since two panels are not one. If the result is not a disk, it gets a
+/// defect. Pieces without a join are returned by the same pointer.
+/// Rejected, each with its reason, without affecting other joins: points far from any rim; a rim
+/// there without exactly one other rim that has the same vertices; pieces of two files; results
+/// that would not be a surface.
+/// @param progress  reported; after a cancel the result is meaningless
 /// Cost: linear in all triangles, and for every join in those of its two pieces and in the edges of
 /// all rims; nothing without joins. Deterministic. Re-entrant.
 JoinedPieces joinPieces(const Pieces& uncut, const std::vector<UserJoin>& joins,

@@ -13,8 +13,8 @@
 namespace toile {
 namespace {
 
-/// Of the cuts that parted both: on how many they lie on different sides, negative, and on how many
-/// on the same.
+/// Of the cuts that separated both: the number with different sides, negative, and the number with
+/// the same side.
 std::pair<int, int> likeness(const Lineage& a, const Lineage& b) {
     std::pair<int, int> sides{0, 0};
     for (const CutSide& side : a.sides) {
@@ -80,7 +80,7 @@ namespace {
 
 using Place = std::array<double, 3>;
 
-/// A rim as vertices, and where they are in the file.
+/// A rim as vertices, with their positions in the file.
 struct Rim {
     std::vector<int> vertices;
     std::vector<Place> places;
@@ -99,9 +99,9 @@ std::vector<Rim> rimsOf(const Piece& piece, UpAxis up) {
     return rims;
 }
 
-/// Makes the rim begin at its least vertex, whatever the numbering: where two lie on each other
-/// those after them tell. Two candidates at a time: what one of them begins with is passed by as a
-/// whole, so the cost is linear.
+/// Rotates the rim to start at its smallest vertex, independent of the numbering: if two coincide,
+/// the following vertices decide. Compares two candidates at a time and skips the common prefix as
+/// a whole, so the cost is linear.
 void startAtLeast(Rim& rim) {
     const std::size_t n = rim.places.size();
     std::size_t first = 0, other = 1, same = 0;

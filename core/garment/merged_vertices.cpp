@@ -8,7 +8,7 @@ MergedVertices mergedVertices(const Points3& V, const std::vector<int>& sourceVe
     MergedVertices merged{Points3(V.rows(), 3), std::vector<int>(V.rows()), {}};
     for (int v = 0; v < V.rows(); ++v) {
         const int ownSource = sourceVertex.empty() ? -1 : sourceVertex[v];
-        const int root = same.root(v);  // the least: numbered already
+        const int root = same.root(v);  // the smallest: numbered already
         if (root == v) {
             merged.number[v] = static_cast<int>(merged.sourceVertex.size());
             merged.V.row(merged.number[v]) = V.row(v);

@@ -9,15 +9,15 @@
 // For the sources of this folder only.
 namespace toile {
 
-/// Vertices of which several have become one, where the first of them was.
+/// Vertices after merging, at the position of the first of each set.
 struct MergedVertices {
     Points3 V;
-    std::vector<int> number;        ///< per vertex before: which it is now
+    std::vector<int> number;        ///< per vertex before: its new index
     std::vector<int> sourceVertex;  ///< `Piece::sourceVertex`, of the first that has one
 };
 
-/// @param same  one set for each vertex that remains
-/// @param sourceVertex  of all vertices, or empty: none has one
+/// @param same  one set per remaining vertex
+/// @param sourceVertex  of all vertices, or empty if none has one
 MergedVertices mergedVertices(const Points3& V, const std::vector<int>& sourceVertex,
                               geometry::DisjointSets& same);
 

@@ -11,11 +11,11 @@
 namespace toile {
 namespace {
 
-/// Lines are the same where their lengths differ by no more, as a part.
+/// Lines are equal if their lengths differ by no more than this share.
 constexpr double kSameLine = 0.01;
 
-/// Which points of a line a cut keeps. The one in the middle says which piece is meant where two
-/// meet at both ends, as a lining does its shell.
+/// Which points of a line a cut keeps. The middle point identifies the piece if two meet at both
+/// ends, like a lining and its shell.
 enum class Kept { EndsAndMiddle, Bends, All };
 
 UserCut cutAlongLine(const Piece& piece, const SurfaceLinks& links, const PathPolyline& line,
@@ -32,7 +32,7 @@ UserCut cutAlongLine(const Piece& piece, const SurfaceLinks& links, const PathPo
     return cut;
 }
 
-/// Whether the cuts leave one disk, and run along the lines that they were made of.
+/// Whether the cuts leave one disk, and follow their original lines.
 bool doOpen(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& cuts,
             const AutoCut& proposal, const Progress& progress) {
     const CutPieces made = cutPieces({piece}, cuts, false, progress);

@@ -13,14 +13,14 @@
 namespace toile {
 namespace {
 
-/// A run of a cut that lies between two parts.
+/// A run of a cut between two parts.
 struct Border {
     std::size_t cut;
     int left, right;
 };
 
-/// How far along a path points lie that follow each other on it, mm: where a cut runs along another
-/// one nothing comes open, and its places are to be the same when that is taken back.
+/// Positions of consecutive points along a path, mm: where a cut runs along another one, nothing
+/// opens, and positions stay the same if that is undone.
 class PathPlaces {
 public:
     PathPlaces(const MeshArrays& mesh, const PathPolyline& path)
@@ -70,12 +70,12 @@ std::vector<Lineage> partLineages(const Lineage& whole, std::span<const CutId> c
         }
     }
     std::vector<Lineage> lineages(static_cast<std::size_t>(parts), whole);
-    // As if one cut were made after the other: those after this one still hold together what they
-    // will part, and what it parts itself was one until now.
+    // As if the cuts were made one after the other: parts that later cuts separate are still
+    // connected, and parts that this one separates were one before.
     std::vector<int> before(static_cast<std::size_t>(parts), 0);
     for (std::size_t c = 0; c < cuts.size(); ++c) {
         if (std::ranges::find(borders, c, &Border::cut) == borders.end()) {
-            continue;  // it parts nothing
+            continue;  // it separates nothing
         }
         geometry::DisjointSets together(parts);
         for (const Border& border : borders) {

@@ -11,23 +11,23 @@
 
 namespace toile {
 
-/// Where the parts of a piece that was cut come from.
+/// The origins of the parts of a cut piece.
 
 /// @param whole   of the piece  @param cuts  one per path of `cut`
-/// @param partOf  per vertex of the cut mesh: its part, -1 where it is unused
-/// @return one per part  Cost: parts and runs, times the cuts that part them. Pure.
+/// @param partOf  per vertex of the cut mesh: its part, -1 if it is unused
+/// @return one per part  Cost: parts and runs, times the cuts that separate them. Pure.
 std::vector<Lineage> partLineages(const Lineage& whole, std::span<const CutId> cuts,
                                   const CutResult& cut, const std::vector<int>& partOf, int parts);
 
 /// The origins of rim edges of a cut mesh.
 class PartOrigins {
 public:
-    /// @param piece  that was cut; outlives this, as `cut` does
-    /// @param paths  those that it was cut along, one per id
+    /// @param piece  the cut piece; must outlive this, like `cut`
+    /// @param paths  the paths of the cuts, one per id
     PartOrigins(const Piece& piece, std::span<const CutId> cuts,
                 const std::vector<PathPolyline>& paths, const CutResult& cut);
 
-    /// Of the rim edges of one part. @param vertex  per vertex of the part: that of the cut mesh
+    /// Of the rim edges of one part. @param vertex  index in the cut mesh, per vertex of it
     std::vector<EdgeOrigin> of(const Piece& part, const std::vector<int>& vertex) const;
 
 private:

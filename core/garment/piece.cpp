@@ -9,8 +9,8 @@
 namespace toile {
 namespace {
 
-/// Where a piece has several loops, all but the outline may be holes in the cloth. The check of the
-/// piece with these filled then takes the place of the first one, but for the edges.
+/// If a piece has several loops, all but the outline may be holes in the cloth. The check of the
+/// piece with these filled then replaces the first check, except for the edges.
 void acceptHoles(Piece& piece, DiskCheck& check) {
     const SurfaceLinks links(piece.mesh, check.table);
     SortedLoops loops = sortLoops(links);

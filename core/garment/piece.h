@@ -12,11 +12,11 @@
 
 namespace toile {
 
-/// A part of the garment that is cut from one piece of cloth. Immutable once made.
+/// A part of the garment that is cut from one piece of cloth. Immutable after construction.
 struct Piece {
     std::string name;                 ///< unique within the garment
-    PieceId id;                       ///< unique too, and the same in its next version
-    Lineage lineage;                  ///< what of the division it is
+    PieceId id;                       ///< unique too, and stable in its next version
+    Lineage lineage;                  ///< its origin in the division
     std::vector<EdgeOrigin> origins;  ///< of its rims' edges, sorted by tail
     int file = 0;                     ///< index into Garment::files
     MeshArrays mesh;                  ///< millimetres, y up
@@ -24,43 +24,42 @@ struct Piece {
     std::vector<int> sourceFace;      ///< per triangle: face index in the file's soup
     EdgeTable table;                  ///< edges, and the three of each triangle
 
-    /// The reference panel: the designer's own, where the file's UV map carries it: #V x 2, mm, to
-    /// compare with. May lie mirrored.
+    /// The reference panel: the designer's own, if the file's UV map contains it: #V x 2, mm, for
+    /// comparison. May be mirrored.
     std::optional<Points2> reference;
 
-    /// What follows is there only where the piece is a disk, holes aside (defect is empty).
-    std::vector<int> boundary;  ///< the outline, surface on its left; starts at its least index
+    /// The following fields are only set if the piece is a disk except for holes (defect is empty).
+    std::vector<int> boundary;  ///< the outline, surface on its left; starts at the lowest index
     std::vector<std::vector<int>> holes;  ///< loops inside the outline that stay open, surface on
                                           ///< their left
-    std::optional<Error> defect;          ///< why the piece cannot be flattened as it is
+    std::optional<Error> defect;          ///< why the piece cannot be flattened
 };
 
 inline Subject subjectOf(const Piece& piece) {
     return Subject::piece(piece.name, piece.id);
 }
 
-/// Says of the defect whose it is, after a change of the piece's name or id.
+/// Updates the defect's subject after a change of the piece's name or id.
 inline void nameDefect(Piece& piece) {
     if (piece.defect) {
         piece.defect->subject = subjectOf(piece);
     }
 }
 
-/// Checks the mesh, or names the defect. The mapping back to a file
-/// and the id are left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
+/// Checks the mesh and stores a defect if there is one. The mapping back to a file and the id are
+/// left empty. Loops that are holes in the cloth (`sortLoops`) are no defect.
 /// @param mesh        one connected component, mm
-/// @param validTable  its edges, where it is known to be a valid surface (`isValidSurface`): then
-///                    nothing is checked twice
+/// @param validTable  its edges, if it is known to be a valid surface (`isValidSurface`): skips
+///                    checks that were made before
 /// Cost: linear. Pure.
 Piece makePiece(std::string name, MeshArrays mesh,
                 std::optional<EdgeTable> validTable = std::nullopt);
 
-/// Lengths of all boundary loops, mm; of a mesh that is not manifold, of those that can be
-/// followed.
+/// Lengths of all boundary loops, mm; on a non-manifold mesh, of those that can be followed.
 std::vector<double> loopLengths(const Piece& piece);
 
-/// The piece with its holes closed by caps, for a solver that wants a disk: the piece's vertices
-/// and faces first, with the same indices. Precondition: no defect. Cost: linear.
+/// The piece with its holes closed by caps, for a solver that needs a disk: the piece's vertices
+/// and faces come first, with the same indices. Precondition: no defect. Cost: linear.
 Piece withHolesFilled(const Piece& piece);
 
 }  // namespace toile

@@ -82,7 +82,7 @@ void RimPairs::add(const Piece& piece, int index, std::vector<int> numbers) {
     link(rim, piece.mesh.V.rows());
 }
 
-/// Who follows whom; at a vertex where several edges begin or end nobody does.
+/// Links each edge to the next; none at a vertex where several edges begin or end.
 void RimPairs::link(const std::vector<int>& rim, Eigen::Index vertexCount) {
     std::vector<int> leaving(vertexCount, kNone), arriving(vertexCount, kNone);
     const auto note = [](int& slot, int e) { slot = slot == kNone ? e : kSeveral; };
@@ -99,7 +99,7 @@ void RimPairs::link(const std::vector<int>& rim, Eigen::Index vertexCount) {
     }
 }
 
-/// Of all edges between two places.
+/// Among all edges between two places.
 void RimPairs::findMates(const Ends& ends) {
     const std::vector<int> none;
     const auto edgesBetween = [&](const Ends& key) -> const std::vector<int>& {
@@ -121,7 +121,7 @@ PairedChain chainAround(const RimPairs& rims, int seed) {
     PairedChain chain{{seed}};
     std::set<int> used{seed, rims.edge(seed).mate};
     const auto mateOf = [&rims](int e) { return rims.edge(e).mate; };
-    // At the tip of a dart the edge goes on with its own mate: the seam ends there.
+    // At the tip of a dart the edge continues with its own mate: the seam ends there.
     const auto isFree = [&](int e) { return e >= 0 && mateOf(e) >= 0 && !used.contains(e); };
     const auto areInRow = [&](int e, int next) {
         return rims.edge(mateOf(next)).next == mateOf(e);

@@ -13,11 +13,11 @@
 
 namespace toile {
 
-/// Two vertices lie on each other when they are no farther apart than this part of the diagonal of
-/// all pieces: the rounding of a file, far below any gap between two layers.
+/// Two vertices coincide if they are no farther apart than this part of the diagonal of all pieces:
+/// the rounding of a file, far below any gap between two layers.
 inline constexpr double kRimTolerance = 1e-6;
 
-/// The rim edges of pieces, and which of them lie on each other.
+/// The rim edges of pieces, and which of them coincide.
 class RimPairs {
 public:
     static constexpr int kNone = -1;
@@ -26,14 +26,14 @@ public:
     struct Edge {
         int piece;
         int tail, head;    ///< vertices of the piece, cloth on the left
-        int next = kNone;  ///< the edge that goes on from `head`; none where that is in doubt
+        int next = kNone;  ///< the edge that continues from `head`; none if ambiguous
         int prev = kNone;
-        /// The edge with the same two ends that runs the other way; `kSeveral` where more than two
-        /// edges lie there.
+        /// The edge with the same two ends in the opposite direction; `kSeveral` if more than two
+        /// edges coincide there.
         int mate = kNone;
     };
 
-    /// @param pieces  null ones are passed by
+    /// @param pieces  null entries are skipped
     /// Cost: linear in the triangles, n log n in the rim edges.
     explicit RimPairs(const Pieces& pieces);
 
@@ -41,14 +41,14 @@ public:
     /// Per piece: its edges, in the order of its table.
     const std::vector<std::vector<int>>& rims() const { return rims_; }
 
-    /// Makes one piece of two, or anew where both are the same. It has number `left`, and no other
-    /// points than the two had. Cost: as above, of these pieces only.
+    /// Replaces two pieces by their union, or one piece by a new version if both are the same. It
+    /// gets the index `left`, and has only points of the two. Cost: as above, of these pieces only.
     void replace(int left, int right, const Piece& made);
 
 private:
     using Ends = std::pair<int, int>;  ///< places of tail and head
 
-    /// @param numbers  to be used first
+    /// @param numbers  indices to use first
     void add(const Piece& piece, int index, std::vector<int> numbers);
     void link(const std::vector<int>& rim, Eigen::Index vertexCount);
     void findMates(const Ends& ends);
@@ -61,8 +61,8 @@ private:
     std::map<Ends, std::vector<int>> between_;  ///< edges by their ends
 };
 
-/// Edges one after the other on one piece whose mates are one after the other too: the stretch of
-/// seam around an edge that has a mate. Closed where the last goes on with the first.
+/// Consecutive edges on one piece whose mates are consecutive too: the stretch of seam around an
+/// edge that has a mate. Closed if the last continues with the first.
 struct PairedChain {
     std::vector<int> edges;  ///< each side of the seam once
     bool closed = false;

@@ -17,7 +17,7 @@ double lengthOf(const MeshArrays& mesh, const RimPairs::Edge& edge) {
     return (mesh.V.row(edge.head) - mesh.V.row(edge.tail)).norm();
 }
 
-/// The rims of a piece as loops of edges; those that do not close are left out.
+/// The rims of a piece as loops of edges; rims that do not close are omitted.
 std::vector<std::vector<int>> loopsOf(const RimPairs& rims, const std::vector<int>& edges) {
     std::vector<std::vector<int>> loops;
     std::set<int> seen;
@@ -35,7 +35,7 @@ std::vector<std::vector<int>> loopsOf(const RimPairs& rims, const std::vector<in
     return loops;
 }
 
-/// The rims of a piece that are slits: all but the outline whose edges lie on each other.
+/// The rims of a piece that are slits: all but the outline whose edges coincide.
 std::vector<std::vector<int>> slitLoops(const RimPairs& rims, std::size_t p,
                                         const MeshArrays& mesh) {
     std::vector<std::vector<int>> loops = loopsOf(rims, rims.rims()[p]);
@@ -56,12 +56,12 @@ std::vector<std::vector<int>> slitLoops(const RimPairs& rims, std::size_t p,
     return loops;
 }
 
-/// A piece with the two sides of these slits made one; null where it would be no surface then.
+/// A piece with the two sides of these slits merged; null if it would not be a surface.
 std::shared_ptr<Piece> withSlitsClosed(const Piece& piece, const RimPairs& rims,
                                        const std::vector<std::vector<int>>& loops) {
     geometry::DisjointSets same(static_cast<int>(piece.mesh.V.rows()));
     for (const std::vector<int>& loop : loops) {
-        for (const int e : loop) {  // its head comes with its mate, which is in the loop too
+        for (const int e : loop) {  // its head comes with its mate, also in the loop
             same.join(rims.edge(e).tail, rims.edge(rims.edge(e).mate).head);
         }
     }

@@ -10,12 +10,12 @@
 
 namespace toile {
 
-/// A line inside a piece along which it is open though its two edges lie on each other: how a
-/// program for texture maps gets a bump flat. Its ends are inside the piece or at another slit; a
-/// dart, which begins at the outline, is none.
+/// A line inside a piece along which it is open although its two edges coincide: texture map
+/// programs flatten a bump in this way. Its ends are inside the piece or at another slit; a dart is
+/// not a slit, because it starts at the outline.
 struct Slit {
     int piece;  ///< index into the pieces
-    /// mm, its ends and between them the middles of its edges, as the points of a `UserJoin`.
+    /// mm, its ends and between them the midpoints of its edges, like the points of a `UserJoin`.
     std::vector<Eigen::Vector3d> points;
     double length;  ///< mm
 };
@@ -24,9 +24,9 @@ struct Slit {
 /// lies on. Cost: linear in the triangles, n log n in the edges of rims. Pure.
 std::vector<Slit> slitsInside(const Pieces& pieces);
 
-/// Makes every piece with slits anew, both sides of each slit one: the same faces in the same
-/// order, and no reference panel, which is open there. One that would be no surface then stays as
-/// it is; so does, the same pointer, one without slits.
+/// Replaces every piece with slits by one with both sides of each slit merged: the same faces in
+/// the same order, without the reference panel, which is open there. A piece that would not be a
+/// surface, and one without slits, keeps its pointer.
 /// @param pieces  as `divide` gives them, without ids yet  Cost: as above. Pure.
 void closeSlits(std::vector<std::shared_ptr<Piece>>& pieces);
 

@@ -20,8 +20,8 @@ constexpr Word<SplitMode> kModes[] = {
     {SplitMode::Materials, "materials"}, {SplitMode::Uv, "uv"},
     {SplitMode::Seams, "seams"}};
 
-/// By what a mode keeps faces apart from others: their objects, groups or materials; null where it
-/// does not.
+/// The names by which a mode separates faces: their objects, groups or materials; null if it uses
+/// none.
 const std::vector<int>* classesOf(SplitMode mode, const PolygonSoup& soup) {
     return mode == SplitMode::Objects     ? &soup.faceObject
            : mode == SplitMode::Groups    ? &soup.faceGroup
@@ -29,8 +29,8 @@ const std::vector<int>* classesOf(SplitMode mode, const PolygonSoup& soup) {
                                           : nullptr;
 }
 
-/// Makes a vertex of each position and kind that a corner has, in order of both, and gives corners
-/// their vertices. @param kind  per corner; empty where all are of one
+/// Makes one vertex per position and kind of corner, in order of both, and assigns corners their
+/// vertices. @param kind  per corner; empty if all are of one kind
 void numberVertices(const Triangles& F, const std::vector<int>& kind, int positionCount,
                     Division& division) {
     const int* position = F.data();
@@ -73,8 +73,8 @@ void numberVertices(const Triangles& F, const std::vector<int>& kind, int positi
     }
 }
 
-/// What parts the corners of one position: the class of the face, or the corner's uv; empty where
-/// all are of one kind.
+/// The kinds that separate corners of one position: the class of the face, or the corner's uv;
+/// empty if all are of one kind.
 std::vector<int> kindsOfCorners(SplitMode mode, const PolygonSoup& soup,
                                 const Triangulation& triangles) {
     std::vector<int> kinds;
@@ -128,7 +128,7 @@ int diskCount(const Division& division) {
 
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles) {
     constexpr double kMostEdgesAreClose = 0.8;
-    // Panels of a garment nearly all are, an artist's islands are tubes and rings too.
+    // Nearly all panels of a garment are disks; an artist's islands are tubes and rings too.
     constexpr double kMostIslandsAreDisks = 0.8;
     if (wanted != SplitMode::Auto) {
         return {wanted, ""};

@@ -11,27 +11,27 @@
 
 namespace toile {
 
-/// By what a file is divided into pieces. Whatever the mode, a piece hangs together: a class that
-/// falls apart gives several pieces.
+/// How a file is divided into pieces. In every mode a piece is connected: a class with several
+/// components gives several pieces.
 enum class SplitMode {
-    Auto,        ///< by what the file has; `SplitChoice::reason` says why
+    Auto,        ///< by the file's contents; `SplitChoice::reason` explains it
     Components,  ///< connected by shared vertices
     Objects,     ///< OBJ `o`
     Groups,      ///< OBJ `g`
     Materials,   ///< OBJ `usemtl`
     Uv,          ///< islands of the UV map, by shared `vt` index, never by position
-    Seams,       ///< only where the user's cuts part it: like components, whatever names there are
+    Seams,       ///< only along the user's cuts: like components, ignoring names
 };
 
-/// A mode other than Auto, and why it was taken where the user stated none.
+/// A mode other than Auto, and why it was chosen if the user stated none.
 struct SplitChoice {
     SplitMode mode = SplitMode::Components;
-    Wording reason;  ///< for a person; empty where the mode was stated
+    Wording reason;  ///< for display; empty if the mode was stated
 };
 
-/// The mode to use. For Auto: UV islands where they lie close to isometric and are disks (then they
-/// are the garment's own flat panels, as CLO and Marvelous Designer write them), else objects, else
-/// groups where the file names at least two, else components. Cost: one pass over the UV edges.
+/// The mode to use. For Auto: UV islands if they are nearly isometric and disks (then they are the
+/// garment's own flat panels, as CLO and Marvelous Designer write them), else objects, else groups,
+/// if the file names at least two, else components. Cost: one pass over the UV edges.
 SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangulation& triangles);
 
 /// A division of triangles: each triangle's part, numbered by first triangle, and the vertex that
@@ -46,14 +46,14 @@ struct Division {
 
 Division splitTriangles(SplitMode mode, const PolygonSoup& soup, const Triangulation& triangles);
 
-/// How many parts are disks, by Euler's number: these can lie flat as they are.
+/// Number of parts that are disks, by Euler's number: these can lie flat without cuts.
 int diskCount(const Division& division);
 
-/// Fewer triangles a part, and a division is no pattern: an atlas of single triangles.
+/// With fewer triangles per part, a division is not a pattern but an atlas of single triangles.
 inline constexpr double kMinTrianglesPerPart = 4;
 
 /// How the UV map's lengths relate to 3D: the median of 3D / UV over the edges, and the share of
-/// edges whose ratio lies within `kIsometricBand` of it. Nothing where there are no usable UVs.
+/// edges whose ratio is within `kIsometricBand` of it. Nothing if there are no usable UVs.
 struct UvScale {
     double ratio = 1;
     double closeShare = 0;

@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-/// Faces that may be joined with each other: those of one object, and those of none.
+/// Groups of faces that may be joined: those of one object, and those without one.
 std::vector<std::vector<int>> facesByObject(const PolygonSoup& soup) {
     const std::size_t objects = soup.faceObject.empty() ? 0 : soup.objects.size();
     std::vector<std::vector<int>> faces(objects + 1);
@@ -20,7 +20,7 @@ std::vector<std::vector<int>> facesByObject(const PolygonSoup& soup) {
     return faces;
 }
 
-/// These faces as fans, by positions of the soup: good enough to tell border from inside.
+/// These faces as fans, by positions of the soup: enough to distinguish border from inside.
 Triangles fansOf(const PolygonSoup& soup, const std::vector<int>& faces) {
     Eigen::Index triangles = 0;
     for (const int face : faces) {
@@ -37,14 +37,14 @@ Triangles fansOf(const PolygonSoup& soup, const std::vector<int>& faces) {
     return fans;
 }
 
-/// The same with vertices numbered among themselves.
+/// The same with vertices numbered from 0.
 struct Patch {
     std::vector<int> vertices;  ///< position in the soup, ascending
     Points3 V;
     Triangles F;
 };
 
-/// @param local  as long as the soup's positions; what it holds does not matter
+/// @param local  as long as the soup's positions; scratch space
 Patch patchOf(const PolygonSoup& soup, const std::vector<int>& faces, std::vector<int>& local) {
     Patch patch{{}, {}, fansOf(soup, faces)};
     patch.vertices.assign(patch.F.data(), patch.F.data() + patch.F.size());
@@ -62,7 +62,7 @@ Patch patchOf(const PolygonSoup& soup, const std::vector<int>& faces, std::vecto
     return patch;
 }
 
-/// Gives corners their new vertex and takes out those that repeat the one before.
+/// Assigns corners their new vertex and removes those that repeat their predecessor.
 void rename(PolygonSoup& soup, const std::vector<int>& renamed) {
     std::vector<int> corners, uvs, start{0};
     const bool hasUvs = !soup.cornerUvs.empty();
@@ -132,7 +132,7 @@ Problems weldSoup(std::shared_ptr<const PolygonSoup>& shared, std::optional<doub
     auto welded = std::make_shared<PolygonSoup>(soup);
     rename(*welded, renamed);
     shared = std::move(welded);
-    // The note of the first object that has any, with the count of all.
+    // The note of the first object with one, with the count of all.
     std::vector<Wording> words = note.detail.arguments();
     words.front() = countWording(merged, "vertex");
     note.detail = worded(note.detail.pattern(), std::move(words));

@@ -9,15 +9,15 @@
 
 namespace toile {
 
-/// Joins vertices that lie on each other, within each object, by making faces name one of them; no
-/// vertex goes. Where none are to be joined the soup stays the same pointer. A corner that comes to
-/// repeat its neighbour goes where three are left.
-/// @param wanted       by the user: joins what lies within this, mm; 0: within a thousandth of the
-///                     median edge. None: only a file of unconnected triangles is touched, and
-///                     only where coordinates are equal
+/// Merges coinciding vertices within each object, by making faces refer to one of them; no vertex
+/// is removed. If there are none, the soup stays the same pointer. A corner that then repeats its
+/// neighbour is removed if three are left.
+/// @param wanted       by the user: merges vertices within this distance, mm; 0: within a
+///                     thousandth of the median edge. Empty: only changes a file of unconnected
+///                     triangles, and only merges equal coordinates
 /// @param millimetres  per unit of the file, for the message
-/// @return a VerticesWelded note where anything was joined
-/// Cost: linear on average; for a file that needs nothing its triangles and one count of their
+/// @return a VerticesWelded note if anything was merged
+/// Cost: linear on average; for a file that needs no change, its triangles and one count of their
 /// corners.
 Problems weldSoup(std::shared_ptr<const PolygonSoup>& soup, std::optional<double> wanted,
                   double millimetres, const std::string& name);
