@@ -6,11 +6,11 @@
 
 #include "core/base/text.h"
 #include "core/geometry/polygon.h"
-#include "tests/core/readers/mesh_file.h"
 #include "core/reading/pattern_match.h"
+#include "core/reading/read_pattern.h"
+#include "tests/core/readers/mesh_file.h"
 #include "tests/core/readers/pdf_reader.h"
 #include "tests/core/readers/plt_reader.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::fuzz {
 namespace {

@@ -9,10 +9,10 @@
 
 #include "core/export/apparel_pieces.h"
 #include "core/export/apparel_text.h"
-#include "tests/core/readers/dxf_drawing.h"
 #include "tests/core/export/dxf_reader.h"
 #include "tests/core/export/export_fixtures.h"
 #include "tests/core/export/exported_garments.h"
+#include "tests/core/readers/dxf_drawing.h"
 
 namespace toile {
 namespace {

@@ -11,11 +11,11 @@
 #include "core/export/pdf_content.h"
 #include "core/export/pdf_file.h"
 #include "core/export/pdf_letters.h"
-#include "tests/core/readers/pdf_read_back.h"
 #include "core/export/sheet_drawing.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/readers/pdf_reader.h"
 #include "tests/core/export/export_fixtures.h"
+#include "tests/core/readers/pdf_read_back.h"
+#include "tests/core/readers/pdf_reader.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "core/export/plotter_line.h"
-#include "tests/core/readers/plt_read_back.h"
 #include "tests/core/export/export_fixtures.h"
+#include "tests/core/readers/plt_read_back.h"
 #include "tests/core/support/generator.h"
 
 namespace toile {
