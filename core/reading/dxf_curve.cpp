@@ -14,16 +14,16 @@ namespace {
 using Eigen::Vector2d;
 using CurvePoints = std::vector<Vector2d>;
 
-constexpr double kMinBulge = 1e-7, kMaxBulge = 1e5;  // below a straight line, beyond nonsense
+constexpr double kMinBulge = 1e-7, kMaxBulge = 1e5;  // smaller: a straight line; larger: invalid
 constexpr int kMaxHalvings = 12, kMaxDegree = 15;
 constexpr std::size_t kMaxCurvePoints = 200000;  // of one entity
-constexpr double kSameEnd = 1e-9;                // of the extent: the first point repeated
-constexpr double kNoSweep = 1e-4;                // radians: angles are rounded
-constexpr double kMaxOfFrame = 1.01;  // a spline is no longer than this beside its own chords
-constexpr long kMeshFlags = 16 | 64;  // of a POLYLINE that is no line
+constexpr double kSameEnd = 1e-9;                // of the extent: the last point repeats the first
+constexpr double kNoSweep = 1e-4;                // radians, by rounding; less is a full turn
+constexpr double kMaxOfFrame = 1.01;  // largest ratio of a spline's length to that of its chords
+constexpr long kMeshFlags = 16 | 64;  // of a POLYLINE that is a mesh
 
-/// Chords of one stretch of a smooth curve, without its first point: it is halved until the curve
-/// is nowhere farther than the tolerance from its chords.
+/// Appends chords of one smooth stretch of a curve, without its first point. Halves the stretch
+/// until no point of the curve is farther than the tolerance from its chord.
 void addChords(CurvePoints& points, const std::function<Vector2d(double)>& at, double from,
                double to, double tolerance, int halvings = kMaxHalvings) {
     const Vector2d start = at(from), end = at(to);
@@ -44,7 +44,7 @@ void addChords(CurvePoints& points, const std::function<Vector2d(double)>& at, d
     addChords(points, at, middle, to, tolerance, halvings - 1);
 }
 
-/// An arc of an ellipse by two half axes, from one angle to another; a circle's by two radii.
+/// Appends an arc of an ellipse by two half axes (of a circle: two radii) between two angles.
 void addArc(CurvePoints& points, const Vector2d& centre, const Vector2d& major,
             const Vector2d& minor, double from, double to, double tolerance) {
     constexpr double kStretch = kPi / 4;
@@ -58,7 +58,7 @@ void addArc(CurvePoints& points, const Vector2d& centre, const Vector2d& major,
     }
 }
 
-/// How far it is from one angle to the next place of another, in (0, 2 pi].
+/// Anti-clockwise sweep from one angle to another, in (0, 2 pi].
 double sweepOf(double from, double to) {
     const double sweep = std::fmod(to - from, 2 * kPi);
     return sweep <= kNoSweep ? sweep + 2 * kPi : sweep;
@@ -81,16 +81,16 @@ CurvePoints polylinePoints(const DxfEntity& entity, double tolerance) {
         const Vector2d radius = from - centre;
         addArc(points, centre, radius, geometry::leftOf(radius), 0, 4 * std::atan(bulge),
                tolerance);
-        points.pop_back();  // the next vertex
+        points.pop_back();  // the next vertex adds it
     }
     return points;
 }
 
-/// A B-spline, rational where it has weights, over the part of its knots where it is defined.
+/// A B-spline, rational if it has weights, over the part of its knots where it is defined.
 struct BSpline {
     int degree = 3;
     std::vector<double> knots{};
-    std::vector<Eigen::Vector3d> controls{};  ///< times the weight, and the weight
+    std::vector<Eigen::Vector3d> controls{};  ///< (x w, y w, w) with weight w
 
     bool isValid() const {
         const std::size_t order = static_cast<std::size_t>(degree) + 1;
@@ -130,8 +130,8 @@ struct BSpline {
     }
 };
 
-/// The spline of a frame with equal knots, which ends in the first and the last of its points
-/// unless it is closed.
+/// The spline with this control polygon and equal knots. Unless closed, it starts and ends at the
+/// first and last control points.
 CurvePoints framePoints(CurvePoints frame, int degree, bool closed, double tolerance) {
     BSpline spline;
     spline.degree = std::min(degree, static_cast<int>(frame.size()) - 1);
@@ -156,8 +156,8 @@ double lengthOf(const CurvePoints& points, bool closed) {
     return length;
 }
 
-/// A spline-fit polyline is the spline of its frame. The file has points of it too, which are
-/// taken in its place where they are those of another curve.
+/// The spline of the control points of a spline-fit polyline. The file also has points of the
+/// curve; returns these if their length shows that they are of another curve.
 CurvePoints splineFitPoints(const DxfEntity& entity, CurvePoints chords, double tolerance) {
     constexpr double kQuadratic = 5;
     CurvePoints frame;
@@ -171,11 +171,11 @@ CurvePoints splineFitPoints(const DxfEntity& entity, CurvePoints chords, double 
     return chords.size() < 2 || isSame ? curve : chords;
 }
 
-/// The cubic spline through its fit points, as CAD programs draw it: by chord lengths, bending
-/// nowhere at ends whose tangents are not given.
+/// The cubic spline through fit points, as CAD programs draw it: parametrised by chord length, with
+/// zero curvature at ends without given tangents.
 CurvePoints fitPoints(CurvePoints fit, const std::optional<Vector2d>& startWay,
                       const std::optional<Vector2d>& endWay, bool closed, double tolerance) {
-    // Around a closed one it goes on: what lies this many points ahead no longer matters.
+    // A closed spline is repeated this many points beyond its ends; farther points have no effect.
     constexpr std::size_t kAround = 24;
     fit.erase(std::unique(fit.begin(), fit.end()), fit.end());
     if (closed && fit.size() > 1 && fit.front() == fit.back()) {
@@ -195,7 +195,7 @@ CurvePoints fitPoints(CurvePoints fit, const std::optional<Vector2d>& startWay,
     if (n < 2) {
         return {};
     }
-    // Slopes from a tridiagonal system, by elimination downwards and back.
+    // Slopes from a tridiagonal system, by forward elimination and back substitution.
     std::vector<double> step(n - 1), above(n);
     CurvePoints slope(n);
     for (std::size_t k = 0; k + 1 < n; ++k) {
@@ -271,7 +271,7 @@ CurvePoints splinePoints(const DxfEntity& entity, bool closed, double tolerance)
     return spline.isValid() ? spline.points(tolerance) : CurvePoints();
 }
 
-/// A line in the entity's own coordinates. @param closed  whether it is
+/// The line of an entity in its own coordinates. @param closed  set to whether it is closed
 CurvePoints ownPoints(const DxfEntity& entity, double tolerance, bool& closed) {
     const auto flags = static_cast<long>(std::clamp(entity.number(70).value_or(0), 0.0, 65535.0));
     const auto centre = entity.point(), other = entity.point(11);

@@ -14,10 +14,10 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestFactor = 1e9;            // of an INSERT
-constexpr std::size_t kMaxInserted = 50000;        // entities and blocks, with copies
-constexpr int kMaxLevels = 16, kMaxRepeats = 500;  // of blocks in blocks; rows, columns
+constexpr std::size_t kMaxInserted = 50000;        // entities and blocks, counting copies
+constexpr int kMaxLevels = 16, kMaxRepeats = 500;  // nesting of blocks; rows, columns
 constexpr long kFrameVertex = 16;                  // flag of a spline's control point
-constexpr double kUpright = 1e-6;  // how far an extrusion direction may lean off the z axis
+constexpr double kUpright = 1e-6;  // largest tilt of an extrusion direction from the z axis
 
 std::optional<double> parsedNumber(std::string_view text) {
     text.remove_prefix(!text.empty() && text.front() == '+' ? 1 : 0);
@@ -27,12 +27,12 @@ std::optional<double> parsedNumber(std::string_view text) {
     return isWhole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// The pairs of a file, one after the other.
+/// Reads the pairs of code and value of a file in order.
 class Groups {
 public:
     explicit Groups(std::string_view bytes) : rest_(bytes) {}
 
-    /// The next pair; none at the end, or where there is none (`fault`).
+    /// The next pair; none at the end or at a malformed pair (`fault`).
     std::optional<DxfGroup> next() {
         if (rest_.empty() || fault_) {
             return {};
@@ -69,7 +69,7 @@ private:
 /// Builds the document pair by pair: an entity lasts until the next pair of code 0.
 class DocumentBuilder {
 public:
-    /// @param decoded  keeps the values that are not as in the file
+    /// @param decoded  stores values that differ from the bytes in the file
     explicit DocumentBuilder(std::shared_ptr<std::deque<std::string>> decoded) {
         document_.decoded = std::move(decoded);
     }
@@ -107,7 +107,7 @@ public:
 private:
     void begin(std::string_view kind) {
         if (isInPolyline_ && kind != "VERTEX") {
-            endPolyline(*place());  // before a section or a block leads elsewhere
+            endPolyline(*place());  // before a new section or block changes place()
         }
         entity_ = {};
         entity_.kind = kind;
@@ -118,7 +118,7 @@ private:
         }
     }
 
-    /// Where entities go now; null outside of blocks and entities.
+    /// The list that receives entities; null outside of blocks and entities.
     std::vector<DxfEntity>* place() {
         if (section_ == "ENTITIES") {
             return &document_.entities;
@@ -182,8 +182,8 @@ private:
         return static_cast<long>(std::clamp(entity.number(70).value_or(0), 0.0, 65535.0));
     }
 
-    /// The plane of the entities that lie in one, by the arbitrary axis algorithm of the DXF
-    /// reference: upside down the x axis is turned round.
+    /// Sets the map of planar entities by the arbitrary axis algorithm of the DXF reference: for an
+    /// upside-down plane the x axis is reversed.
     void readPlane() {
         static constexpr std::string_view kPlanar[] = {"POLYLINE", "LWPOLYLINE", "ARC",    "CIRCLE",
                                                        "INSERT",   "TEXT",       "ELLIPSE"};
@@ -195,7 +195,7 @@ private:
                                      entity_.number(230).value_or(1));
         if (normal.head<2>().norm() > kUpright * std::abs(normal.z())) {
             entity_.map.linear().setZero();
-        } else if (normal.z() < 0 && entity_.kind != "ELLIPSE") {  // its axes are the drawing's
+        } else if (normal.z() < 0 && entity_.kind != "ELLIPSE") {  // it uses world axes
             entity_.map.linear()(0, 0) = -1;
         }
     }
@@ -207,7 +207,7 @@ private:
 
     void readLightVertices() {
         double x = std::nan("");
-        bool isVertex = false;  // the last place was one; a bulge belongs to it
+        bool isVertex = false;  // the last point was a vertex; a bulge belongs to it
         for (const DxfGroup& group : entity_.groups) {
             if (group.code == 10) {
                 x = group.number().value_or(std::nan(""));
@@ -233,7 +233,7 @@ private:
         return points;
     }
 
-    /// The polyline before has all its vertices.
+    /// Completes the polyline, once all its vertices are read.
     void endPolyline(std::vector<DxfEntity>& there) {
         isInPolyline_ = false;
         there.back().points = taken(vertices_);
@@ -249,7 +249,7 @@ private:
     bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false;
 };
 
-/// Copies entities with their inserted blocks, level by level.
+/// Copies entities and replaces INSERTs by their blocks, recursively.
 class BlockInserter {
 public:
     explicit BlockInserter(const DxfDocument& document) {
@@ -291,7 +291,7 @@ public:
                 }
             }
             if (isFull()) {
-                place();  // some of it is left out
+                place();  // its copies are incomplete
             }
         }
     }

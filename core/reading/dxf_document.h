@@ -17,7 +17,7 @@
 
 namespace toile {
 
-/// A DXF file (ASCII, R12 and later) as its entities, before anybody says what they mean.
+/// A DXF file (ASCII, R12 and later) as its entities, not yet interpreted.
 
 /// A group code and its value, without blanks around it.
 struct DxfGroup {
@@ -29,20 +29,20 @@ struct DxfGroup {
 
 struct DxfEntity {
     std::string_view kind{};   ///< "POLYLINE", "TEXT"
-    std::string_view layer{};  ///< empty where none is named
+    std::string_view layer{};  ///< empty if the file names no layer
     std::vector<DxfGroup> groups{};
     Points2 points = Points2(0, 2);  ///< vertices of POLYLINE and LWPOLYLINE
     std::vector<double> bulges{};    ///< of the edge after each vertex, tan(angle / 4) of its arc
     Points2 frame = Points2(0, 2);   ///< control points of a spline-fit POLYLINE
     bool closed = false;             ///< of POLYLINE and LWPOLYLINE
-    /// From the entity's coordinates to those of the drawing, or of its block: by its extrusion
-    /// direction and the blocks it is inserted with. Zero if it lies in a tilted plane.
+    /// From the entity's coordinates to those of the drawing or block, by its extrusion direction
+    /// and the INSERTs it came through. Zero if it lies in a tilted plane.
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
 
     /// The first group with this code.
     std::optional<double> number(int code) const;
     std::string_view text(int code) const;
-    /// Codes `first` and `first` + 10; none where one of them is no finite number.
+    /// Codes `first` and `first` + 10; none if either is missing or not finite.
     std::optional<Eigen::Vector2d> point(int first = 10) const;
 };
 
@@ -52,11 +52,11 @@ struct DxfBlock {
     std::vector<DxfEntity> entities{};
 };
 
-/// Refers to the bytes that were read, and to `decoded`.
+/// Points into the bytes that were read, and into `decoded`.
 struct DxfDocument {
     /// By "$NAME": the groups of each variable.
     std::map<std::string_view, std::vector<DxfGroup>> header{};
-    std::map<std::string_view, int> layers{};  ///< of the LAYER table: name to colour
+    std::map<std::string_view, int> layers{};  ///< LAYER table: name to colour
     std::vector<DxfBlock> blocks{};
     std::vector<DxfEntity> entities{};
     bool hasEnd = false;           ///< EOF
@@ -64,19 +64,19 @@ struct DxfDocument {
     std::shared_ptr<std::deque<std::string>> decoded{};
 };
 
-/// The entities with every INSERT replaced by the entities of its block, copied to their place; on
-/// layer 0 they take the layer of the INSERT. An INSERT of an unknown block stays, and so do those
-/// beyond 50 000 entities or 16 levels. Pure.
+/// The entities, with every INSERT replaced by transformed copies of its block's entities; those on
+/// layer 0 take the layer of the INSERT. INSERTs of unknown blocks stay, as do those beyond
+/// 50 000 entities or 16 levels. Pure.
 std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
                                           const std::vector<DxfEntity>& entities);
 
-/// From the coordinates of a block to those of the drawing it is inserted in. Pure.
+/// Map from the coordinates of a block to those of the drawing it is inserted in. Pure.
 Eigen::Affine2d insertionOf(const DxfBlock& block, const DxfEntity& insert);
 
-/// Text is read as UTF-8 if it is valid UTF-8, else by $DWGCODEPAGE; a note says if neither helps.
+/// Reads text as UTF-8 if it is valid UTF-8, else by $DWGCODEPAGE; adds a note if neither works.
 /// @param bytes  must outlive the document
 /// Errors: MalformedFile with the line (no pairs of code and value, a binary file, no ENTITIES and
-/// no BLOCKS). Vertices that are no finite numbers are left out. Cost: linear. Pure.
+/// no BLOCKS). Vertices that are not finite are left out. Cost: linear. Pure.
 Result<DxfDocument> readDxfDocument(std::string_view bytes);
 
 }  // namespace toile

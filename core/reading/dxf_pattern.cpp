@@ -21,14 +21,14 @@ namespace toile {
 namespace {
 
 constexpr std::size_t kMaxOutlines = 2000;  // of a drawing without blocks
-constexpr double kMaxWork = 5e8;     // points looked at to find in which piece things of it lie
-constexpr double kRectangle = 0.98;  // of its box: what fills so much of it is one
-constexpr double kSideNear = 1e-3;   // of a border's size: how near the sides of a title block are
-constexpr double kMaxHoles = 0.2;    // of a piece's area
-constexpr double kLargeHole = 0.03;  // likewise: no piece has two of them
-constexpr double kSeamLine = 0.6;    // likewise: so large a line may be that of the seam
+constexpr double kMaxWork = 5e8;            // limit on point tests that assign parts to pieces
+constexpr double kRectangle = 0.98;         // of its box: a line that fills more is a rectangle
+constexpr double kSideNear = 1e-3;          // of a border's size: distance of a title block's sides
+constexpr double kMaxHoles = 0.2;           // of a piece's area
+constexpr double kLargeHole = 0.03;         // likewise: no piece has two such holes
+constexpr double kSeamLine = 0.6;           // likewise: a larger line may be the seam line
 
-/// A block as it is placed: by the first INSERT of it, or as it stands.
+/// Placement of a block: by its first INSERT, or unchanged if it has none.
 DxfPlace placeOf(const DxfBlock& block, const DxfEntity* insert, double unit) {
     DxfPlace place;
     place.scale = unit;
@@ -59,7 +59,7 @@ double extentOf(const std::vector<FilePiece>& pieces) {
     return extent;
 }
 
-/// What is wrong with a piece so that it is left out; empty: nothing.
+/// The reason to leave out a piece; empty if it is valid.
 Wording faultOf(const FilePiece& piece) {
     const Points2& outline = outlineOf(piece);
     if (outline.rows() < 3) {
@@ -69,7 +69,7 @@ Wording faultOf(const FilePiece& piece) {
                                                          : worded("its outline has no area");
 }
 
-/// The end of a name that only says the size again: "front_36".
+/// The name of a block without a suffix that repeats the size, as in "front_36".
 std::string nameOfBlock(const std::string& block, const std::string& size) {
     for (const char* joint : {"_", "-"}) {
         const std::string ending = joint + size;
@@ -80,7 +80,7 @@ std::string nameOfBlock(const std::string& block, const std::string& size) {
     return block;
 }
 
-/// What one size says of a piece holds for the others that say nothing.
+/// Copies material, category and quantities from one size of a piece to the sizes without them.
 void shareTexts(std::vector<FilePiece>& pieces) {
     std::map<std::string, const FilePiece*> told;
     for (const FilePiece& piece : pieces) {
@@ -122,7 +122,7 @@ struct DrawnOutline {
         return box.contains(other.box) &&
                geometry::isInside(points, other.points.colwise().mean().transpose());
     }
-    /// How many of its sides lie on those of another.
+    /// Number of sides of its box that lie on those of the other's box.
     int sidesOn(const DrawnOutline& other) const {
         const double near = kSideNear * other.box.diagonal().norm();
         return static_cast<int>(((box.min() - other.box.min()).array().abs() < near).count() +
@@ -130,10 +130,10 @@ struct DrawnOutline {
     }
 };
 
-/// Whether the first and largest of some lines is the border of the sheet that the others are
-/// drawn on, and no piece with holes: a rectangle that holds all of them, where there are lines or
-/// texts in one of them, or there are several that are too large for holes.
-/// @param texts  where they are
+/// Whether the first, largest line is the border of a sheet rather than a piece with holes. It must
+/// be a rectangle around all other lines. Also, either one of these contains lines or texts, or
+/// several lie beside each other and are too large for holes.
+/// @param texts  positions of texts
 bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vector2d>& texts) {
     constexpr std::size_t kMaxCompared = 200;
     const DrawnOutline& outer = lines.front();
@@ -166,11 +166,11 @@ bool hasBorder(const std::vector<DrawnOutline>& lines, const std::vector<Eigen::
     return (isNested && !isSeamLine) || (side > 1 && areLarge);
 }
 
-/// Takes the borders of a sheet away, and rectangles on their layer or in their corners.
+/// Removes the borders of a sheet, and rectangles on their layer or in their corners.
 /// @param lines  largest first
 void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vector2d>& texts,
                  std::vector<Wording>& notes) {
-    constexpr int kMaxBorders = 8;  // of one sheet; each looks at all lines
+    constexpr int kMaxBorders = 8;  // of one sheet; each costs a pass over all lines
     for (int k = 0; k < kMaxBorders && !lines.empty() && hasBorder(lines, texts); ++k) {
         const DrawnOutline border = lines.front();
         const bool isOwnLayer = std::ranges::all_of(lines, [&border](const DrawnOutline& line) {
@@ -184,7 +184,7 @@ void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vect
                        (line.sidesOn(border) < 2 && !(isOwnLayer && line.layer == border.layer));
             });
         if (rest.empty()) {
-            rest.assign(lines.begin() + 1, lines.end());  // rectangles are all there is
+            rest.assign(lines.begin() + 1, lines.end());  // all pieces are rectangles
         }
         notes.push_back(
             worded("the border of the sheet is left out: %1 on layer \"%2\"",
@@ -194,7 +194,7 @@ void takeBorders(std::vector<DrawnOutline>& lines, const std::vector<Eigen::Vect
     }
 }
 
-/// Says of pieces with large holes that these may be pieces.
+/// Adds a note for pieces with large holes, which may be pieces themselves.
 void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& notes) {
     constexpr double kMinDoubt = 0.002;  // of a rectangle: a larger hole may be a small piece
     for (const FilePiece& piece : pieces) {
@@ -217,7 +217,7 @@ void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& note
     }
 }
 
-/// A drawing: outer lines are pieces, what lies in one belongs to it.
+/// Pieces of a drawing: each outer line is a piece that owns everything inside it.
 class DrawingPieces {
 public:
     DrawingPieces(const std::vector<DxfEntity>& entities, const DxfPlace& place,
@@ -230,7 +230,7 @@ public:
         std::set<DxfRole> unread{DxfRole::Text,    DxfRole::Fold,         DxfRole::FineCut,
                                  DxfRole::FineSew, DxfRole::FineInternal, DxfRole::FineCutOut};
         if (pieces_.empty()) {
-            addOutlines(DxfRole::Other);  // names that say nothing
+            addOutlines(DxfRole::Other);  // layers with unknown names
         } else {
             unread.insert(DxfRole::Other);
         }
@@ -265,7 +265,7 @@ private:
         return nullptr;
     }
 
-    /// Largest first, so that what is inside comes after what it is in.
+    /// Adds closed lines, largest first, so that outer lines come before those inside them.
     void addOutlines(DxfRole role) {
         std::vector<DrawnOutline> closed;
         DxfLayersAt layers;
@@ -314,7 +314,7 @@ private:
         }
     }
 
-    /// By which it is in a piece.
+    /// The point that decides which piece contains the entity.
     std::optional<Eigen::Vector2d> placeOf(const DxfEntity& entity, DxfRole role) const {
         const auto line = isText(entity) ? std::nullopt : dxfCurve(entity, place_.scale);
         if (!line) {
@@ -363,12 +363,12 @@ private:
     std::vector<Eigen::AlignedBox2d> boxes_;
 };
 
-/// Blocks of the drawing itself, such as layouts and dimensions, are no pieces.
+/// Whether a block is a layout, dimension or the like, which is never a piece.
 bool isOfDrawing(const DxfBlock& block) {
     return block.name.starts_with('*') || block.name.starts_with('$');
 }
 
-/// Whether a block without a name holds pieces on a sheet, and is none itself.
+/// Whether a block without a name is a sheet with pieces rather than a piece.
 bool isSheet(const FilePiece& piece) {
     if (!piece.name.empty() || outlineOf(piece).rows() < 3) {
         return false;
@@ -381,7 +381,7 @@ bool isSheet(const FilePiece& piece) {
     return hasBorder(lines, {});
 }
 
-/// @param page  what lies outside of blocks, with its INSERTs as they are
+/// @param page  the entities outside of blocks, with INSERTs not replaced
 std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document,
                                       const std::vector<DxfEntity>& page, double unit,
                                       std::vector<Wording>& notes) {
@@ -440,8 +440,8 @@ std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document,
     return pieces;
 }
 
-/// Blocks are pieces if one of them has a name or details of a piece, or if nothing else could be;
-/// else what they hold belongs to the drawing.
+/// Reads blocks as pieces if one of them has a name or details of a piece, or if the drawing has no
+/// outlines of its own; else reads their entities as part of the drawing.
 std::vector<FilePiece> piecesOf(const DxfDocument& document, double unit,
                                 std::vector<Wording>& notes) {
     DxfPlace place;
@@ -485,7 +485,7 @@ std::string styleField(const DxfFields& fields, const char* key) {
     return found == fields.end() ? std::string() : found->second;
 }
 
-/// Who wrote it, and after which standard, as far as its texts tell.
+/// The program and the standard of the file, as far as its texts tell.
 Wording formatOf(const DxfDocument& document, const DxfFields& fields) {
     const std::string program = styleField(fields, "author") + ' ' + styleField(fields, "product");
     const auto names = [&program](std::string_view word) {
@@ -528,8 +528,8 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
     if (stated) {
         file.unit = *stated;
     } else {
-        // How near ends must be is said in mm: what is found of the size in the file's own unit
-        // does not hang on it.
+        // The unit is not known yet, so ends are joined as if it were mm; the extent does not
+        // depend on that.
         const DxfUnit found = dxfUnit(*document, styleField(fields, "units"),
                                       extentOf(piecesOf(*document, 1, ignored)));
         file.unit = found.unit;

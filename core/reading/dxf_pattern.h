@@ -9,14 +9,13 @@
 
 namespace toile {
 
-/// A DXF pattern as CLO, AccuMark, Optitex and others write it after AAMA-292 or ASTM D6673: a
-/// block for each piece and size, what is meant told by the layer's number; or a drawing without
-/// blocks whose layers say it by number or by name (CUT, SEW, GRAIN ...), in which each outer
-/// closed line is a piece. Outlines that lie in several open lines are joined end to end, half
-/// pieces beside a mirror line become whole, but for internal lines beside a text NM. Of a line and
-/// its quality line (84 to 87) the one with more points counts. Keys of texts in any case.
-/// @param stated  the file's unit where a person has said it; else its texts, its header and its
-/// size tell
+/// Reads a DXF pattern as written by CLO, AccuMark, Optitex and others after AAMA-292 or ASTM
+/// D6673: one block per piece and size, in which layer numbers give the meaning. Also reads
+/// drawings without blocks, whose layers have such numbers or names (CUT, SEW, GRAIN ...): each
+/// outer closed line is a piece. Joins outlines of several open lines end to end. Unfolds half
+/// pieces at their mirror line, except internal lines with a text NM. Of a line and its quality
+/// line (84 to 87), uses the one with more points. Keys of texts are case-insensitive.
+/// @param stated  the file's unit if the user has set it; else derived from texts, header and size
 /// Errors: MalformedFile (no DXF file), NoGeometry (no closed line that could be a piece).
 /// Cost: linear in the bytes; for drawings without blocks also in pieces times points. Pure.
 Result<PatternFile> readDxfPattern(std::string_view bytes,

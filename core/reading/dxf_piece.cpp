@@ -18,12 +18,12 @@
 namespace toile {
 namespace {
 
-constexpr double kFarthestPlace = 1e9;  // mm: beyond, a coordinate is no place on cloth
-constexpr double kMinNear = 0.02;       // mm, the ends of lines that are one
+constexpr double kFarthestPlace = 1e9;  // mm: larger coordinates are invalid
+constexpr double kMinNear = 0.02;       // mm, smallest distance for joining ends
 constexpr double kNearShare = 1e-4;     // of the extent
-constexpr double kGapShare = 0.05;      // of a line's length: a wider gap is no slip of a pen
-constexpr int kMaxNotMirrored = 100;    // lines of a piece: each is looked for among all
-constexpr int kMaxQuantity = 100000;    // of what a number may say
+constexpr double kGapShare = 0.05;      // of a line's length: wider gaps are intended
+constexpr int kMaxNotMirrored = 100;    // texts "NM" per piece: each searches all lines
+constexpr int kMaxQuantity = 100000;    // limit for malformed files
 
 constexpr Word<DxfRole> kNumbers[] = {
     {DxfRole::Cut, "1"},           {DxfRole::Notch, "4"},       {DxfRole::Fold, "6"},
@@ -80,7 +80,7 @@ std::vector<Points2> closedOf(const std::vector<FileLine>& lines) {
     return closed;
 }
 
-/// Of the two forms of one line that with more points, where they are one line.
+/// The form of a line with more points, if both forms have about the same box; else `line`.
 Points2 finer(const Points2& line, const Points2& fine) {
     if (fine.rows() <= line.rows()) {
         return line;
@@ -91,18 +91,18 @@ Points2 finer(const Points2& line, const Points2& fine) {
     return line.rows() == 0 || apart < kGapShare * box.diagonal().norm() ? fine : line;
 }
 
-/// Points on the mirror line are there once.
+/// Whether all points are on the mirror line, so that they need no mirror image.
 bool isOnLine(const Points2& points, const FileChord& line, double near) {
     return (mirroredAcross(points, line) - points).rowwise().norm().maxCoeff() <= 2 * near;
 }
 
-/// The lines of a role, joined, and its largest closed one.
+/// The closed lines of a role, joined, largest first, and the number of open ones.
 struct Outlines {
     std::vector<Points2> closed{};
     std::size_t open = 0;
 };
 
-/// Half an outline may be open where it lies on the fold.
+/// Closes half outlines that are open along the fold.
 std::vector<FileLine> closedByFold(std::vector<FileLine> lines,
                                    const std::optional<FileChord>& fold) {
     for (FileLine& line : lines) {
@@ -140,7 +140,7 @@ std::string valueOf(const DxfFields& fields, std::initializer_list<const char*> 
     return {};
 }
 
-/// "1", "1,1": as drawn, and mirrored.
+/// Reads "1" or "1,1": number cut as drawn, and number cut mirrored.
 void readQuantity(const std::string& text, FilePiece& piece) {
     int numbers[2] = {1, 0};
     const char* at = text.data();
@@ -172,7 +172,7 @@ void readTexts(const DxfFields& fields, FilePiece& piece) {
     }
 }
 
-/// Notches and drills are points with further figures; in drawings notches are strokes.
+/// Reads notches and drills: points with more values; in drawings notches are strokes.
 void readPoints(const std::vector<DxfEntity>& entities, const DxfPlace& place, FilePiece& piece) {
     const auto scaled = [&place](const DxfEntity& entity, double length) {
         const double size =
@@ -219,7 +219,7 @@ std::optional<FileChord> chordOf(const std::vector<DxfEntity>& entities, DxfRole
     return {};
 }
 
-/// Which of the internal lines have a text "NM" beside them: these are not mirrored.
+/// For each internal line: whether it is the nearest one to a text "NM" and so is not mirrored.
 std::vector<char> notMirrored(const std::vector<DxfEntity>& entities, const DxfPlace& place,
                               const std::vector<FileLine>& lines) {
     std::vector<char> isKept(lines.size(), 0);
@@ -251,8 +251,8 @@ std::vector<char> notMirrored(const std::vector<DxfEntity>& entities, const DxfP
     return isKept;
 }
 
-/// The other half of all that is inside of a half piece.
-/// @param isKept  of each internal line: it has no other half
+/// Mirrors holes, internal lines, notches and drills of a half piece across the fold.
+/// @param isKept  per internal line: it is not mirrored
 void mirrorInside(FilePiece& piece, double near, const std::vector<char>& isKept) {
     const FileChord& fold = *piece.fold;
     const auto image = [&fold](const Eigen::Vector2d& point) -> Eigen::Vector2d {
@@ -374,7 +374,7 @@ std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole r
     const double near = dxfNearness(box.diagonal().norm());
     const bool isInside = role == DxfRole::Internal || role == DxfRole::FineInternal;
     if (isInside) {
-        return lines;  // ends that meet are no reason to be one
+        return lines;  // internal lines whose ends meet may be separate lines
     }
     return joinedLines(lines, near, kGapShare * std::min(length, box.diagonal().norm()));
 }
@@ -388,7 +388,7 @@ void DxfLeftOut::add(Reason reason, const DxfEntity& entity) {
 }
 
 void DxfLeftOut::addUnread(const std::vector<DxfEntity>& entities, const std::set<DxfRole>& roles) {
-    constexpr double kCoarse = 1e-9;  // mm a unit: only whether it is a line is asked
+    constexpr double kCoarse = 1e-9;  // mm a unit: only tests whether it is a line
     for (const DxfEntity& entity : entities) {
         const DxfRole role = dxfRole(entity.layer);
         const bool isPoint = entity.kind == "POINT";

@@ -16,25 +16,25 @@ constexpr std::string_view kUnknownCharacter = "\xEF\xBF\xBD";
 constexpr const char* kWesternPage = "CP1252";
 constexpr std::size_t kMaxPageName = 20;
 constexpr std::string_view kFirstUtf8Version = "AC1021";
-constexpr unsigned char kThreeBytes = 0xE0;  // of UTF-8: the first of at least so many
+constexpr unsigned char kThreeBytes = 0xE0;  // of UTF-8: first byte of sequences of three or more
 /// Code pages of two bytes a character.
 constexpr std::string_view kWidePages[] = {"CP932", "CP936", "CP949", "CP950",
                                            "GBK",   "JOHAB", "big5"};
 
 struct Converted {
     std::string text{};
-    long long lost = 0;  ///< bytes that are none of the code page
+    long long lost = 0;  ///< bytes outside the code page
 };
 
-/// Bytes of a code page by its name for iconv, in UTF-8; nothing if this system does not know it.
+/// Converts bytes from a code page, by its iconv name, to UTF-8; nothing if iconv lacks the page.
 std::optional<Converted> toUtf8(std::string_view bytes, const std::string& page) {
     const iconv_t converter = iconv_open("UTF-8", page.c_str());
-    if (converter == reinterpret_cast<iconv_t>(-1)) {  // NOLINT: how iconv says no
+    if (converter == reinterpret_cast<iconv_t>(-1)) {  // NOLINT: iconv's error value
         return {};
     }
     Converted made;
     made.text.reserve(bytes.size() + bytes.size() / 2);
-    std::string in(bytes);  // iconv takes what it does not change as if it did
+    std::string in(bytes);  // iconv's signature requires a non-const input
     char* from = in.data();
     std::size_t left = in.size();
     char piece[4096];
@@ -44,7 +44,7 @@ std::optional<Converted> toUtf8(std::string_view bytes, const std::string& page)
         const std::size_t before = left;
         iconv(converter, &from, &left, &to, &room);
         made.text.append(piece, to);
-        if (left == before) {  // a byte that it cannot read, or half a character at the end
+        if (left == before) {  // an invalid byte, or an incomplete character at the end
             made.text += kUnknownCharacter;
             ++made.lost;
             ++from;
@@ -55,7 +55,7 @@ std::optional<Converted> toUtf8(std::string_view bytes, const std::string& page)
     return made;
 }
 
-/// The value after the name of a header variable and a group code.
+/// The value that follows the name of a header variable and a group code.
 std::string_view headerValue(std::string_view bytes, std::string_view variable) {
     const std::size_t at = bytes.find(variable);
     std::string_view rest = bytes.substr(std::min(at, bytes.size()));
@@ -65,7 +65,7 @@ std::string_view headerValue(std::string_view bytes, std::string_view variable) 
     return trimmed(rest.substr(0, rest.find('\n')));
 }
 
-/// "ANSI_936" is CP936 for iconv, "dos850" CP850, "8859_2" ISO-8859-2; other names are its own.
+/// iconv's name of a code page: CP936 for "ANSI_936", CP850 for "dos850", ISO-8859-2 for "8859_2".
 std::string iconvPage(std::string_view page) {
     std::string name(page);
     std::ranges::transform(name, name.begin(), lowered);
@@ -88,8 +88,8 @@ std::string iconvPage(std::string_view page) {
     return name;
 }
 
-/// Letters of U+0180 to U+02FF but Romanian ones: hardly any name has them, but bytes of Chinese
-/// names happen to be them.
+/// Whether the text has letters of U+0180 to U+02FF except Romanian ones. Names hardly ever have
+/// them, but bytes of Chinese names in a code page may look like them.
 bool hasRareLetters(std::string_view bytes) {
     for (std::size_t k = 0; k + 1 < bytes.size(); ++k) {
         const auto lead = static_cast<unsigned char>(bytes[k]),
@@ -121,7 +121,7 @@ void appendCharacter(std::string& out, char32_t c) {
     }
 }
 
-/// A number of so many digits at the start of `text`.
+/// Reads a number of `count` digits at the start of `text`.
 std::optional<char32_t> digitsAt(std::string_view text, std::size_t count, int base) {
     unsigned value = 0;
     const char* const end = text.data() + std::min(count, text.size());
@@ -130,8 +130,8 @@ std::optional<char32_t> digitsAt(std::string_view text, std::size_t count, int b
     return isWhole ? std::optional<char32_t>(value) : std::nullopt;
 }
 
-/// The character of a \U+ or \M+ escape at the start of `rest`, which goes past it; false if it is
-/// none.
+/// Reads a \U+ or \M+ escape at the start of `rest`, appends its character and removes it from
+/// `rest`. Returns false if there is none.
 bool takeEscape(std::string_view& rest, std::string& out) {
     constexpr std::size_t kUnicodeLength = 7, kPageLength = 8;
     if (rest.starts_with("\\U+")) {
@@ -140,7 +140,7 @@ bool takeEscape(std::string_view& rest, std::string& out) {
             return false;
         }
         rest.remove_prefix(kUnicodeLength);
-        if ((*code >> 10) == 0x36 && rest.starts_with("\\U+")) {  // the first half of a pair
+        if ((*code >> 10) == 0x36 && rest.starts_with("\\U+")) {  // a high surrogate
             const auto low = digitsAt(rest.substr(3), 4, 16);
             if (low && (*low >> 10) == 0x37) {
                 code = 0x10000 + ((*code & 0x3FF) << 10) + (*low & 0x3FF);
@@ -163,7 +163,7 @@ bool takeEscape(std::string_view& rest, std::string& out) {
     return true;
 }
 
-/// The same of %% codes.
+/// Does the same for %% codes.
 bool takeSign(std::string_view& rest, std::string& out) {
     if (!rest.starts_with("%%") || rest.size() < 3) {
         return false;
@@ -196,7 +196,7 @@ std::optional<std::string> decodedDxf(std::string_view bytes, std::vector<Wordin
     const std::string page = iconvPage(stated);
     const auto utf8 = toUtf8(bytes, "UTF-8");
     if (utf8 && utf8->lost == 0) {
-        // Chinese and its like take three bytes in UTF-8, so two of them may be one of a code page.
+        // East Asian characters take three bytes in UTF-8, so two-byte ones may be of a code page.
         const bool mayBeOther = headerValue(bytes, "$ACADVER") < kFirstUtf8Version &&
                                 std::ranges::none_of(bytes, [](char c) {
                                     return static_cast<unsigned char>(c) >= kThreeBytes;
@@ -251,7 +251,7 @@ std::string withoutDxfEscapes(std::string_view rest) {
 }
 
 std::string plainMText(std::string_view value) {
-    constexpr std::string_view kWithValue = "fFHhWwQqTtAaCcpS";  // up to a semicolon
+    constexpr std::string_view kWithValue = "fFHhWwQqTtAaCcpS";  // value ends at a semicolon
     constexpr std::string_view kBlanks = "Pp~XN", kLiteral = "\\{}";
     std::string out;
     for (std::size_t k = 0; k < value.size(); ++k) {

@@ -9,8 +9,8 @@
 namespace toile {
 namespace {
 
-// The largest piece of a pattern, mm: below and above nothing is cut from cloth, and between the
-// inner two nothing is remarkable.
+// Plausible sizes of the largest piece, mm: outside the outer limits it cannot be cut from cloth;
+// between the inner two limits the size is usual.
 constexpr double kTiny = 60, kSmall = 150, kLong = 2500, kHuge = 6000;
 
 bool isPossible(LengthUnit unit, double extent) {
@@ -23,7 +23,7 @@ bool isUsual(LengthUnit unit, double extent) {
     return extent == 0 || (size >= kSmall && size <= kLong);
 }
 
-/// The unit in which a piece of this extent has the most usual size.
+/// The unit that gives a piece of this extent a usual size, or the nearest to it.
 LengthUnit bySize(double extent) {
     for (const LengthUnit unit :
          {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre}) {
@@ -34,7 +34,7 @@ LengthUnit bySize(double extent) {
     return extent > kLong ? LengthUnit::Millimetre : LengthUnit::Centimetre;
 }
 
-/// What a file says, or what the size tells where that cannot be.
+/// The unit that the file states, or if its size is impossible, the unit by size.
 DxfUnit judged(LengthUnit said, const Wording& source, double extent) {
     const auto length = [extent](LengthUnit unit) { return figure(extent * millimetresPer(unit)); };
     if (isPossible(said, extent)) {

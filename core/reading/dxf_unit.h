@@ -9,21 +9,21 @@
 
 namespace toile {
 
-/// The unit of a DXF pattern and how it is known. "Units: METRIC" means millimetres by the
-/// standard, but files in centimetres say so too, ENGLISH inches; $INSUNITS is often wrong. So what
-/// the file says counts where pieces then have a size that cloth has, else their size tells; either
-/// way it is said what is in doubt.
+/// The unit of a DXF pattern and its source. By the standard "Units: METRIC" means millimetres and
+/// ENGLISH inches, but files in centimetres say METRIC too, and $INSUNITS is often wrong. So the
+/// stated unit is used only if it gives the largest piece a plausible size; otherwise the size
+/// decides. `reason` names any doubt.
 struct DxfUnit {
     LengthUnit unit = LengthUnit::Millimetre;
     Wording reason{};
     bool inDoubt = false;
 };
 
-/// The unit that $INSUNITS names; none if there is none.
+/// The unit that $INSUNITS names; none if it is missing or unknown.
 std::optional<LengthUnit> headerUnit(const DxfDocument& document);
 
-/// @param units   the value of the text "Units"; empty: none
-/// @param extent  of the largest piece, in the file's unit; 0: not known
+/// @param units   the value of the text "Units"; empty if missing
+/// @param extent  of the largest piece, in the file's unit; 0 if unknown
 DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double extent);
 
 }  // namespace toile

@@ -14,14 +14,14 @@ namespace toile {
 namespace {
 
 constexpr double kMostCoordinate = 1e7;  // in the file's unit
-constexpr double kMostShare = 1e4;       // of an edge, of its control points
-constexpr double kMostOfArc = kPi / 6;   // by one cubic curve: far nearer than any line is drawn
+constexpr double kMostShare = 1e4;       // of an edge's length: distance of its control points
+constexpr double kMostOfArc = kPi / 6;   // radians per cubic curve: its error is negligible
 constexpr int kPointsPerCurve = 32;
 constexpr double kMetre = 1000;         // mm
 constexpr double kUsualPerMetre = 100;  // cm
 constexpr double kLeastPerMetre = 1e-3, kMostPerMetre = 1e6;
 
-/// A point given relative to an edge: along it, and to the left of it.
+/// A point in coordinates of an edge: along the edge, and to its left, in lengths of the edge.
 Eigen::Vector2d besideEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double along,
                            double left) {
     const Eigen::Vector2d edge = to - from;
@@ -33,7 +33,7 @@ CubicCurve fromQuadratic(const Eigen::Vector2d& from, const Eigen::Vector2d& con
     return {from, from + 2.0 / 3 * (control - from), to + 2.0 / 3 * (control - to), to};
 }
 
-/// A part of a circle, which lies on the right or on the left of its chord.
+/// A circular arc on the right or left of its chord.
 std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                   double radius, bool isLarge, bool isRight) {
     const double chord = (to - from).norm();
@@ -47,7 +47,7 @@ std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vect
     const double away = std::sqrt(std::max(0.0, r * r - chord * chord / 4));
     const double side = isRight != isLarge ? 1 : -1;  // of the centre, from the chord
     const Eigen::Vector2d centre = (from + to) / 2 + side * away * left;
-    const double turn = isRight ? angle : -angle;  // anti-clockwise where the arc is on the right
+    const double turn = isRight ? angle : -angle;  // anti-clockwise if the arc is on the right
     const int count = std::max(1, static_cast<int>(std::ceil(angle / kMostOfArc)));
     const double step = turn / count, handle = 4.0 / 3 * std::tan(step / 4);
     std::vector<CubicCurve> curves;
@@ -63,7 +63,7 @@ std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vect
     return curves;
 }
 
-/// Beside the reader: texts are collected by the class they stand in.
+/// Outside of the reader class, because texts to translate are grouped by class.
 Wording reasonOfUnit(double perMetre) {
     return perMetre > 0 ? worded("units_in_meter %1", {Wording(shortest(perMetre))})
                         : worded("the file says none; this format is usually in cm");
@@ -186,7 +186,7 @@ private:
                 return false;
             }
         }
-        // Two straight edges, there and back, have nothing between them.
+        // Two straight edges, there and back, enclose no area.
         return count > 2 || (count == 2 && std::ranges::any_of(panel.edges, [](const auto& edge) {
                                  return !edge.curves.front().isLine;
                              }));
@@ -213,7 +213,7 @@ private:
         panel.edges.push_back(std::move(edge));
     }
 
-    /// A control point of a curve.
+    /// Converts a control point of a curve.
     Eigen::Vector2d control(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                             const std::vector<double>& point) const {
         return isRelative_ ? besideEdge(from, to, point[0], point[1])
@@ -252,7 +252,7 @@ private:
         return refused(fields, straight);
     }
 
-    /// Radius, whether the long way round, and whether on the right; flags as numbers or words.
+    /// Radius, large arc flag, and whether the arc is on the right; flags as numbers or words.
     static std::optional<std::array<double, 3>> circleOf(const JsonDocument& params) {
         std::array<double, 3> found{};
         if (!params.is_array() || params.size() != found.size()) {
@@ -314,7 +314,7 @@ private:
     bool isRelative_ = true;
 };
 
-/// The unit that a number of millimetres is; the nearest where it is none of ours.
+/// The unit with this length in mm, or the nearest unit that Toile has.
 LengthUnit unitOf(double millimetres) {
     LengthUnit best = LengthUnit::Centimetre;
     for (const LengthUnit unit : kLengthUnits) {

@@ -15,18 +15,18 @@
 
 namespace toile {
 
-/// A pattern in GarmentCode's JSON (`*.specification.json`): flat panels of edges, which of them
-/// are stitched to each other, and where the panels are in space.
+/// A pattern in GarmentCode's JSON (`*.specification.json`): flat panels made of edges, the
+/// stitches between edges, and the placement of panels in space.
 
 struct GarmentCodeEdge {
-    std::array<int, 2> vertices{};     ///< of the panel, from and to
-    std::vector<CubicCurve> curves{};  ///< mm, from end to end; one of a straight edge
+    std::array<int, 2> vertices{};     ///< start and end, indices into the panel
+    std::vector<CubicCurve> curves{};  ///< mm, in order; a straight edge has one
     double length = 0;                 ///< mm
 };
 
 struct GarmentCodePanel {
     std::string name{}, label{};
-    std::vector<GarmentCodeEdge> edges{};  ///< a closed loop, in order; either winding
+    std::vector<GarmentCodeEdge> edges{};  ///< closed loop in order, either winding
     Eigen::Vector3d translation{0, 0, 0};  ///< mm
     Eigen::Vector3d rotation{0, 0, 0};     ///< degrees, about x, then y, then z
 };
@@ -47,18 +47,18 @@ struct GarmentCode {
     std::vector<Wording> notes{};
 };
 
-/// Edges are straight, or have a `curvature`: a quadratic or cubic curve by its control points
-/// relative to the edge, a part of a circle by its radius, or, in the older form, two numbers for
-/// the control point of a quadratic one.
-/// @param stated  the unit, where a person has said it; else `units_in_meter`
+/// Edges are straight or have a `curvature`: a quadratic or cubic curve with control points
+/// relative to the edge, a circular arc by its radius, or, in the older form, two numbers for the
+/// control point of a quadratic curve.
+/// @param stated  the unit if the user has set it; else `units_in_meter`
 /// Errors: MalformedFile with the place in the file. Cost: linear. Pure.
 Result<GarmentCode> readGarmentCode(std::string_view bytes,
                                     std::optional<FileUnit> stated = std::nullopt);
 
-/// A closed line through points on its edges. mm
+/// Closed line through points on its edges, mm.
 Points2 outlineOf(const GarmentCodePanel& panel);
 
-/// Its panels as pieces: their outlines are seam lines.
+/// Converts panels to pieces; their outlines are seam lines.
 PatternFile patternOf(const GarmentCode& code);
 
 }  // namespace toile

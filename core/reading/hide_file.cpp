@@ -26,7 +26,7 @@ constexpr const char* kNoHide = translatable("it has no closed line that could b
 constexpr const char* kZoneOutside =
     translatable("a closed line that begins outside of the hide is left out (layer \"%1\")");
 constexpr const char* kHideUnit = translatable("its numbers are taken for %1: %2");
-constexpr double kHideEndsNear = 0.01;  // mm, of lines that meet
+constexpr double kHideEndsNear = 0.01;  // mm, joins ends of lines
 constexpr double kMinHideArea = 1;      // mm2
 
 /// Lines by layer, in the order of the file's layers.
@@ -58,7 +58,7 @@ Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>&
         return box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     };
     double extent = extentOf();
-    if (extent == 0) {  // it is in blocks that are not inserted
+    if (extent == 0) {  // the drawing is in blocks without an INSERT
         for (const DxfBlock& block : document->blocks) {
             const auto more = withBlocksInserted(*document, block.entities);
             entities.insert(entities.end(), more.begin(), more.end());
@@ -104,7 +104,7 @@ struct HideLine {
     double area = 0;
 };
 
-/// The largest first.
+/// Closed lines, largest first.
 std::vector<HideLine> closedLines(const LinesOfLayers& layers, std::vector<Wording>& notes) {
     std::vector<HideLine> closed;
     long long open = 0;

@@ -13,7 +13,7 @@
 
 namespace toile {
 
-/// A hide from a drawing. Of its closed lines the largest is the edge; those within it are zones of
+/// A hide from a drawing. The largest closed line is the edge; closed lines inside it are zones of
 /// the grade that their layer names ("grade 2", "Grade_3"), or holes.
 struct HideFile {
     Hide hide;  ///< its lower left corner at the origin
@@ -21,15 +21,15 @@ struct HideFile {
 };
 
 /// @param kind  Dxf or Svg
-/// Errors: MalformedFile, NoGeometry (no closed line), without a subject.  Cost: that of reading,
-/// and zones times points of the edge. Pure.
+/// Errors: MalformedFile, NoGeometry (no closed line), without a subject. Cost: that of reading,
+/// plus zones times points of the edge. Pure.
 Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind);
 
-/// By its ending.
-/// Errors: the same and UnknownFormat, FileUnreadable, with the file's name.
+/// Reads a hide by its file extension.
+/// Errors: as above, plus UnknownFormat and FileUnreadable, with the file's name.
 Result<HideFile> readHide(const std::filesystem::path& path);
 
-/// The grade that a layer names: the number after "grade", in any case; 0 where there is none.
+/// The grade that a layer names: the number after "grade", in any case; 0 if there is none.
 int gradeOfLayer(std::string_view layer);
 
 }  // namespace toile

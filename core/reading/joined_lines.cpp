@@ -11,7 +11,7 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestCell = 1e15;
-constexpr int kMostEnds = 32;  // that are looked at in one cell: more never meet in a pattern
+constexpr int kMostEnds = 32;  // tested per cell: more never meet in a pattern
 
 Points2 withoutRepeated(const Points2& points, bool closed) {
     Points2 kept(points.rows(), 2);
@@ -27,7 +27,7 @@ Points2 withoutRepeated(const Points2& points, bool closed) {
     return kept.topRows(count);
 }
 
-/// The ends of open lines, found by their place.
+/// Finds ends of open lines by position.
 class LineEnds {
 public:
     LineEnds(const std::vector<FileLine>& lines, double near) : lines_(lines), near_(near) {
@@ -39,8 +39,8 @@ public:
         }
     }
 
-    /// The nearest end within reach of a line that is not taken: 2 * line, + 1 of its last point;
-    /// -1 where there is none.
+    /// The nearest end, within reach, of a line that is not taken: 2 * line for its first point,
+    /// 2 * line + 1 for its last; -1 if there is none.
     std::ptrdiff_t nearest(const Eigen::RowVector2d& place, const std::vector<char>& isTaken) {
         const auto [column, row] = cellOf(place);
         std::ptrdiff_t best = -1;
@@ -110,7 +110,7 @@ std::vector<FileLine> joinedLines(const std::vector<FileLine>& lines, double nea
         }
         std::vector<Points2> parts{lines[k].points};
         Eigen::Index count = parts.front().rows();
-        // On from the last end, as long as the chain has not come back to its first.
+        // Extend the chain at its last end until it returns to its start.
         const Eigen::RowVector2d start = parts.front().row(0);
         while ((parts.back().row(parts.back().rows() - 1) - start).norm() > near) {
             const Eigen::RowVector2d place = parts.back().row(parts.back().rows() - 1);
@@ -123,7 +123,7 @@ std::vector<FileLine> joinedLines(const std::vector<FileLine>& lines, double nea
             parts.push_back(end % 2 == 0 ? next : Points2(next.colwise().reverse()));
             count += next.rows();
         }
-        // And back from the first, which then is the last of a chain the other way round.
+        // Then extend it backwards at its first end, unless it is closed.
         std::vector<Points2> before;
         for (Eigen::RowVector2d place = start;;) {
             const Eigen::RowVector2d last = parts.back().row(parts.back().rows() - 1);
@@ -142,7 +142,7 @@ std::vector<FileLine> joinedLines(const std::vector<FileLine>& lines, double nea
         Points2 all(count, 2);
         Eigen::Index row = 0;
         for (const Points2& part : parts) {
-            // The ends of two parts are one point, however little they differ.
+            // Merge the ends of two parts into one point even if they differ slightly.
             const Eigen::Index skipped =
                 row > 0 && (all.row(row - 1) - part.row(0)).norm() <= near ? 1 : 0;
             all.middleRows(row, part.rows() - skipped) = part.bottomRows(part.rows() - skipped);
@@ -198,7 +198,7 @@ Unfolded unfolded(const Points2& closed, const FileChord& mirror, double near) {
     if (first < 0) {
         return {closed};
     }
-    // From the end of the run all the way round to its start; the image goes back.
+    // From the end of the run around to its start; then the image in reverse.
     const Eigen::Index kept = n - steps + 1;
     Points2 half(kept, 2);
     for (Eigen::Index k = 0; k < kept; ++k) {

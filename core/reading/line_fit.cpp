@@ -23,11 +23,11 @@ constexpr int kRoughPoints = 128;
 constexpr int kFinePoints = 400;
 constexpr int kMostFitPoints = 20000;
 constexpr int kMostRounds = 40;
-constexpr double kSettled = 1e-7;       // mm, of the mean from one round to the next
-constexpr double kMirrorShare = 0.8;    // a mirrored fit must be better by so much
-constexpr double kMirrorLength = 0.05;  // and by so much, mm
+constexpr double kSettled = 1e-7;       // mm, change of the mean per round
+constexpr double kMirrorShare = 0.8;    // a mirrored fit must be better by this factor
+constexpr double kMirrorLength = 0.05;  // and by this distance, mm
 
-/// Points of a closed line at even shares of its length, from its first on.
+/// Points of a closed line at equal distances along it, starting at its first point.
 Points2 evenPoints(const Points2& closed, int count) {
     const double length = geometry::perimeterOf(closed);
     Points2 points(count, 2);
@@ -73,7 +73,7 @@ Points2 turned(const Points2& points, double angle, const Eigen::RowVector2d& fr
     return ((points.rowwise() - from) * rotation.transpose()).rowwise() + to;
 }
 
-/// Pairs of points of two lines that lie nearest to each other, from either side.
+/// Pairs of each point of either line with the nearest point on the other line.
 struct NearPairs {
     Points2 first, second;
 
@@ -93,7 +93,7 @@ struct NearPairs {
     Eigen::VectorXd distances() const { return (first - second).rowwise().norm(); }
 };
 
-/// The corners of a line count too: even points pass by them.
+/// Even points and the line's own points, as even points miss corners.
 Points2 pointsToTry(const Points2& closed) {
     Points2 even = evenPoints(closed, kFinePoints);
     if (closed.rows() > kFinePoints) {
@@ -132,7 +132,7 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
     return fit;
 }
 
-/// A line of more points than anybody draws, by fewer.
+/// Resamples lines with an implausible number of points.
 Points2 fewerPoints(const Points2& closed) {
     return closed.rows() > kMostFitPoints ? evenPoints(closed, kMostFitPoints) : closed;
 }

@@ -5,29 +5,28 @@
 
 namespace toile {
 
-/// How one closed line is laid over another when nobody says which points belong together.
+/// Fits one closed line onto another without known correspondences.
 
-/// A line laid over another by the best motion found: turned, moved and, where asked for, first
-/// mirrored.
+/// The best rigid motion found that fits a line onto another: a rotation and translation, after a
+/// mirroring if allowed.
 struct LineFit {
-    Points2 laid = Points2(0, 2);  ///< the second line, where it then lies
+    Points2 laid = Points2(0, 2);  ///< the second line after the motion
     bool mirrored = false;
-    double mean = 0;      ///< mm, of the distances of both lines' points along them from the other
+    double mean = 0;      ///< mm, of the distances of both lines' points from the other line
     double farthest = 0;  ///< mm, the largest of them
     double rms = 0;       ///< mm, root mean square of them
 };
 
-/// A rough distance of two closed lines, for sorting: points at even shares of their lengths, from
-/// the start and by the motion with which these come nearest to each other. mm, root mean square;
-/// infinite where a line has fewer than three points or no length.
+/// A rough distance of two closed lines, for sorting: root mean square distance, mm, of points at
+/// equal fractions of the lengths, with the best start point and rigid motion. Infinite if a line
+/// has fewer than three points or no length.
 /// Cost: constant, some 30 thousand steps. Pure.
 double roughDistance(const Points2& line, const Points2& other, bool mirrored);
 
-/// Starts as `roughDistance` does and then lets the nearest points pull, mirrored or not as fits
-/// better; a mirrored fit must be clearly better.
-/// Of more than 20 000 points these lie at even distances.
-/// @param canMirror  whether it may be mirrored
-/// Cost: some forty rounds of n log n in the points of both lines. Pure.
+/// Starts like `roughDistance`, then refines by iterative closest points. Uses the mirrored fit
+/// only if it is clearly better. Resamples lines of more than 20 000 points at equal distances.
+/// @param canMirror  whether mirroring is allowed
+/// Cost: up to forty rounds per fit, of n log n in the points of both lines. Pure.
 LineFit fitLine(const Points2& line, const Points2& other, bool canMirror = true);
 
 }  // namespace toile

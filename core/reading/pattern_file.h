@@ -13,8 +13,8 @@
 
 namespace toile {
 
-/// A sewing pattern as another program, or we, have written it to a file. Everything is in mm, y
-/// up, whatever the file's own unit.
+/// A sewing pattern read from a file of another program or of Toile. Everything is in mm, y up,
+/// whatever the file's own unit.
 
 struct FileNotch {
     Eigen::Vector2d point{0, 0};
@@ -36,13 +36,13 @@ struct FileLine {
 using FileChord = std::array<Eigen::Vector2d, 2>;
 
 struct FilePiece {
-    std::string id{};  ///< of the file: a block, a panel, a group
+    std::string id{};  ///< of the block, panel or group in the file
     std::string name{};
-    std::string size{};  ///< empty where the file names none
+    std::string size{};  ///< empty if the file has none
     std::string material{}, category{}, annotation{};
-    int quantity = 1;          ///< how many are cut as drawn
-    int mirroredQuantity = 0;  ///< and how many mirrored
-    /// Closed lines, anti-clockwise, first point not repeated; no points where there is none.
+    int quantity = 1;          ///< number cut as drawn
+    int mirroredQuantity = 0;  ///< number cut mirrored
+    /// Closed lines, anti-clockwise, first point not repeated; no points if missing.
     Points2 cut = Points2(0, 2), sew = Points2(0, 2);
     std::vector<Points2> holes{};
     std::vector<FileLine> internals{};
@@ -50,11 +50,11 @@ struct FilePiece {
     std::vector<FileDrill> drills{};
     std::optional<FileChord> grain{}, fold{};
     std::map<std::string, int> layers{};  ///< entities on each layer
-    /// Half of it is in the file; here it is whole.
+    /// The file has only half of it; here it is complete.
     bool isUnfolded = false;
 };
 
-/// The line that a piece is cut along, or its seam line where the file has no other.
+/// The cutting line of a piece, or its seam line if the file has no cutting line.
 inline const Points2& outlineOf(const FilePiece& piece) {
     return piece.cut.rows() > 0 ? piece.cut : piece.sew;
 }
@@ -62,17 +62,17 @@ inline const Points2& outlineOf(const FilePiece& piece) {
 struct PatternFile {
     Wording format{};  ///< "DXF of AccuMark, AAMA"
     FileUnit unit = LengthUnit::Millimetre;
-    Wording unitReason{};  ///< how it is known
+    Wording unitReason{};  ///< source of the unit
     bool unitInDoubt = false;
     std::string style{};
     std::string sampleSize{};
     std::vector<std::string> sizes{};  ///< in the order of the file
     std::vector<FilePiece> pieces{};
-    std::vector<Wording> notes{};  ///< what was left out or put right
+    std::vector<Wording> notes{};  ///< on omitted or corrected parts
 };
 
-/// The pieces of one size: of the sample size where the file has several and says which, else of
-/// the first. Indices into `pieces`.
+/// The pieces of one size: the sample size if the file has several and names it, else the first.
+/// Indices into `pieces`.
 std::vector<int> sampleOf(const PatternFile& file);
 
 }  // namespace toile

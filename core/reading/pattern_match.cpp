@@ -18,16 +18,16 @@ namespace {
 constexpr Word<MatchedBy> kMatchedByWords[] = {
     {MatchedBy::Id, "id"}, {MatchedBy::Name, "name"}, {MatchedBy::Shape, "shape"}};
 
-/// Shapes of which one has so many times the length or the root of the area of the other are no
-/// pair.
+/// Shapes do not match if their lengths, or the roots of their areas, differ by more than this
+/// factor.
 constexpr double kMostRatio = 1.5;
-/// Of the size of a piece: what lies farther apart is no pair.
+/// Largest rough distance of matching shapes, as a fraction of the root of the area.
 constexpr double kMostApart = 0.25;
-/// A rival fits worse by no more than this, times and mm.
+/// A rival's distance is at most this factor times the match's distance plus this many mm.
 constexpr double kRivalShare = 1.25, kRivalLength = 1;
-/// By how much a mirrored pair must be nearer than one that is not, mm.
+/// A mirrored pair must be closer than an unmirrored one by this distance, mm.
 constexpr double kForMirrored = 0.5;
-/// Pieces of a file that are compared with each of ours: patterns have some hundred.
+/// Larger files are not matched by shape: patterns have up to a few hundred pieces.
 constexpr std::size_t kMostCandidates = 1000;
 
 class PatternMatcher {
@@ -66,7 +66,7 @@ private:
         std::erase(freeInFile_, filePiece);
     }
 
-    /// What a file may call one of our pieces.
+    /// Texts by which a file may name one of our pieces.
     std::vector<std::string> textsOf(const PatternPiece& piece, MatchedBy by) const {
         if (by == MatchedBy::Name) {
             return {plainName(piece.name)};
@@ -74,14 +74,14 @@ private:
         return {plainName(piece.slug), plainName("piece-" + piece.slug), idText(piece.id)};
     }
 
-    /// Only texts that are said once on either side say which piece is meant.
+    /// Matches pieces by texts that occur once on either side.
     void pairByText(MatchedBy by) {
         std::map<std::string, std::vector<int>> called;
         for (const int k : freeInFile_) {
             const FilePiece& piece = theirs(k);
             called[plainName(by == MatchedBy::Id ? piece.id : piece.name)].push_back(k);
         }
-        std::map<int, std::vector<int>> found;  // of the file: those of ours that it may be
+        std::map<int, std::vector<int>> found;  // by piece of the file: our candidates
         for (const int k : free_) {
             for (const std::string& text : textsOf(ours(k), by)) {
                 const auto there = called.find(text);
@@ -116,7 +116,7 @@ private:
                areas > 1 / kMostRatio;
     }
 
-    /// The lines of which the shape is judged.
+    /// The line whose shape is compared.
     const Points2& shapeOf(const PatternPiece& piece, const FilePiece& other) const {
         return other.sew.rows() > 0 ? piece.outline : edgeOf(piece);
     }

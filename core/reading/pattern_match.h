@@ -11,18 +11,18 @@
 
 namespace toile {
 
-/// Which piece of a pattern file is which of ours, and how far their lines differ.
+/// Matches the pieces of a pattern file to those of Toile, and compares their lines.
 
 enum class MatchedBy { Id, Name, Shape };
 /// "id", "name", "shape".
 std::string_view name(MatchedBy by);
 
-/// A name by which pieces are paired: its letters and digits in lower case.
+/// Name for matching: letters and digits only, in lower case.
 std::string plainName(std::string_view name);
 
 enum class MatchedLine { Cut, Seam };
 
-/// Two lines of a pair, one laid over the other.
+/// Two lines of a pair, one fitted onto the other.
 struct LineMatch {
     MatchedLine ours = MatchedLine::Seam, theirs = MatchedLine::Seam;
     LineFit fit{};                            ///< `laid` is the file's line on our piece
@@ -34,22 +34,22 @@ struct PieceMatch {
     int piece = -1;      ///< index into Pattern::pieces
     int filePiece = -1;  ///< index into PatternFile::pieces
     MatchedBy by = MatchedBy::Shape;
-    /// One, or seam line and cutting line where both have both.
+    /// One line, or seam line and cutting line if both pieces have both.
     std::vector<LineMatch> lines{};
-    /// Others of the file that fit about as well, where it was found by its shape.
+    /// If matched by shape: other pieces of the file that fit about as well.
     std::vector<int> rivals{};
 };
 
 struct PatternMatch {
     std::vector<PieceMatch> pairs{};  ///< in the order of our pieces
-    std::vector<int> alone{};         ///< of our flat pieces, those without a partner
-    std::vector<int> aloneInFile{};   ///< of the file's pieces of its sample size
+    std::vector<int> alone{};         ///< our flat pieces without a match
+    std::vector<int> aloneInFile{};   ///< unmatched pieces of the file's sample size
 };
 
-/// Pieces are paired by the file's id (our slug or id), else by name, case and punctuation aside,
-/// else by shape, mirrored where that fits better, the best fit first. A file of several sizes is
-/// taken in its sample size (`sampleOf`).
-/// @param pattern  whole
+/// Matches pieces by the file's id (our slug or id), else by name, ignoring case and punctuation,
+/// else by shape, best fit first, mirrored if that fits better. Uses only the sample size
+/// (`sampleOf`) of a file with several sizes.
+/// @param pattern  with whole pieces, not halves on the fold
 /// Cost: pairs by shape times `roughDistance`, and `fitLine` for each pair. Pure.
 PatternMatch matchPatterns(const Pattern& pattern, const PatternFile& file);
 

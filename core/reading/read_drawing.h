@@ -9,20 +9,20 @@
 
 namespace toile {
 
-/// A line as a reader found it, mm, y up, where the drawing has it.
+/// A line as read, mm, y up, at its position in the drawing.
 struct ReadLine {
     LayerKind layer = LayerKind::Cut;
-    std::string id{};  ///< of the drawing; empty where the format names no lines
+    std::string id{};  ///< from the drawing; empty if the format does not name lines
     Points2 points = Points2(0, 2);
     bool closed = false;
-    /// Only some points of the line, which are on it; lengths are those of these.
+    /// `points` are only some points on the line; lengths are measured between these.
     bool hasKeyPoints = false;
-    int stretches = 1;  ///< of one with key points: from one turn point to the next
+    int stretches = 1;  ///< with key points: stretches between turn points
 };
 
 struct ReadDrawing {
     std::vector<ReadLine> lines{};
-    int pieces = 0;  ///< by blocks, groups or outlines, as the format has them
+    int pieces = 0;  ///< counted by blocks, groups or outlines, depending on the format
 };
 
 }  // namespace toile

@@ -13,19 +13,19 @@ namespace toile {
 
 enum class PatternFileKind { Dxf, Svg, GarmentCode };
 
-/// By the ending, in any case; none where it is none of a pattern.
+/// Kind of a pattern file by its extension, in any case; none for other extensions.
 std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path);
 
-/// A pattern in memory.
+/// Reads a pattern from memory.
 /// @param name  of the file, for the error
-/// @param unit  of its coordinates, where a person has said it
+/// @param unit  of its coordinates, if the user has set it
 /// Errors: MalformedFile, NoGeometry.
 Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
                                 const std::string& name,
                                 std::optional<FileUnit> unit = std::nullopt);
 
-/// Reads a pattern by its ending.
-/// @param unit  of its coordinates, where a person has said it
+/// Reads a pattern file; the extension gives its kind.
+/// @param unit  of its coordinates, if the user has set it
 /// Errors: UnknownFormat, FileUnreadable, MalformedFile, NoGeometry, with the file's name.
 Result<PatternFile> readPatternFile(const std::filesystem::path& path,
                                     std::optional<FileUnit> unit = std::nullopt);

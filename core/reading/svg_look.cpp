@@ -11,9 +11,9 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kLongestColour = 100;  // that a class gives to many elements
+constexpr std::size_t kLongestColour = 100;  // limit, as a class copies it to many elements
 
-/// Calls for each part between marks, without the blanks about it.
+/// Calls `take` for each part between marks, trimmed of blanks.
 template <class Take>
 void forEachPart(std::string_view text, char mark, Take take) {
     while (!text.empty()) {
@@ -33,7 +33,7 @@ std::string hexColour(const std::array<double, 3>& parts) {
     return text;
 }
 
-/// "#f00" and "rgb(255, 0, 0)" as "#ff0000"; other words in lower case.
+/// Converts "#f00" and "rgb(255, 0, 0)" to "#ff0000"; other words to lower case.
 std::string colourText(std::string_view value) {
     std::string text(trimmed(value).substr(0, kLongestColour));
     std::ranges::transform(text, text.begin(), lowered);

@@ -8,22 +8,22 @@
 
 namespace toile {
 
-/// How an element of an SVG file is shown, as far as readers ask.
+/// Visible style of an SVG element, as far as readers need it.
 struct SvgLook {
-    std::string stroke{}, fill{};  ///< "#rrggbb", "none", or as the file says it; empty: unsaid
-    bool isShown = true;           ///< false below "display: none" too
+    std::string stroke{}, fill{};  ///< "#rrggbb", "none", or the file's text; empty: not set
+    bool isShown = true;           ///< also false inside "display: none"
 };
 
-/// Changes a look by one property; what else there is changes nothing.
+/// Sets one property of a look; other properties are ignored.
 void setSvgProperty(SvgLook& look, std::string_view name, std::string_view value);
 
-/// Changes a look by declarations, "stroke:#f00;fill:none".
+/// Applies declarations such as "stroke:#f00;fill:none" to a look.
 void setSvgProperties(SvgLook& look, std::string_view declarations);
 
-/// Changes a look by what another says.
+/// Applies the properties set in another look.
 void setSvgLook(SvgLook& look, const SvgLook& other);
-/// What each class declares in the text of a style element: of its rules those whose
-/// selectors are single classes (".st0,.st1{stroke:#f00}"). Cost: linear.
+/// Declarations of each class in the text of a style element. Reads only rules whose selectors are
+/// single classes (".st0,.st1{stroke:#f00}"). Cost: linear.
 std::map<std::string, SvgLook, std::less<>> svgClasses(std::string_view css);
 
 }  // namespace toile

@@ -25,7 +25,7 @@ struct SvgUnit {
 constexpr SvgUnit kSvgUnits[] = {{"", kPixel}, {"px", kPixel}, {"pt", 25.4 / 72}, {"pc", 25.4 / 6},
                                  {"mm", 1},    {"cm", 10},     {"in", 25.4},      {"Q", 0.25}};
 
-/// One of the maps in a list; changes nothing where numbers are missing.
+/// One map of a list; the identity if numbers are missing.
 Eigen::Affine2d singleTransform(std::string_view name, const std::vector<double>& n) {
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     const auto radians = [](double degrees) { return degrees * std::numbers::pi / 180; };
@@ -57,7 +57,7 @@ std::optional<double> SvgNumbers::number() {
     skipBlanks();
     std::string_view text = rest_;
     text.remove_prefix(text.starts_with('+') ? 1 : 0);
-    // from_chars would take "nan" and "infinity" too.
+    // from_chars would also accept "nan" and "infinity".
     const std::size_t digit = text.starts_with('-') ? 1 : 0;
     if (text.size() <= digit ||
         !((text[digit] >= '0' && text[digit] <= '9') || text[digit] == '.')) {

@@ -8,20 +8,20 @@
 
 namespace toile {
 
-/// Takes numbers and letters off one of SVG's lists, in which blanks and commas say nothing.
+/// Reads numbers and letters from one of SVG's lists; blanks and commas are skipped.
 class SvgNumbers {
 public:
     explicit SvgNumbers(std::string_view text) : rest_(text) {}
 
-    /// None where something else comes next, or what no double can hold.
+    /// None if something else comes next, or a number out of range.
     std::optional<double> number();
-    /// Two numbers; none where one is missing.
+    /// Two numbers; none if one is missing.
     std::optional<Eigen::Vector2d> pair();
-    /// 0 or 1, which a number may follow at once.
+    /// 0 or 1; a number may follow without a separator.
     std::optional<bool> flag();
-    /// A letter; none where something else comes next.
+    /// A letter; none if something else comes next.
     std::optional<char> letter();
-    /// Letters up to a bracket, and the list within the brackets; none where there is none.
+    /// Letters up to a bracket, and the list within the brackets; none if there is no such call.
     struct Call;
     std::optional<Call> call();
 
@@ -37,10 +37,10 @@ struct SvgNumbers::Call {
     std::string_view name, list;
 };
 
-/// The map of a transform attribute; what is unknown or incomplete in it changes nothing.
+/// The map of a transform attribute; ignores unknown or incomplete parts.
 Eigen::Affine2d svgTransform(std::string_view list);
 
-/// A length in millimetres, a pixel being 1/96 inch; none of parts of something else ("50%", "em").
+/// A length in millimetres, at 96 pixels an inch; none for relative units ("50%", "em").
 std::optional<double> svgLength(std::string_view text);
 
 }  // namespace toile

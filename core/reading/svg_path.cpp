@@ -23,7 +23,7 @@ public:
     PathBuilder(const Eigen::Affine2d& place, std::size_t& most) : place_(place), most_(most) {}
 
     const Vector2d& at() const { return at_; }
-    /// What S and T reflect: the last handle of a curve before, else where the path is.
+    /// The handle for S and T: the previous curve's last handle reflected, else the current point.
     Vector2d reflected(bool isCubic) const {
         return isCubic == isCubic_ && hasHandle_ ? Vector2d(2 * at_ - handle_) : at_;
     }
@@ -124,7 +124,7 @@ private:
     std::vector<SvgContour> contours_;
 };
 
-/// By the middle of the ellipse, in curves of at most a sixteenth of a turn.
+/// Draws an arc by the centre of its ellipse, in curves of at most a sixteenth of a turn.
 void PathBuilder::arc(Vector2d radii, double degrees, bool isLong, bool isPositive,
                       const Vector2d& to) {
     radii = radii.cwiseAbs();
@@ -139,7 +139,7 @@ void PathBuilder::arc(Vector2d radii, double degrees, bool isLong, bool isPositi
     };
     Vector2d from = toCircle(at_), end = toCircle(to);
     const double half = (end - from).norm() / 2;
-    if (half > 1) {  // too small: as large as they have to be
+    if (half > 1) {  // radii too small: enlarge them to the minimum
         radii *= half;
         from = toCircle(at_);
         end = toCircle(to);
@@ -173,7 +173,7 @@ void PathBuilder::arc(Vector2d radii, double degrees, bool isLong, bool isPositi
     hasHandle_ = false;
 }
 
-/// Takes the numbers of one command and draws it; false where they are wrong.
+/// Reads the numbers of one command and draws it; false if they are invalid.
 bool drawCommand(char command, SvgNumbers& numbers, PathBuilder& path) {
     const bool isRelative = command >= 'a';
     const Vector2d base = isRelative ? path.at() : Vector2d(0, 0);
@@ -254,7 +254,7 @@ std::vector<SvgContour> svgContours(std::string_view data, const Eigen::Affine2d
         if (command == 0 || !drawCommand(command, numbers, path)) {
             break;
         }
-        // More pairs behind M are lines.
+        // Further pairs after M are lines.
         command = command == 'M' ? 'L' : command == 'm' ? 'l' : command;
     }
     return path.taken();

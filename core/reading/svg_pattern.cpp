@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::string_view kPiecePrefix = "piece-";
 constexpr double kMillimetresPerPixel = 25.4 / 96;
-constexpr double kClosedNear = 0.01;  // mm, between the ends of a line that is closed
-constexpr double kLeastArea = 100;    // mm2: what is smaller is a mark, no piece
-/// What fills more of a piece than this is no hole: it is the seam line within the cutting line.
+constexpr double kClosedNear = 0.01;  // mm, between the ends of a closed line
+constexpr double kLeastArea = 100;    // mm2: smaller lines are marks
+/// An inner line that fills more of a piece than this is its seam line, not a hole.
 constexpr double kSeamLineShare = 0.3;
 constexpr std::size_t kMostOuterLines = 2000;  // of a drawing
-constexpr double kMostSteps = 5e8;             // of looking what is in what
+constexpr double kMostSteps = 5e8;             // limit on containment tests
 
 bool isClosedLine(const SvgLine& line) {
     const Eigen::Index last = line.points.rows() - 1;
@@ -43,7 +43,7 @@ std::string layerText(const SvgLine& line) {
     return readableName(line.layer.empty() ? "-" : line.layer);
 }
 
-/// A line of a piece that says which it is of.
+/// Adds a line that names its piece.
 void addLine(const SvgLine& line, FilePiece& piece) {
     const DxfRole role = dxfRole(line.layer);
     const bool isClosed = isClosedLine(line);
@@ -109,7 +109,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
     for (const Closed& line : closed) {
         const auto box = geometry::boxAround(line.points);
         FilePiece* outer = nullptr;
-        bool isThere = false;  // the same line once more, as of a fill and its edge
+        bool isThere = false;  // duplicate of a line, as of a fill and its stroke
         for (std::size_t k = 0; k < pieces.size() && steps < kMostSteps && !outer; ++k) {
             ++steps;
             if (!boxes[k].contains(box)) {

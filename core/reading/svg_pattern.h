@@ -9,11 +9,11 @@
 
 namespace toile {
 
-/// An SVG drawing as a pattern: ours, by the piece and the layer that each line names; of others
-/// each outer closed line is a piece, and what is closed inside of it a hole, or the seam line
-/// where it fills most of it.
-/// @param stated  the unit of its numbers, where a person says that the file is not at true scale
-/// Errors: MalformedFile, NoGeometry (no closed line). Cost: linear, of other programs' files also
+/// Reads an SVG drawing as a pattern. Toile's own files name piece and layer of each line. In
+/// others each outer closed line is a piece; closed lines inside it are holes, or its seam line if
+/// they fill most of it.
+/// @param stated  unit of the coordinates, set by the user if the file is not at true scale
+/// Errors: MalformedFile, NoGeometry (no closed line). Cost: linear; for other programs' files also
 /// pieces times points. Pure.
 Result<PatternFile> readSvgPattern(std::string_view bytes,
                                    std::optional<FileUnit> stated = std::nullopt);

@@ -19,8 +19,8 @@ namespace toile {
 namespace {
 
 constexpr std::size_t kMostSvgPoints = 20'000'000;
-constexpr std::size_t kDeepestSvg = 256;      // groups within groups
-constexpr std::size_t kLongestSvgName = 500;  // of a group: all that is in it repeats it
+constexpr std::size_t kDeepestSvg = 256;      // nesting of groups
+constexpr std::size_t kLongestSvgName = 500;  // of a group: each line in it has a copy
 
 /// "path" of "svg:path".
 std::string_view localName(pugi::xml_node node) {
@@ -37,13 +37,13 @@ double numberOf(pugi::xml_node node, const char* attribute) {
     return SvgNumbers(valueOf(node, attribute)).number().value_or(0);
 }
 
-/// The size of the page and the map from the file's numbers to it.
+/// The size of the page, and the map from the file's coordinates to it.
 struct SvgPage {
     double width = 0, height = 0;  ///< mm
     Eigen::Affine2d place = Eigen::Affine2d::Identity();
 };
 
-/// x, y, width and height; none of no size.
+/// x, y, width and height; none if the box has no size.
 std::optional<std::array<double, 4>> viewBoxOf(pugi::xml_node svg) {
     SvgNumbers numbers(valueOf(svg, "viewBox"));
     const auto corner = numbers.pair();
@@ -54,7 +54,7 @@ std::optional<std::array<double, 4>> viewBoxOf(pugi::xml_node svg) {
     return std::array{corner->x(), corner->y(), size->x(), size->y()};
 }
 
-/// Where a viewBox lies in a page of another shape: as large as fits, in its middle or at a side.
+/// Fits a viewBox into a page of another shape: as large as possible, centred or at a side.
 Eigen::Affine2d fitted(const std::array<double, 4>& box, double width, double height,
                        std::string_view aspect) {
     const auto [x, y, boxWidth, boxHeight] = box;
@@ -100,7 +100,7 @@ SvgPage pageOf(pugi::xml_node svg) {
     return page;
 }
 
-/// "M x,y A ...": of a rectangle with its corners, or of an ellipse.
+/// Appends an arc to path data: a corner of a rectangle or a part of an ellipse.
 void appendArc(std::string& data, double rx, double ry, double x, double y) {
     data += "A";
     for (const double number : {rx, ry, 0.0}) {
@@ -143,7 +143,7 @@ std::string rectangleData(pugi::xml_node node) {
     return data + "Z";
 }
 
-/// Any shape as path data; empty of what is none.
+/// Converts a shape to path data; empty for other elements.
 std::string shapeData(pugi::xml_node node) {
     const std::string_view kind = localName(node);
     if (kind == "path") {
@@ -167,11 +167,11 @@ std::string shapeData(pugi::xml_node node) {
     return kind == "rect" ? rectangleData(node) : std::string();
 }
 
-/// What elements take over from the groups about them.
+/// Properties that elements inherit from their groups.
 struct SvgContext {
     Eigen::Affine2d place;
     std::string layer{}, piece{};
-    bool isLayer = false;  ///< it was said so; else `layer` is the outermost group
+    bool isLayer = false;  ///< `layer` is a layer; else it is the outermost group
     SvgLook look{};
 };
 
@@ -192,7 +192,7 @@ public:
     }
 
 private:
-    /// Those of style elements at the places where programs put them.
+    /// Reads the classes of style elements at the places where programs put them.
     void readClasses(pugi::xml_node svg) {
         std::string css;
         for (const pugi::xml_node child : svg.children()) {
@@ -247,7 +247,7 @@ private:
         }
     }
 
-    /// Without calling itself, as groups may be nested deeper than a stack.
+    /// Not recursive, because groups may be nested deeper than the stack allows.
     void walk(pugi::xml_node root, SvgContext whole) {
         std::vector<SvgContext> contexts{std::move(whole)};
         pugi::xml_node node = root.first_child();
