@@ -34,7 +34,7 @@ std::vector<int> findCorners(const Points2& points, const TurnLimit& limit) {
     std::ranges::stable_sort(strongest, std::greater<>(), [&own](int k) { return own[k]; });
     std::set<int> corners;
     for (const int k : strongest) {
-        // Beside a known corner the chords end at it, so that its turn is not counted twice.
+        // Near a known corner the chords end at it, so that its turn is not counted twice.
         double before = window, after = window;
         if (!corners.empty()) {
             const auto next = corners.lower_bound(k);

@@ -9,19 +9,19 @@
 namespace toile::fairing {
 namespace {
 
-constexpr int kPhi = 2, kKappa = 3;  // places in a state; 0 and 1 are p
+constexpr int kPhi = 2, kKappa = 3;  // indices in a state; 0 and 1 are p
 
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
 
-/// x_n = x_0 is a multiplier's matter; this weight of its violation beside it changes nothing at
-/// the solution, and holds the far end while the first steps of the recursion have nothing else.
+/// Penalty weight of x_n = x_0, in addition to its multipliers. It does not change the solution,
+/// but bounds x_n in the first steps of the recursion, which have no other terms.
 constexpr double kEndWeight = 1;
 constexpr double kSingular = 1e-14;
 
 }  // namespace
 
-/// What a right-hand side leaves at the first state: gradients by state and by end.
+/// Gradients by the first state and by the end that a right-hand side leads to.
 struct CyclicKkt::Ends {
     State state = State::Zero();
     State end = State::Zero();
@@ -32,7 +32,7 @@ void CyclicKkt::factorise(const std::vector<KktStep>& steps) {
     steps_ = steps;
     links_.resize(steps.size());
     negative_ = 0;
-    Matrix4d P = kEndWeight * Matrix4d::Identity();  // of the value by the state
+    Matrix4d P = kEndWeight * Matrix4d::Identity();  // of the cost-to-go, by the state
     Matrix4d W = Matrix4d::Identity();               // by state and end
     Matrix4d M = Matrix4d::Zero();                   // by the end
     for (std::size_t j = steps.size(); j-- > 0;) {
@@ -69,7 +69,7 @@ void CyclicKkt::factorise(const std::vector<KktStep>& steps) {
         (W - Matrix4d::Identity()).transpose(), M;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 8, 8>> eigen(K);
     const Eigen::Matrix<double, 8, 1>& values = eigen.eigenvalues();
-    // Where all curvatures are held the end depends on too little: the least solution will do.
+    // If all curvatures are held the equations are singular; this takes the least-norm solution.
     const double least = kSingular * values.cwiseAbs().maxCoeff();
     Eigen::Matrix<double, 8, 1> inverses;
     for (int k = 0; k < 8; ++k) {
@@ -98,7 +98,7 @@ CyclicKkt::Ends CyclicKkt::sweepBack(const std::vector<KktRight>& right,
         q += link.byPlace * r.gap;
         q[kPhi] += step.lever.dot(q.head<2>());
         q.head<2>() += r.force;
-        moves[j].kappa = kappa;  // as far as state and end do not change it
+        moves[j].kappa = kappa;  // without the effect of state and end
     }
     return ends;
 }
@@ -125,7 +125,7 @@ void CyclicKkt::solve(const std::vector<KktRight>& right, std::vector<KktMove>& 
     addMultipliers(right, end + kEndWeight * closed.head<4>(), moves);
 }
 
-/// From the end back: what pulls at a node is what pulls at the next, and what holds the node.
+/// Backwards: the pull of a step is that of the next step plus the forces on the node between.
 void CyclicKkt::addMultipliers(const std::vector<KktRight>& right, const State& end,
                                std::vector<KktMove>& moves) const {
     State costate = end;

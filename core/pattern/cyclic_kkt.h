@@ -14,20 +14,20 @@ namespace toile::fairing {
 ///                    + force_j . p_j + 1/2 tension_j phi_j^2
 ///   subject to  p_(j+1) = p_j + lever_j phi_j + gap_j,  phi_(j+1) = phi_j + spacing_j kappa_(j+1),
 ///               kappa_(j+1) = given_j where node j + 1 is held;  all indices modulo n.
-/// Lengths in a unit in which waves of a few units matter (lambda): then all states are of one
-/// size.
+/// Lengths are in a unit in which waves of a few units matter (lambda), so that all states are of
+/// similar size.
 
-/// What belongs to step j, and to the nodes at its ends, in the matrix.
+/// Matrix terms of step j and of the nodes at its ends.
 struct KktStep {
     Eigen::Vector2d lever;
     double bend = 0;
     double spacing = 1;
-    bool held = false;  ///< of node j + 1
+    bool held = false;  ///< whether the turn at node j + 1 is fixed
     double tension = 0;
     Eigen::Matrix2d hold;
 };
 
-/// And in the right-hand side.
+/// Right-hand side terms of step j and of the nodes at its ends.
 struct KktRight {
     Eigen::Vector2d force = Eigen::Vector2d::Zero();
     double slope = 0;
@@ -44,17 +44,17 @@ struct KktMove {
 };
 
 /// Solves it by a Riccati recursion over the states x_j = (p_j, phi_j, kappa_j), from the last step
-/// to the first. The value of the way still to go is carried as a quadratic function of x_j and of
-/// the four multipliers of x_n = x_0; at the first state eight equations are left. Every pivot is a
-/// weight of one curvature, of one size along the line, where elimination in directions alone meets
-/// a condition of (lambda / h)^6. Cost: O(n), about 150 ns a step to factorise and 60 to solve; no
-/// heap after the first call for an n. Re-entrant, one object per thread.
+/// to the first. The cost-to-go is a quadratic function of x_j and of the four multipliers of x_n =
+/// x_0; at the first state eight equations remain. Every pivot is a weight of one curvature, of
+/// similar size along the line; elimination in directions alone has a condition number of (lambda /
+/// h)^6. Cost: O(n), about 150 ns a step to factorise and 60 to solve; no heap after the first call
+/// for an n. Re-entrant, one object per thread.
 class CyclicKkt {
 public:
-    /// @param steps  one or more. Of any inertia; where pivots vanish the moves are not finite.
+    /// @param steps  one or more, of any inertia; if a pivot vanishes the moves are not finite
     void factorise(const std::vector<KktStep>& steps);
-    /// Whether the moves will be a minimum: by Haynsworth, pivots and the last equations together
-    /// have as many negative eigenvalues as x_n = x_0 has rows.
+    /// Whether the moves are a minimum: then, by Haynsworth, pivots and last equations together
+    /// have at most as many negative eigenvalues as x_n = x_0 has rows.
     bool isConvex() const { return negative_ <= 4; }
     /// @param right  one per step  @param moves  one per step, filled
     void solve(const std::vector<KktRight>& right, std::vector<KktMove>& moves) const;

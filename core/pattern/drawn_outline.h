@@ -25,9 +25,9 @@ double roughness(const PieceResults& results, const std::vector<OutlineSegments>
 /// simulated; from 0.039 on three of them with bumps of 5 to 7.5 mm, 28 to 80 mm wide.
 inline constexpr double kWrinkledRoughness = 0.032;
 
-/// How the outlines of a garment are to be drawn: fair, trued where they meet at the ends of seams,
-/// and as mirror images. Of a mirrored pair what has been said of the leading one's segments
-/// counts for both; corners that mirror each other turn, and are trued, by the mean of the two.
+/// Plans how to draw the outlines of a garment: fair, trued at the ends of seams, and mirrored. For
+/// a mirrored pair the settings of the leading piece's segments apply to both; mirrored corners
+/// turn, and are trued, by the mean of the two.
 /// @param exact     one per piece, as solved
 /// @param symmetry  null: nothing is mirrored
 /// @return one per piece; null if the exact outline is to stay

@@ -12,14 +12,14 @@ using fairing::FairModel;
 using fairing::FairSolver;
 using fairing::LineState;
 
-/// What a stage has at work of lambda: the weight grows eightfold from one to the next.
+/// Fraction of lambda per stage; the weight lambda^6 grows eightfold from stage to stage.
 constexpr double kShares[] = {0.08838834764831845, 0.125, 0.17677669529663687, 0.25,
                               0.35355339059327373, 0.5,   0.70710678118654752, 1};
 constexpr int kStages = 8;
-constexpr int kDirectStage = 4;        // where outlines of garments may begin
-constexpr int kDirectIterations = 20;  // that it may take: else the way is from further below
+constexpr int kDirectStage = 4;        // first stage to try, usually enough for garments
+constexpr int kDirectIterations = 20;  // limit for it; if exceeded, start at stage 0
 constexpr double kStageDone = 0.03;    // radians: largest change of a direction
-constexpr double kDone = 1e-4;         // of the last stage: the step after it would be its square
+constexpr double kDone = 1e-4;         // of the last stage, where convergence is quadratic
 constexpr double kClosed = 1e-10;      // of the perimeter
 
 bool isFinite(const FairProblem& problem) {
@@ -31,7 +31,7 @@ bool isFinite(const FairProblem& problem) {
     return finite;
 }
 
-/// Writes the line along a state's directions. False where it does not close or is not near.
+/// Writes the line along a state's directions. False if it does not close or leaves the tolerance.
 bool writeLine(const FairProblem& problem, const FairModel& model, const LineState& state,
                FairLine& line) {
     double gap = 0;
@@ -42,7 +42,7 @@ bool writeLine(const FairProblem& problem, const FairModel& model, const LineSta
     return gap <= kClosed && (away < problem.tolerance.array()).all();
 }
 
-/// For lengths and turns that the tolerance has no room for: they alone count.
+/// Fallback if the tolerance has no room for the lengths and turns: meets only these.
 void writeExact(const FairProblem& problem, const Progress& progress, FairLine& line) {
     FairProblem loose = problem;
     loose.tolerance.setConstant(problem.steps.sum());
@@ -53,7 +53,7 @@ void writeExact(const FairProblem& problem, const Progress& progress, FairLine& 
     writeLine(problem, model, state, line);
 }
 
-/// Stage by stage to the last, and back no further than the last stage that came to its end.
+/// Runs all stages; false if one fails. `settled` is the state after the last converged stage.
 bool climb(FairSolver& solver, LineState& settled) {
     int stage = kDirectStage;
     if (solver.iterate(kShares[stage], kStageDone, kDirectIterations)) {

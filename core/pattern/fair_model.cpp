@@ -15,13 +15,13 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRoomLeft = 0.05;  // of a node's room: a fixed distance would stop all others
+constexpr double kRoomLeft = 0.05;  // of a node's room: with a fixed distance one node blocks all
 
 Vector2d along(double phi) {
     return {std::cos(phi), std::sin(phi)};
 }
 
-/// The turn that equals `angle` but for whole rounds and is nearest to `other`.
+/// `angle` plus the multiple of 2 pi that brings it nearest to `other`.
 double nearestTurn(double angle, double other) {
     return angle - 2 * kPi * std::round((angle - other) / (2 * kPi));
 }
@@ -52,7 +52,7 @@ FairModel::FairModel(const FairProblem& problem)
     for (int j = 0; j < n; ++j) {
         spacing_[next(j)] = 0.5 * (steps_[j] + steps_[next(j)]);
     }
-    // At a cusp only the wanted turn says which way round it goes.
+    // At a cusp the sign of the turn is ambiguous; the wanted turn decides.
     for (int j = 0; j < n; ++j) {
         const Vector2d before = reference_.row(j) - reference_.row((j + n - 1) % n);
         const Vector2d after = reference_.row(next(j)) - reference_.row(j);

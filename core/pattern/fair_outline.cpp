@@ -22,27 +22,27 @@
 namespace toile {
 namespace {
 
-/// A step of the line, mm: its chords are some micrometres short of a curve in 400 mm.
+/// Step of the line, mm: in 400 mm its chords are a few micrometres shorter than a curve.
 constexpr double kStep = 2;
-/// No more than about so many steps, however large the piece, and no fewer, however small.
+/// Approximate limits on the number of steps, whatever the size of the piece.
 constexpr double kMaxSteps = 20000, kMinSteps = 24;
-/// The solver's numbers end where waves are smoothed that are this many steps long.
+/// Largest smoothing length, in steps; beyond it the solver loses precision.
 constexpr double kMaxSmoothedSteps = 40;
-/// No outline strays by more than this part of its length.
+/// Largest tolerance, as a fraction of the outline's length.
 constexpr double kPerimeterPart = 0.02;
-/// Two stretches are the sides of a band where the way around is so many times the way across.
+/// Sides of a band are farther apart along the outline than this times the band's width.
 constexpr double kBandWay = 6;
-/// The part of a band's width that either side may stray.
+/// Largest tolerance of either side, as a fraction of the band's width.
 constexpr double kBandPart = 0.25;
-/// The least tolerance, mm: below it the line is the exact one for all that one can see.
+/// Smallest tolerance, mm; below it the line looks identical to the exact one.
 constexpr double kMinTolerance = 0.02;
-/// A line that would cross itself is drawn again, so many times at most: each time the tolerance
-/// around its crossings, up to a distance in mm that doubles, becomes this part of what it was, and
-/// all steps become shorter by this factor.
+/// A line that crosses itself is drawn again, at most kMaxYields times. Each time, steps shrink by
+/// kFinerSteps, and the tolerance by kYieldingPart around the crossings, within a distance in mm
+/// that doubles.
 constexpr int kMaxYields = 4;
 constexpr double kYieldingPart = 0.25, kYieldingReach = 10, kFinerSteps = 0.5;
 
-/// Divides an outline into the steps of its line; one step leads across the mouth of a dart that
+/// Divides an outline into the steps of its line; a single step spans the mouth of each dart, which
 /// keeps its shape.
 class Steps {
 public:
@@ -52,7 +52,7 @@ public:
         int node = -1, dart = -1;
     };
 
-    /// @param fineness  that steps are multiplied by
+    /// @param fineness  factor for the length of steps
     Steps(const ExactOutline& shaped, const OutlinePlan& plan, double fineness) {
         const double perimeter = shaped.flat().length();
         const double longest =
@@ -128,8 +128,8 @@ private:
     std::vector<int> mouths_;
 };
 
-/// The corners of the plan but for those on darts that keep their shape, and the ends of their
-/// mouths, where the line turns onto the step across.
+/// The corners of the plan except those on darts, which keep their shape, and the ends of the
+/// darts' mouths, where the line turns onto the step across.
 std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactOutline& shaped,
                                            const Steps& steps) {
     std::map<int, double> turns;
@@ -147,7 +147,7 @@ std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactO
         }
     }
     const geometry::Line& flat = shaped.flat();
-    const auto turnThere = [&](double at) {  // where nothing is said
+    const auto turnThere = [&](double at) {  // for ends without a corner in the plan
         const double step = 0.5 * kStep;
         return geometry::turnBetween(flat.pointAt(at) - flat.pointAt(at - step),
                                      flat.pointAt(at + step) - flat.pointAt(at));
@@ -170,7 +170,7 @@ std::vector<FairProblem::Corner> cornersOf(const OutlinePlan& plan, const ExactO
     return corners;
 }
 
-/// Where a place on the legs of a dart comes to lie with the ends of its mouth.
+/// Moves points on the legs of a dart together with the ends of its mouth.
 class MovedDart {
 public:
     MovedDart(const Chord& from, const Chord& to) : from_(from.from), to_(to.from) {
@@ -185,8 +185,7 @@ private:
     Eigen::Rotation2Dd turn_{0};
 };
 
-/// Where two stretches are the sides of a narrow band, neither strays by more than a part of its
-/// width.
+/// Limits the tolerance on both sides of narrow bands to a fraction of the width.
 void boundByWidth(const Points2& line, const std::vector<double>& steps,
                   Eigen::VectorXd& tolerance) {
     const int n = static_cast<int>(line.rows());
@@ -251,8 +250,8 @@ std::vector<OutlineCrossing> crossingsOf(const Points2& points) {
     return findOutlineCrossings(points, loop);
 }
 
-/// Places, by arc length in 3D, at which a line crosses itself, or the polygon of the outline's
-/// vertices on it does. Empty where neither has more crossings than the exact outline.
+/// Places, by arc length in 3D, where the line or the polygon of the outline's vertices on it
+/// crosses itself. Empty if neither has more crossings than the exact outline.
 std::vector<double> newCrossings(const FlatLine& line, const ExactOutline& exact) {
     const auto closed = geometry::Line::closed(line.points, line.arc);
     const std::vector<double>& arc = exact.byArc().arc().values();
@@ -278,8 +277,7 @@ std::vector<double> newCrossings(const FlatLine& line, const ExactOutline& exact
     return places;
 }
 
-/// Places at which a line crossed itself, and how far around them it is to stay nearer to the exact
-/// outline, mm.
+/// Places where a line crossed itself, and the distance around them with a reduced tolerance, mm.
 struct Yield {
     std::vector<double> places;
     double reach = 0;
@@ -312,7 +310,7 @@ FairProblem problemOf(const OutlinePlan& plan, const ExactOutline& shaped, const
     return problem;
 }
 
-/// The line through the nodes of a solved problem, and along the darts that kept their shape.
+/// The line through the nodes of a solved problem and along the darts, which keep their shape.
 FlatLine lineThrough(const FairLine& fair, const FairProblem& problem, const Steps& steps,
                      const OutlinePlan& plan, const ExactOutline& outline,
                      const ExactOutline& shaped) {

@@ -11,9 +11,9 @@ namespace {
 constexpr double kSufficientDecrease = 1e-4;
 constexpr double kMeritRounding = 1e-13;
 constexpr double kShorter = 0.6;
-constexpr double kShortest = 1e-6;  // share of the moves
+constexpr double kShortest = 1e-6;  // fraction of the moves
 constexpr double kFull = 0.99;
-/// Radians: moves so small are taken as they are. The merit's rounding would only hinder.
+/// Radians: smaller moves skip the line search, which rounding of the merit would make fail.
 constexpr double kInBasin = 1e-7;
 constexpr double kDualShare = 0.95;  // of the way to the bound z = 0
 constexpr double kDualSpread = 10;   // z stays within this factor of 1 / room
@@ -42,7 +42,7 @@ LineState moved(const LineState& from, const std::vector<KktMove>& moves, double
 
 bool FairSolver::iterate(double share, double done, int limit) {
     if (share_ > 0) {
-        // Forces grow with the weight: a start with those of the last stage would overshoot.
+        // Forces scale with the weight; unscaled multipliers would make the first move overshoot.
         const double growth = std::pow(share / share_, 6);
         state_.z *= growth;
         state_.pull *= growth;
@@ -73,7 +73,7 @@ void FairSolver::beginAnew() {
     share_ = 0;
 }
 
-/// The Newton step; where that would climb, without the line's compression.
+/// Computes the Newton step; if it would ascend, without the compression of the line.
 bool FairSolver::findMoves(double share, bool convex) {
     model_.writeGradients(state_, right_);
     model_.writeConstraints(state_, right_);
@@ -87,7 +87,7 @@ bool FairSolver::findMoves(double share, bool convex) {
     return std::isfinite(largestTurn(moves_)) && std::isfinite(moves_.front().p.sum());
 }
 
-/// As much of the moves as lowers objective and violation together. False where nothing does.
+/// Takes the largest fraction of the moves that decreases the merit. False if none does.
 bool FairSolver::take(double share) {
     const double weight = 2 * model_.largestMultiplier(moves_);
     const double violation = model_.violation(right_);
@@ -110,7 +110,7 @@ bool FairSolver::take(double share) {
         LineState trial = moved(state_, moves_, taken);
         bool better = isBetter(trial, taken);
         if (!better && taken == longest) {
-            correct(trial);  // refused perhaps only because the constraints bend away
+            correct(trial);  // second-order correction for curved constraints
             better = isBetter(trial, taken);
         }
         if (better) {
@@ -125,7 +125,7 @@ bool FairSolver::take(double share) {
 void FairSolver::accept(LineState trial, double taken) {
     const int n = model_.count();
     Eigen::VectorXd change(n);
-    double share = 1;  // of their own: short moves of the nodes are no reason to keep the z
+    double share = 1;  // separate from `taken`: the z may move farther than the nodes
     for (int j = 0; j < n; ++j) {
         change[j] = model_.dualMove(state_, moves_[j], j);
         if (change[j] < 0) {
@@ -142,7 +142,7 @@ void FairSolver::accept(LineState trial, double taken) {
     taken_ = taken;
 }
 
-/// One Newton step for the constraints alone, in the metric of the last factors.
+/// One Newton step for the constraints only, with the last factorisation as its metric.
 void FairSolver::correct(LineState& state) {
     trialRight_.assign(right_.size(), {});
     model_.writeConstraints(state, trialRight_);

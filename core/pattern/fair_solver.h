@@ -7,20 +7,20 @@
 
 namespace toile::fairing {
 
-/// The iteration of `fairLine`: Newton steps on the Lagrangian, shortened until objective and
-/// violation together decrease, at one weight of fairness (`share` of lambda) after another.
+/// The iteration of `fairLine`: Newton steps on the Lagrangian, shortened until the merit of
+/// objective and violation decreases, for increasing weights of fairness (`share` of lambda).
 class FairSolver {
 public:
     /// Keeps references.
     FairSolver(const FairModel& model, const Progress& progress)
         : model_(model), progress_(progress), state_(model.start()) {}
 
-    /// Goes on at this weight until no direction changes by more than `done` (radians).
-    /// @param limit  of iterations, counted from the beginning of all
-    /// @return false where it came to no end
+    /// Iterates at this weight until no direction changes by more than `done` (radians).
+    /// @param limit  for `iterations()`, which counts over all weights
+    /// @return false if it did not converge
     bool iterate(double share, double done, int limit);
     void beginAnew();
-    /// Meets the constraints, and leaves the rest as near as may be. False where it cannot.
+    /// Moves the state onto the constraints with a small change. False if it cannot.
     bool restore(LineState& state);
 
     const LineState& state() const { return state_; }
@@ -35,12 +35,12 @@ private:
     const FairModel& model_;
     const Progress& progress_;
     LineState state_;
-    double share_ = 0;  ///< at which the multipliers of the state were found
+    double share_ = 0;  ///< weight for which the multipliers were computed
     CyclicKkt kkt_;
     std::vector<KktStep> steps_;
     std::vector<KktRight> right_, trialRight_;
     std::vector<KktMove> moves_, corrections_;
-    double taken_ = 0;  ///< share of the last moves
+    double taken_ = 0;  ///< fraction of the last moves that was taken
     int iterations_ = 0;
 };
 

@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-/// The places of a line's rows in 3D, given the places of some rows; between them interpolated by
-/// length along the rows.
-/// @param rowOf  per known point  @param arc  of these points, and of the first again
-/// @return one per row, and of row 0 again, a turn later; ascending
+/// Places in 3D of all rows of a line, given those of some rows; interpolated by length along the
+/// rows.
+/// @param rowOf  per known point  @param arc  places of these points, and of the first one again
+/// @return one per row, plus that of row 0 a turn later; ascending
 std::vector<double> placesOfRows(const Points2& rows, const std::vector<int>& rowOf,
                                  const std::vector<double>& arc) {
     const auto line = geometry::Line::closed(rows);
@@ -91,7 +91,7 @@ FlatLine imageOf(FlatLine line, const MirrorPlaces& places) {
     return line;
 }
 
-/// Symmetric about the places that mirror themselves: the first row, and the middle one.
+/// Makes the line symmetric about the places that mirror themselves: the first and the middle row.
 Result<FlatLine> symmetricAbout(FlatLine line, const MirrorPlaces& places) {
     const auto byArc = geometry::Line::closed(line.points, line.arc);
     const auto flat = geometry::Line::closed(line.points);
@@ -217,7 +217,7 @@ private:
     FlatSegments a_, b_;
 };
 
-/// Position of a piece on one side of the plane, signed, mm.
+/// Signed distance of a piece from the plane, mm.
 double sideOf(const Piece& piece, const MirrorPlane& plane) {
     return piece.mesh.V.colwise().mean().dot(plane.normal) - plane.offset;
 }
