@@ -17,7 +17,7 @@ namespace {
 using Vertex = TriMesh::VertexHandle;
 using Halfedge = TriMesh::HalfedgeHandle;
 
-/// Rings longer than this are left alone: their kernels are small.
+/// Vertices with longer rings are not removed: the kernels of such rings are small.
 constexpr int kMaxRingVertices = 8;
 constexpr std::size_t kMeanDegree = 6;  // of any large triangle mesh, nearly
 /// A triangle of this shape or better is good enough for a coarse piece.
@@ -65,7 +65,7 @@ struct Ring {
 
 }  // namespace
 
-/// Takes vertices out, in rounds of vertices with no edge between them.
+/// Removes vertices, in rounds of vertices with no edge between them.
 class Coarsening::Thinning {
 public:
     Thinning(const MeshArrays& mesh, const EdgeTable& table, const EdgeLoops& loops,
@@ -109,8 +109,7 @@ private:
             if (v % kStepsPerCancelCheck == 0 && progress_.isCancelled()) {
                 break;
             }
-            // Half-edges lie apart once those between them are gone: memory is asked for them
-            // early.
+            // Half-edges are far apart in memory after removals: prefetch them.
             const Halfedge ahead = mesh_->halfedge_handle(Vertex(std::min(v + kAhead, count - 1)));
             __builtin_prefetch(&mesh_->halfedge(mesh_->prev_halfedge_handle(ahead)));
             if (blocked[v] == 0 && !isGone(v) && takeOut(v)) {
@@ -165,8 +164,8 @@ private:
         return true;
     }
 
-    /// Collapses the edge from a vertex to one of its ring. OpenMesh's own `collapse` takes three
-    /// times as long. Vertices of the border may then name half-edges inside: none is taken out.
+    /// Collapses the edge from a vertex to one of its ring, three times as fast as OpenMesh's own
+    /// `collapse`. Border vertices may then refer to inner half-edges; they are never removed.
     void collapse(int v, const Ring& ring, int w) {
         for (int k = 0; k < ring.degree; ++k) {
             mesh_->set_vertex_handle(mesh_->opposite_halfedge_handle(ring.out[k]),
@@ -178,7 +177,7 @@ private:
         mesh_->status(Vertex(v)).set_deleted(true);
     }
 
-    /// One side of a collapsed triangle takes the place of the other beyond it.
+    /// Removes the triangle of `gone`: `stays` replaces the half-edge opposite to `gone`.
     void closeTriangle(Halfedge gone, Halfedge stays) {
         mesh_->status(mesh_->face_handle(gone)).set_deleted(true);
         const Halfedge beyond = mesh_->opposite_halfedge_handle(gone);
@@ -194,7 +193,7 @@ private:
         }
     }
 
-    /// The worst shape in 3D of the triangles from ring vertex w; 0 where one is not good enough.
+    /// The worst 3D shape of the triangles from ring vertex w; 0 if any is below the limits.
     double shapeOnto(const Ring& ring, int w, double least2d, double least3d) const {
         double worst = 2;
         for (int k = ring.next(w), l = ring.next(k); l != w; k = l, l = ring.next(k)) {

@@ -90,7 +90,7 @@ SymmetricDirichlet::SymmetricDirichlet(const MeshArrays& mesh, const EdgeTable& 
 
 Eigen::Matrix2d SymmetricDirichlet::jacobian(const Points2& Q, int f) const {
     const Shape& shape = shapes_[f];
-    // Differences to the first corner: a piece far from the origin must not lose digits.
+    // Differences to the first corner keep the precision of a piece far from the origin.
     const Eigen::RowVector2d e1 = Q.row(mesh_.F(f, 1)) - Q.row(mesh_.F(f, 0));
     const Eigen::RowVector2d e2 = Q.row(mesh_.F(f, 2)) - Q.row(mesh_.F(f, 0));
     Eigen::Matrix2d J;
@@ -162,12 +162,12 @@ double SymmetricDirichlet::largestStep(const Points2& Q, const Points2& P, doubl
         const Eigen::RowVector2d e2 = Q.row(mesh_.F(f, 2)) - Q.row(mesh_.F(f, 0));
         const Eigen::RowVector2d d1 = P.row(mesh_.F(f, 1)) - P.row(mesh_.F(f, 0));
         const Eigen::RowVector2d d2 = P.row(mesh_.F(f, 2)) - P.row(mesh_.F(f, 0));
-        // Twice the area along the step: c + b t + a t^2, with c > 0. Its least positive root.
+        // Twice the area along the step: c + b t + a t^2, c > 0. Find its smallest positive root.
         const double a = d1.x() * d2.y() - d1.y() * d2.x();
         const double b = e1.x() * d2.y() - e1.y() * d2.x() + d1.x() * e2.y() - d1.y() * e2.x();
         const double c = e1.x() * e2.y() - e1.y() * e2.x();
         if (a * most * most + b * most + c > 0 && !(b < 0 && a > 0)) {
-            continue;  // no root before: concave or rising all the way
+            continue;  // no root ahead: concave or rising all the way
         }
         for (const double root : quadraticRoots(a, b, c)) {
             if (root > 0 && root < most) {

@@ -13,9 +13,9 @@ namespace toile::isometric {
 
 /// The symmetric Dirichlet energy of a flattening [SS15],
 ///   E(Q) = sum_T A_T (|J_T|^2 + |J_T^-1|^2) / 4,
-/// with J_T the map of triangle T from its shape in 3D to the plane and A_T its 3D area over the
-/// whole area: 1 where isometric, infinite where a triangle has no area or is flipped. The unit of
-/// the mesh is that of Q. Immutable; linear cost throughout.
+/// with J_T the map of triangle T from its shape in 3D to the plane and A_T its 3D area divided by
+/// the total area. E is 1 if isometric, infinite if a triangle has no area or is flipped. Mesh and
+/// Q have the same unit. Immutable; linear cost throughout.
 class SymmetricDirichlet {
 public:
     /// Precondition: no degenerate triangles. Keeps references to both.
@@ -24,19 +24,19 @@ public:
     double energy(const Points2& Q) const;
     /// Derivative by every coordinate, #V x 2. Precondition: the energy is finite.
     Points2 gradient(const Points2& Q) const;
-    /// Adds the Hessian, made positive semidefinite triangle by triangle. Of its four eigenvalues
-    /// only the twist's can be negative ([SGK19] section 4); it is raised to zero.
-    /// @param edgeOf  number of each edge of the mesh in the matrix's pattern
+    /// Adds the Hessian, made positive semidefinite per triangle. Of the four eigenvalues of a
+    /// triangle only the twist's can be negative ([SGK19] section 4); it is raised to zero.
+    /// @param edgeOf  number of each mesh edge in the matrix's pattern
     void addHessian(const Points2& Q, const std::vector<int>& edgeOf,
                     linalg::BlockMatrix& hessian) const;
-    /// The largest step up to `limit` along P for which no triangle loses its area on the way.
+    /// The largest step up to `limit` along P before the first triangle loses its area.
     double largestStep(const Points2& Q, const Points2& P, double limit) const;
 
-    /// Moves single vertices, the others held, to where their own triangles are strained less, as
-    /// long as one move lowers a vertex's part of the energy by more than a little. Ends local
-    /// trouble, which would keep a step of the whole piece short. No triangle flips.
-    /// @param held  vertices that must stay  @param passes  at most
-    /// @param progress  looked at only; once cancelled fewer vertices are moved
+    /// Moves single vertices, with the others fixed, to lower the strain of their own triangles,
+    /// while a move lowers a vertex's part of the energy noticeably. Resolves local distortion that
+    /// would otherwise shorten a step of the whole piece. No triangle flips.
+    /// @param held  vertices that must stay  @param passes  maximum number
+    /// @param progress  only checked for cancellation; then fewer vertices are moved
     void relax(Points2& Q, const std::vector<int>& held, int passes,
                const Progress& progress) const;
 
@@ -48,7 +48,7 @@ private:
     };
 
     Eigen::Matrix2d jacobian(const Points2& Q, int f) const;
-    /// The energy of a vertex's triangles as a function of its place, to second order.
+    /// The energy of a vertex's triangles as a function of its position, to second order.
     struct VertexModel {
         double energy = 0;
         Eigen::Vector2d gradient = Eigen::Vector2d::Zero();

@@ -9,14 +9,14 @@
 namespace toile::isometric {
 namespace {
 
-/// A move is worth while that promises to take this part off the energy of a vertex's triangles.
+/// A move must promise to lower the energy of a vertex's triangles by this share.
 constexpr double kWorthWhile = 0.02;
 constexpr int kMovesPerVisit = 3;
 constexpr int kMaxVertexHalvings = 8;
-/// Newton's step is too short where triangles are squeezed: it is tried longer.
+/// Newton's step is too short for squeezed triangles, so longer steps are tried.
 constexpr double kVertexStretch = 1.7;
 constexpr int kMaxStretches = 3;
-/// Vertices between two looks at the progress: some milliseconds.
+/// Vertices between two checks for cancellation: some milliseconds.
 constexpr int kVerticesPerLook = 1 << 12;
 
 }  // namespace
@@ -47,7 +47,7 @@ SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q
         const double D = J.determinant();
         const double over2 = 1 / (D * D);
         const double over3 = over2 / D;
-        // How I / 2 and D change with the vertex; the second derivative of D is nil.
+        // How I / 2 and D change with the vertex; the second derivative of D is zero.
         const Eigen::Vector2d i = J * b;
         const Eigen::Vector2d d(J(1, 1) * b[0] - J(1, 0) * b[1], J(0, 0) * b[1] - J(0, 1) * b[0]);
         const double part = 0.25 * shape.area;
@@ -60,8 +60,8 @@ SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q
     return model;
 }
 
-/// One Newton step of a vertex, shortened or stretched as lowers the energy. False where none does,
-/// or where it would hardly.
+/// One Newton step of a vertex, shortened or stretched to lower the energy. False if no step lowers
+/// the energy, or hardly any.
 bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int v) const {
     const VertexModel model = vertexModel(Q, star, v);
     const Eigen::RowVector2d from = Q.row(v);

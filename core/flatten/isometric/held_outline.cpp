@@ -14,16 +14,16 @@
 namespace toile::isometric {
 namespace {
 
-/// Of the way to the first triangle without area.
+/// Share of the way to the first triangle without area.
 constexpr double kOfTheWay = 0.9;
 constexpr int kMaxStages = 20;
-/// Steps of the descent between two stages: enough to make room, which is all they are for.
+/// Descent steps between two stages: enough to make room for the next stage.
 constexpr int kStepsForRoom = 3;
-/// Of its area: a triangle that keeps no more on a straightened outline is a line to the eye, and
-/// outweighs all the others together in the energy.
+/// Minimum share of its area that a triangle keeps on a straightened outline. A smaller triangle
+/// looks like a line and dominates the energy.
 constexpr double kLeastKept = 1e-3;
 
-/// All loops: the outline held where Q has it, rims with the lengths that they have in `rims`.
+/// All loops: the outline fixed where it is in Q, rims with the lengths that they have in `rims`.
 EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
     std::vector<std::vector<int>> all{piece.boundary};
     all.insert(all.end(), piece.holes.begin(), piece.holes.end());
@@ -36,7 +36,7 @@ EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
     return loops.withLengths(std::move(lengths)).withOutlineHeld();
 }
 
-/// The same outline, an interior of lower energy, as far as few steps go.
+/// Lowers the energy of the interior by a few descent steps; the outline stays.
 void makeRoom(const Piece& piece, Points2& Q, const Progress& progress) {
     DescentOptions options = descentOptions(Quality::Draft);
     options.maxIterations = kStepsForRoom;
@@ -53,7 +53,7 @@ Wording placeOf(const Piece& piece, Eigen::Index face) {
     return placeWording(at.x(), at.y(), at.z());
 }
 
-/// Names the triangle that is turned over or has collapsed furthest.
+/// Reports the triangle that is flipped or collapsed the most.
 Error noWay(const Piece& piece, const Points2& Q) {
     const Eigen::VectorXd areas = triangleAreas2d(Q, piece.mesh.F);
     const Eigen::Index worst = worstFlipped(areas, triangleAreas3d(piece.mesh));
@@ -138,7 +138,7 @@ Result<DescentResult> lowerInside(const Piece& piece, const Points2& start, cons
     if (!lowest) {
         return lowest;
     }
-    // What gives rims their lengths back may have moved the outline by rounding.
+    // Restoring the lengths of rims may have moved the outline by rounding.
     lowest->Q(piece.boundary, Eigen::all) = start(piece.boundary, Eigen::all);
     if (flippedTriangles(triangleAreas2d(lowest->Q, piece.mesh.F), triangleAreas3d(piece.mesh)) >
         0) {

@@ -21,22 +21,22 @@
 namespace toile {
 namespace {
 
-/// Energy from which on another start may be better: the mean strain is beyond thirtyfold.
+/// Energy above which another start may be better: the mean strain exceeds a factor of thirty.
 constexpr double kSqueezedStart = 1e3;
-/// Steps after which a descent from warm positions has gone astray; most need two to six.
+/// A descent from warm positions is abandoned after this many steps; most need two to six.
 constexpr int kMaxWarmSteps = 15;
-/// Vertices from which conjugate gradients cost less than a factorisation where steps are few.
+/// Vertices from which conjugate gradients cost less than a factorisation if steps are few.
 constexpr int kRoundsForFew = 15000;
-/// Accuracy of steps by conjugate gradients (`TwoLevelSolver`) that takes as many of them as
-/// exact ones would be.
+/// Accuracy of steps by conjugate gradients (`TwoLevelSolver`) that needs as many steps as exact
+/// solutions would.
 constexpr double kRoughSteps = 0.2;
 constexpr int kMaxSteppedApart = 40;  // with the outline held apart
-/// Crossings for each edge of the outline beyond which no simple outline is near: two sides that
-/// cross from end to end do so about once an edge.
+/// Crossings per edge of the outline above which no simple outline is near: two sides that cross
+/// from end to end have about one crossing per edge.
 constexpr int kMaxCrossingsEach = 10;
 
-/// Where the descent begins: at the conformal result, which is the best start, unless it has flips
-/// (its energy is infinite then) or triangles squeezed to almost nothing. Then Tutte's embedding on
+/// Start of the descent: the conformal result, which is the best start unless it has flips (its
+/// energy is infinite then) or triangles squeezed to almost nothing. Otherwise Tutte's embedding on
 /// a circle, which cannot have flips, if that is better.
 Result<Points2> startOf(const Piece& piece, const OutlineTargets& targets, const Points2* conformal,
                         const Progress& progress) {
@@ -67,7 +67,7 @@ Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTarget
                                            start, options, progress);
 }
 
-/// Keeps what an edit of this piece may begin with.
+/// Stores the start for a later edit of this piece.
 /// @param simple  positions whose outline does not cross itself, or null
 void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
     memory.flattened = nullptr;
@@ -88,9 +88,9 @@ void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemo
     memory.multipliers = std::make_shared<const Eigen::VectorXd>(std::move(lowest.multipliers));
 }
 
-/// A simple outline with the same lengths, if one is near, held apart on the way: after an edit
-/// from the crossing one with its sides parted, or from the last one; else from a circle, as a
-/// coarse piece first. The search ends where the descent will not come near (`wanted`).
+/// A simple outline with the same lengths, if one is near. After an edit the descent starts from
+/// the crossing outline with its sides parted, or from the last one; else from a circle, on a
+/// coarse piece first. It keeps the sides apart, and stops if it cannot come near (`wanted`).
 std::optional<isometric::DescentResult> uncross(const Piece& piece, const OutlineTargets& targets,
                                                 const isometric::DescentResult& crossing,
                                                 isometric::DescentOptions options,
@@ -128,13 +128,13 @@ double largestStrain(const Piece& piece, const Points2& Q) {
         .lpNorm<Eigen::Infinity>();
 }
 
-/// What follows the descent: a look at the outline, and at the clock.
+/// After the descent: checks the outline and records the time.
 Result<FlatPiece> finish(const Piece& piece, const OutlineTargets& targets,
                          isometric::DescentResult lowest, FlatPiece flat,
                          const isometric::DescentOptions& descent, const isometric::WarmStart* warm,
                          const Stopwatch& time, const Progress& progress,
                          FlatteningMemory* memory) {
-    flat.notes.clear();  // what there was to say of the start
+    flat.notes.clear();  // notes of the start no longer apply
     if (!lowest.converged) {
         flat.notes.push_back(
             endedEarlyNote(piece, worded("after %1 steps", {figure(lowest.iterations)})));
@@ -167,7 +167,7 @@ Result<FlatPiece> finish(const Piece& piece, const OutlineTargets& targets,
     return flat;
 }
 
-/// The descent from the positions kept of an earlier version. Nothing where these do not suit.
+/// The descent from the positions of an earlier version. Nothing if they are not suitable.
 std::optional<isometric::DescentResult> descendWarm(const Piece& piece,
                                                     const OutlineTargets& targets,
                                                     isometric::DescentOptions options,
@@ -194,7 +194,7 @@ std::optional<isometric::DescentResult> descendWarm(const Piece& piece,
     return std::move(*lowest);
 }
 
-/// Without positions, notes and times.
+/// A copy without positions, notes and times.
 FlatPiece figuresOf(const FlatPiece& flat) {
     FlatPiece figures;
     figures.boundarySolver = flat.boundarySolver;
@@ -204,7 +204,7 @@ FlatPiece figuresOf(const FlatPiece& flat) {
     return figures;
 }
 
-/// The cold way: from the conformal result, or the circle.
+/// Without a usable memory: from the conformal result, or the circle.
 Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets& targets,
                                        const FlattenOptions& options, const Stopwatch& time,
                                        const Progress& progress, FlatteningMemory* memory) {
@@ -227,8 +227,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets&
     auto lowest = isometric::lowerFromCoarse(piece.mesh, piece.table, outlineOf(piece, targets),
                                              *start, descent, progress);
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
-        // In a piece much deeper than its rim is long even the circle's triangles vanish in
-        // rounding. The conformal result is what there is; its flips are counted.
+        // If a piece is much deeper than its rim is long, even the circle's triangles vanish in
+        // rounding. Return the conformal result; its flips are counted.
         flat->notes.push_back(
             endedEarlyNote(piece, worded("no start without flipped triangles was found")));
         return flat;

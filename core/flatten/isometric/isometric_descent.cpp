@@ -17,23 +17,23 @@ constexpr int kMaxCorrections = 6;
 constexpr int kMaxApproaches = 12;         // to exact lengths, from a start that has none
 constexpr double kMinApproach = 0.05;      // of the way, for the next to be worth trying
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
-constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model says nothing beyond
+constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model is unreliable beyond
 constexpr double kSufficientDecrease = 1e-4;
-constexpr double kBackOff = 0.9;  // of the way to the first triangle without area
+constexpr double kBackOff = 0.9;  // share of the way to the first triangle without area
 constexpr int kMaxHalvings = 40;
-constexpr int kMaxStaleHalvings = 3;  // of a step that a new factorisation may do better
-/// Newton's step is too short where triangles are squeezed: from s^-2 it moves s by a third.
+constexpr int kMaxStaleHalvings = 3;  // of a step that may be improved by a new factorisation
+/// Newton's step is too short for squeezed triangles: from s^-2 it moves s by a third.
 constexpr double kLongestStep = 8;
 constexpr double kStretch = 1.5;
 constexpr double kShorten = 0.7;
 constexpr int kMaxShortenings = 4;
 constexpr int kRelaxingPasses = 3;
 constexpr int kMaxOpenings = 3;  // of gaps, for a longer step than contacts allow
-/// A step with an old factorisation that promises no more than this many times the tolerance would
-/// need a new one to find more: not worth it.
+/// A step with an old factorisation that promises at most this many times the tolerance would need
+/// a new one to find more, which is not worth its cost.
 constexpr double kStaleTolerance = 2;
-/// A descent is hopeless where as many steps again as the last few, this many times over, would not
-/// bring it to the wanted distortion: it slows down on the way.
+/// A descent is hopeless if it would not reach the wanted distortion even at the rate of the last
+/// kLookBack steps, repeated kHopeless times: descents slow down.
 constexpr int kLookBack = 6;
 constexpr double kHopeless = 10;
 /// An excess of energy below this is rounding.
@@ -59,13 +59,13 @@ public:
 
     const IsometricObjective& objective() const { return objective_; }
 
-    /// Lays out the quadratic model at Q, for the steps to come.
+    /// Sets up the quadratic model at Q for the next steps.
     Result<void> renew(const Points2& Q, const IsometricObjective::Value& at) {
         return kkt_.renew(objective_, {Q, at, multipliers_});
     }
 
-    /// The step of the quadratic programme, and how much it promises to take off the objective. The
-    /// model may be some steps old: what they told of the curvature since makes up for it.
+    /// The step of the quadratic programme, and the predicted fall of the objective. The model may
+    /// be some steps old; the history of steps corrects its curvature.
     Result<Points2> step(const Points2& Q, const IsometricObjective::Value& at, double& predicted) {
         if (gradient_.rows() == 0) {
             gradient_ = objective_.gradient(Q, at);
@@ -83,8 +83,8 @@ public:
         return P;
     }
 
-    /// Takes the last `step`, or as much of it as lowers the objective.
-    /// @return how much of it; 0 where none does
+    /// Takes the last `step`, or the part of it that lowers the objective.
+    /// @return that part; 0 if none lowers it
     double advance(Points2& Q, IsometricObjective::Value& at, const Points2& P, double predicted,
                    bool stale) {
         const auto take = [&](double t, bool opensGaps) {
@@ -105,7 +105,7 @@ public:
             return true;
         };
         double t = usefulPart(Q, at, P);
-        // A vertex that slides along an edge stops a straight step: its gap is corrected, too.
+        // A vertex that slides along an edge stops a straight step, so also correct its gap.
         double further = stale || at.contacts.empty() ? 0 : 1;
         for (int k = 0; k < kMaxOpenings && further > 2 * t; ++k, further *= 0.5) {
             if (take(further, true)) {
@@ -123,8 +123,8 @@ public:
 
     bool hasLengths(const Points2& Q) const { return constraints_.areKept(Q); }
 
-    /// Moves a start whose lengths are only near to where they are exact, as quadratic models find
-    /// cheapest on the way; in one go, or as far at a time as no triangle loses its area.
+    /// Moves a start with nearly exact lengths to exact lengths along the cheapest path of the
+    /// quadratic models; at once, or in steps that end before a triangle loses its area.
     Result<void> makeExact(Points2& Q, IsometricObjective::Value& at) {
         double part = 1;
         for (int k = 0; k <= kMaxApproaches && part > kMinApproach; ++k) {
@@ -156,14 +156,14 @@ public:
         return Error{ErrorCode::BoundaryNotConverged, {}, "the lengths are too far from exact"};
     }
 
-    /// After a step that single triangles stopped: gives them room.
+    /// Makes room after a step that single triangles stopped.
     void relax(Points2& Q, IsometricObjective::Value& at) {
         objective_.relax(Q, kRelaxingPasses, progress_);
         at = objective_.evaluate(Q);
         gradient_.resize(0, 2);
     }
 
-    /// What `renew` costs, in steps.
+    /// Cost of `renew`, in steps.
     double renewingCost() const { return kkt_.renewingCost(); }
     void clearHistory() { history_.clear(); }
     const Eigen::VectorXd& multipliers() const { return multipliers_; }
@@ -182,8 +182,8 @@ private:
         return g;
     }
 
-    /// How much of the step lowers the objective most, about, the lengths aside: more than all of
-    /// it where the model is too stiff.
+    /// The part of the step that lowers the objective most, ignoring the lengths; above 1 if the
+    /// model is too stiff.
     double usefulPart(const Points2& Q, const IsometricObjective::Value& at,
                       const Points2& P) const {
         const double most = kBackOff * objective_.largestStep(Q, P, kLongestStep / kBackOff);
@@ -219,10 +219,10 @@ private:
         return t;
     }
 
-    /// Gives a stepped piece its exact boundary lengths back. Where they are off by much, the whole
-    /// piece moves as the quadratic model finds cheapest, with the step's own factorisation; moving
-    /// the boundary alone would flip the triangles along it.
-    /// @param contacts  null, or those of the model, whose gaps `step` must keep too
+    /// Restores the exact boundary lengths after a step. If they are off by much, the whole piece
+    /// moves by the quadratic model, with the step's own factorisation; moving the boundary alone
+    /// would flip the triangles along it.
+    /// @param contacts  null, or the model's contacts, whose gaps `step` must keep too
     bool regainLengths(Points2& Q, const Points2& step,
                        const std::vector<OutlineBarrier::Contact>* contacts) {
         for (int k = 0; k < kMaxCorrections; ++k) {
@@ -248,14 +248,14 @@ private:
     }
 
     const Progress& progress_;
-    std::vector<std::vector<int>> simpleLoops_;  ///< those that must stay so
+    std::vector<std::vector<int>> simpleLoops_;  ///< those that must stay simple
     Eigen::VectorXd lengths_;
     IsometricObjective objective_;
     LengthConstraints constraints_;
     KktSolver kkt_;
     LbfgsHistory history_;
     Eigen::VectorXd multipliers_;
-    Points2 gradient_;  ///< of the objective at the present point; no rows where it is not known
+    Points2 gradient_;  ///< of the objective at the present point; no rows if unknown
 };
 
 }  // namespace
@@ -307,7 +307,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
                 if (renewed.error().code == ErrorCode::OutOfMemory) {
                     return renewed.error();
                 }
-                break;  // what was reached stands
+                break;  // keep the last valid result
             }
         }
         double predicted = 0;
@@ -317,7 +317,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         }
         const double wanted = options.tolerance * std::max(at.total - 1, kNoExcess);
         const double enough = fresh ? wanted : kStaleTolerance * wanted;
-        // A step that promises a rise was not found exactly enough to go on with.
+        // A step that predicts a rise was not solved exactly enough to continue.
         result.converged = step && std::abs(predicted) <= enough;
         const double before = at.total;
         const double part = step && predicted > enough
@@ -343,7 +343,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
         if (reached.size() > kLookBack) {
             const double fallen = reached[reached.size() - 1 - kLookBack] - at.total;
             result.isHopeless = at.total - options.wanted > kHopeless * fallen;
-            // Contacts stop each step, which `hasArrived` does not count; the outline is simple.
+            // Contacts stop each step, which `hasArrived` ignores; the outline is simple.
             const bool isHeldUp = options.keepOutlineSimple && at.total <= options.wanted &&
                                   fallen <= kLookBack * wanted;
             if (result.isHopeless || isHeldUp) {
@@ -359,7 +359,7 @@ Result<DescentResult> lowerIsometricEnergy(const MeshArrays& mesh, const EdgeTab
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
-    // The objective has fallen. Its small terms may have fallen at the cost of the distortion.
+    // The objective has fallen, but its small terms may have fallen at the cost of the distortion.
     const double before = descent.objective().distortion(exactStart);
     result.distortion = descent.objective().distortion(result.Q);
     if (result.distortion > before && !options.keepOutlineSimple) {

@@ -11,10 +11,10 @@ namespace toile::isometric {
 namespace {
 
 /// Energy of one radian at every vertex of the outline: enough that the outline of a strongly
-/// compressed piece does not buckle, too little to be felt elsewhere (docs/methods/isometric.md).
+/// compressed piece does not buckle, too little to matter elsewhere (docs/methods/isometric.md).
 constexpr double kOutlineStiffness = 0.02;
-/// Of a vertex that is held, in parts of its own: a step leaves it but for the eighth digit, which
-/// `KktSolver` takes off, and its neighbours feel nothing of that.
+/// Stiffness of a held vertex, relative to its own. A step moves it only in the eighth digit, which
+/// `KktSolver` removes, and its neighbours are not affected.
 constexpr double kHeldStiffness = 1e8;
 
 std::pair<int, int> ordered(int v, int w) {
@@ -80,8 +80,8 @@ double IsometricObjective::largestStep(const Points2& Q, const Points2& P, doubl
     return step;
 }
 
-/// The mesh's edges, those from each boundary vertex to the next but one, and those between the
-/// vertices of contacts. True where the pattern is as before.
+/// Adds the mesh's edges, the pairs of each boundary vertex and the next but one, and the vertices
+/// of contacts. True if the pattern is unchanged.
 bool IsometricObjective::layOut(const std::vector<OutlineBarrier::Contact>& contacts) {
     const int n = loops_.count();
     std::vector<std::pair<int, int>> extra;

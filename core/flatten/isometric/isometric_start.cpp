@@ -12,7 +12,7 @@
 namespace toile::isometric {
 namespace {
 
-/// Below this energy the descent is so short that a coarse one would not shorten it.
+/// Below this energy the descent is so short that a coarse one saves nothing.
 constexpr double kLittleStrain = 1.2;
 constexpr int kCoarsestVertices = 200;
 constexpr int kStartPasses = 4;

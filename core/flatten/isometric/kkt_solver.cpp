@@ -5,17 +5,17 @@ namespace toile::isometric {
 namespace {
 
 constexpr int kMaxMultiplierUpdates = 12;
-/// Change of a length, relative to the largest motion, that a step may leave over: the lengths are
+/// Change of a length, relative to the largest motion, that a step may leave: the lengths are
 /// restored after it, and the next step starts from its multipliers.
 constexpr double kLinearisedLengths = 1e-3;
-/// Added to the diagonal, in parts of it.
+/// Added to the diagonal, relative to it.
 constexpr double kRegularisation[] = {1e-9, 1e-6, 1e-3};
-/// What a factorisation costs, in back-substitutions.
+/// Cost of a factorisation, in back-substitutions.
 constexpr double kFactorisingCost = 12;
-/// Rounds of conjugate gradients that take about as long as a factorisation or two: after so many
-/// there are more to come, and back-substitutions would be cheaper.
+/// Rounds of conjugate gradients that take about as long as a factorisation or two: after so many,
+/// more will follow, and back-substitutions would be cheaper.
 constexpr int kManyRounds = 100;
-/// What a new coarse level costs, in solutions by conjugate gradients.
+/// Cost of a new coarse level, in solutions by conjugate gradients.
 constexpr double kCoarseningCost = 1;
 
 }  // namespace
@@ -73,7 +73,7 @@ Result<void> KktSolver::layOut(const ModelPoint& point, double regularisation) {
 
 Result<void> KktSolver::factorise(const linalg::BlockMatrix& K) {
     if (cholesky_ == nullptr || cholesky_.use_count() > 1) {
-        cholesky_ = std::make_shared<linalg::SparseCholesky>();  // what was shared stays as it is
+        cholesky_ = std::make_shared<linalg::SparseCholesky>();  // a shared factor must not change
         laidOut_ = false;
     }
     if (!laidOut_) {
@@ -99,7 +99,7 @@ Result<Points2> KktSolver::solve(const Points2& right, const Eigen::VectorXd& c,
     const Points2& directions = adopted_ ? adopted_->directions : directions_;
     const Eigen::VectorXd& stiffness = adopted_ ? adopted_->stiffness : stiffness_;
     Points2 P = Points2::Zero(right.rows(), 2);
-    double first = 0;  // of the errors that conjugate gradients begin with
+    double first = 0;  // error that conjugate gradients start with
     for (int k = 0; k < kMaxMultiplierUpdates; ++k) {
         Points2 forces = right;
         constraints_.addForces(directions, -(y + stiffness.cwiseProduct(c)), forces);
@@ -124,7 +124,7 @@ Result<void> KktSolver::solveOnce(const Points2& forces, Points2& P, double& fir
         if (progress_.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
-        // Rare. Memory is the price of a result.
+        // Rare: factorise after all, which needs more memory.
         twoLevel_.reset();
         if (auto factorised = factorise(*K_); !factorised) {
             return factorised;

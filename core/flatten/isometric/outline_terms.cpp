@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kBarrierRadius = 0.1;  // of an edge
 constexpr double kWeight = 1e-4;       // of all contacts together, in units of the isometric energy
-constexpr double kMinGap = 0.3;        // of the distance before a step, which the step must leave
-constexpr double kGapTolerance = 0.1;  // of the distance that a step is to leave
+constexpr double kMinGap = 0.3;        // share of the old distance that a step must leave
+constexpr double kGapTolerance = 0.1;  // share of the distance that a step should leave
 
 struct Box {
     Eigen::Array2d low, high;
@@ -46,7 +46,7 @@ Box around(std::initializer_list<Eigen::RowVector2d> points, double margin) {
 }
 
 /// Calls `meet(i, j)` for every vertex box i and edge box j that overlap: a sweep along the longer
-/// axis of the whole.
+/// axis of the bounding box.
 template <class Meet>
 void forOverlaps(const std::vector<Box>& vertices, const std::vector<Box>& edges, Meet meet) {
     const auto n = static_cast<int>(vertices.size());
@@ -57,7 +57,7 @@ void forOverlaps(const std::vector<Box>& vertices, const std::vector<Box>& edges
     }
     const Eigen::Array2d size = whole.high - whole.low;
     const int axis = size[0] >= size[1] ? 0 : 1;
-    // Vertices are numbered 0 .. n-1, edges n .. 2n-1. What the sweep looks at lies side by side.
+    // Vertices are numbered 0 .. n-1, edges n .. 2n-1. Data of the sweep is contiguous.
     struct Item {
         double low, high, lowAcross, highAcross;
         int number;
@@ -138,7 +138,7 @@ void OutlineBending::addHessian(const Points2& Q, linalg::BlockMatrix& hessian) 
             const Eigen::RowVector2d pull = 2 * weights_[i] * turn.slope[a];
             hessian.addVertex(turn.vertex[a], pull.transpose() * turn.slope[a]);
             for (int b = a + 1; b < 3; ++b) {
-                // Rows belong to the larger vertex.
+                // Store the block in the row of the larger vertex.
                 const bool rises = turn.vertex[a] < turn.vertex[b];
                 const Eigen::Matrix2d block = turn.slope[rises ? b : a].transpose() *
                                               turn.slope[rises ? a : b] * (2 * weights_[i]);
@@ -177,7 +177,7 @@ std::vector<OutlineBarrier::Contact> OutlineBarrier::contacts(const Points2& Q) 
             pairs.emplace_back(i, j);
         }
     });
-    std::sort(pairs.begin(), pairs.end());  // sums in an order that rounding cannot change
+    std::sort(pairs.begin(), pairs.end());  // fixed order of summation, for reproducible rounding
     std::vector<Contact> found;
     for (const auto& [i, j] : pairs) {
         Contact contact{};

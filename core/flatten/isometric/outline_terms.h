@@ -9,12 +9,12 @@
 
 namespace toile::isometric {
 
-/// A little stiffness of the outline in its angles: sum_i weight_i (theta_i - alpha_i)^2, the
-/// objective of [Wang05] eq. (9) with a weight in proportion to the edges beside the vertex. Where
-/// lengths are kept but the cloth would rather be shorter, an outline without it buckles into a
-/// zigzag of single edges, which nobody can sew. A smooth change of the outline's shape costs next
-/// to nothing: its change per vertex goes to zero with the edges' length. The same for rims of
-/// holes. Immutable; O(n) each.
+/// A little angular stiffness of the outline: sum_i weight_i (theta_i - alpha_i)^2, the objective
+/// of [Wang05] eq. (9) with weights proportional to the edges at the vertex. If lengths are kept
+/// but the cloth would rather be shorter, an outline without it buckles into a zigzag of single
+/// edges, which cannot be sewn. A smooth change of the outline's shape costs almost nothing: its
+/// change per vertex goes to zero with the edges' length. The same applies to rims of holes.
+/// Immutable; O(n) each.
 class OutlineBending {
 public:
     /// @param angles   alpha, radians  @param lengths  of the edges  @param stiffness  sum of all
@@ -49,14 +49,14 @@ private:
 ///   B = weight (radius / d - 1)^2
 /// to the energy, d its distance from the edge. Infinite at contact, zero beyond the radius, once
 /// differentiable. The radius is a tenth of the shortest edge concerned, so that two sides of a
-/// slit come to lie side by side. Immutable. Cost: O(n log n) per call on outlines that are not
+/// slit come to lie side by side. Immutable. Cost: O(n log n) per call unless the outline is
 /// coiled.
 class OutlineBarrier {
 public:
     /// @param boundary  loop of vertices  @param lengths  of its edges, unit of Q
     OutlineBarrier(std::vector<int> boundary, const Eigen::VectorXd& lengths);
 
-    /// Of each boundary vertex: nearer to an edge as long as its own it is in contact.
+    /// Per boundary vertex: contact distance from an edge as long as its own.
     Eigen::VectorXd radius() const;
 
     /// A vertex near an edge.
@@ -76,9 +76,9 @@ public:
     /// three vertices of every contact.
     static void addHessian(const std::vector<Contact>& contacts, linalg::BlockMatrix& hessian);
 
-    /// Adds forces that, against the stiffness of `addHessian`, restore the distances that a step
-    /// should leave to first order, a share of the old ones at least. Sliding along an edge that
-    /// turns leaves less. @return whether any is too short
+    /// Adds forces that, against the stiffness of `addHessian`, restore to first order the
+    /// distances that a step should leave, at least a share of the old ones. Sliding along an edge
+    /// that turns leaves less. @return whether any is too short
     static bool addOpeningForces(const std::vector<Contact>& contacts, const Points2& step,
                                  const Points2& moved, Points2& forces);
 

@@ -9,7 +9,7 @@
 namespace toile::isometric {
 namespace {
 
-/// A point well inside the kernel of a ring: the middle of the polygon cut by all its edges' lines.
+/// A point well inside the kernel of a ring: the centre of the polygon clipped by all its edges.
 std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring, int count) {
     std::vector<Eigen::RowVector2d> polygon;
     polygon.reserve(static_cast<std::size_t>(count));
@@ -44,7 +44,7 @@ std::optional<Eigen::RowVector2d> kernelPoint(const Points2& Q, const int* ring,
     return middle;
 }
 
-/// True where the triangles from a vertex to its ring are all anti-clockwise.
+/// True if the triangles from a vertex to its ring are all anti-clockwise.
 bool sees(const Points2& Q, int v, const int* ring, int count) {
     for (int k = 0; k < count; ++k) {
         if (!(geometry::cross(Q.row(ring[k]) - Q.row(v), Q.row(ring[(k + 1) % count]) - Q.row(v)) >
@@ -87,7 +87,7 @@ Points2 Coarsening::restrictedForces(Points2 fine) const {
     return restricted(fine);
 }
 
-/// @param place  of a removal's vertex, from the flattening so far
+/// @param place  gives the position of a removed vertex from the flattening so far
 template <class Place>
 std::optional<Points2> Coarsening::laidBack(const Points2& coarse, Place place) const {
     Points2 Q = Points2::Zero(fineCount_, 2);

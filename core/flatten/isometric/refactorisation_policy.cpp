@@ -4,18 +4,18 @@
 namespace toile::isometric {
 namespace {
 
-/// Steps shorter than this part were stopped by single triangles.
+/// Single triangles stopped a step that is shorter than this part.
 constexpr double kShortStep = 0.3;
-/// A step with an old factorisation is tried if the one with the new went this far.
+/// A step with an old factorisation is tried if the first with the new one went this far.
 constexpr double kGoodStep = 0.4;
-/// A fall between this part of the promise and its inverse: the promise was kept.
+/// The prediction was good if the actual fall is between this share of it and the inverse.
 constexpr double kKeptShare = 0.5;
-/// Hardly more than the tolerance, of a step and of all with one factorisation.
+/// No progress: multiples of the tolerance, for one step and all of one factorisation.
 constexpr double kOfOne = 2;
 constexpr double kOfAll = 10;
 
 constexpr std::size_t kKeptSteps = 4;
-/// Cosine between a step and its change of gradient from which on it tells something.
+/// Minimum cosine between a step and its change of gradient for the step to be usable.
 constexpr double kMinCosine = 1e-12;
 
 }  // namespace

@@ -49,7 +49,7 @@ Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTarget
     return found;
 }
 
-/// What speaks against it; empty where nothing does.
+/// The reason to reject the result; empty if there is none.
 Wording objection(const Piece& piece, const Points2& before, const isometric::DescentResult& kept) {
     if (!rimsAreSimple(piece, kept.Q)) {
         return worded("a rim would cross itself");

@@ -9,10 +9,10 @@
 namespace toile::isometric {
 namespace {
 
-/// Error that may stay of a solution that follows, in the energy's norm, where its first guess has
-/// 1: what changed must be felt, however little it is.
+/// Remaining error of a follow-up solution, in the energy norm, relative to its first guess: even a
+/// small change of the right side must have an effect.
 constexpr double kAccuracyAfter = 0.1;
-/// Below this there is rounding.
+/// Errors below this are rounding.
 constexpr double kNoError = 1e-8;
 constexpr int kMaxIterations = 200;
 
@@ -53,7 +53,7 @@ Result<void> TwoLevelSolver::renew(const linalg::BlockMatrix& K, const ModelPoin
                                    const Eigen::VectorXd& stiffness, double regularisation) {
     K_ = &K;
     coarse_.reset();
-    // Made anew each time: its triangles must not be flipped at this point.
+    // Coarsened again each time: its triangles must not be flipped at this point.
     coarse_ = std::make_unique<Coarse>(mesh_, table_, loops_, point.Q, lengths_, keepOutlineSimple_,
                                        progress_);
     if (progress_.isCancelled()) {
@@ -118,7 +118,7 @@ bool TwoLevelSolver::solve(const Points2& right, Points2& x, double& first) {
 }
 
 std::optional<Points2> TwoLevelSolver::precondition(const Points2& residual) {
-    // Sweep forth, coarse level, sweep back: symmetric and positive definite.
+    // Forward sweep, coarse level, backward sweep: symmetric and positive definite.
     Points2 z = residual;
     K_->sweepForth(z);
     Points2 left = -K_->upperProduct(z);

@@ -22,25 +22,25 @@
 namespace toile::isometric {
 namespace {
 
-/// Motion of the outline, in parts of its mean edge, that the interior need not follow.
+/// Motion of the outline, relative to its mean edge, that the interior need not follow.
 constexpr double kStill = 1e-9;
-/// Energy above 1 up to which a start is taken: so many times that before the edit, or so much. An
-/// edit that folds or squeezes the warm positions makes the way down longer than the usual one.
+/// Maximum excess of a start's energy over 1: a multiple of that before the edit, or a constant.
+/// From positions that an edit folds or squeezes the descent would take longer than usual.
 constexpr double kMaxGrowth = 2;
 constexpr double kSlightExcess = 0.05;
-/// And never from here on: the mean strain is beyond thirtyfold.
+/// Never above this energy: the mean strain exceeds a factor of thirty.
 constexpr double kSqueezed = 1e3;
 
-/// Between two sides that are parted, in parts of the barrier's radius.
+/// Gap between two parted sides, relative to the barrier's radius.
 constexpr double kGap = 0.7;
 constexpr int kMaxPartings = 5;
 constexpr int kWarmPasses = 4;
-/// Part of the vertices that a small edit leaves where they were in space.
+/// Share of the vertices that a small edit leaves at their place in space.
 constexpr double kMinStay = 0.9;
-/// Of a coarse piece: vertices from which one is made, and times the tolerance.
+/// Of a coarse piece: minimum number of vertices, and factor of the tolerance.
 constexpr int kFewVertices = 200;
 constexpr double kCoarseTolerance = 3;
-/// Change of an edge's length, in parts of it, from which moving the outline alone folds.
+/// Relative change of an edge's length from which moving the outline alone folds.
 constexpr double kFarLength = 0.5;
 
 double mostEnergy(double before) {
@@ -60,12 +60,12 @@ std::optional<Points2> following(const Piece& piece, const Points2& warm, const 
         return std::nullopt;
     }
     Points2 moved = warm + *followed;
-    moved(piece.boundary, Eigen::all) = outline(piece.boundary, Eigen::all);  // to the last digit
+    moved(piece.boundary, Eigen::all) = outline(piece.boundary, Eigen::all);  // bit for bit
     return moved;
 }
 
-/// Parts the two sides of cuts. To give the lengths back undoes some of it: once more, then.
-/// @return false where the outline crosses or touches itself still
+/// Parts the two sides of cuts. Restoring the lengths undoes some of it, so this is repeated.
+/// @return false if the outline still crosses or touches itself
 bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
                        const Eigen::VectorXd& lengths, Points2& Q) {
     const Eigen::VectorXd gap = kGap * OutlineBarrier(piece.boundary, lengths).radius();
@@ -81,7 +81,7 @@ bool partedWithLengths(const Piece& piece, const LengthConstraints& constraints,
     return false;
 }
 
-/// Per boundary vertex its mate, both by their place in the loop, or -1.
+/// Per boundary vertex the loop index of its mate, or -1.
 std::vector<int> mates(const Piece& piece) {
     const auto n = static_cast<int>(piece.boundary.size());
     const auto placeOf = [&](int i) {
@@ -152,8 +152,8 @@ std::optional<Points2> WarmStart::fitted(const Points2& warm, bool apart,
                 : constraints.restore(start))) {
         return std::nullopt;
     }
-    // Mostly it is better where the interior follows; where the outline moves far against the size
-    // of its triangles it may fold there, and not where it stays.
+    // Usually the result is better if the interior follows. If the outline moves far relative to
+    // its triangles, following may fold, while staying does not.
     if (progress.isCancelled()) {
         return std::nullopt;
     }
@@ -194,7 +194,7 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
         return std::nullopt;
     }
-    // The fine piece will find its own way from there: the last digits are not worth having.
+    // A coarser tolerance is enough: the fine descent refines the result.
     DescentOptions options;
     options.tolerance = kCoarseTolerance * tolerance;
     auto lowest =
