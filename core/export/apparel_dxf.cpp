@@ -101,7 +101,7 @@ private:
         return {out_.digits(points(k, 0)), out_.digits(points(k, 1))};
     }
 
-    /// Places that are written alike, one after the other, are one. @return rows that are written
+    /// Merges neighbouring points with equal digits. @return the written rows
     std::vector<Eigen::Index> addPolyline(int layer, const Points2& points, bool closed) {
         begin("POLYLINE", layer);
         out_.tag(66, 1);  // vertices follow
@@ -137,7 +137,7 @@ private:
         out_.flatPoint(11, line.to);
     }
 
-    /// Lines that meet name their common place once; it turns where one of them does.
+    /// Writes a point shared by several lines once, as a turn point if it is one on any of them.
     void addPrimaries(const ApparelPiece& piece) {
         std::set<Digits> turns, named;
         for (const ApparelLine& line : piece.lines) {

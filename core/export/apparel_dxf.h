@@ -8,18 +8,18 @@
 namespace toile {
 
 /// DXF R12 ASCII for pattern programs, in the profiles Astm (ASTM D6673) and Aama (ANSI/AAMA-292):
-/// an empty HEADER and no TABLES, as AccuMark wants them, one BLOCK for each piece, inserted at
-/// 0,0, where the drawing has it; y up, CRLF, printable ASCII. Layers by number (apparel_pieces.h):
-/// - 1 cutting line, 14 seam line where that is another, 11 holes, 8 internal lines, fold lines and
-///   legs of darts, as POLYLINEs of key points, each of which a POINT on 2 (turn) or 3 (curve)
-///   repeats digit by digit; Astm has the dense line behind each on 84, 87, 86 and 85, from the
-///   same first vertex on, with the key points among its own.
+/// an empty HEADER and no TABLES, as AccuMark requires, one BLOCK for each piece, inserted at 0,0,
+/// in drawing coordinates; y up, CRLF, printable ASCII. Layers by number (apparel_pieces.h):
+/// - 1 cutting line, 14 seam line if it differs, 11 holes, 8 internal lines, fold lines and legs of
+///   darts, as POLYLINEs of key points. A POINT on 2 (turn) or 3 (curve) repeats each key point
+///   digit by digit. Astm has the dense line after each on 84, 87, 86 and 85, from the same first
+///   vertex on, including the key points.
 /// - Notches as POINTs with depth (30) and angle into the piece (50): V with its width (39) and
-///   slit on 4; T and castle, with their width, on 80 and 81. Aama has no such layers: these are
-///   slits there.
+///   slit on 4; T and castle, with their width, on 80 and 81. Aama lacks these two layers and uses
+///   slits instead.
 /// - 13 drill holes with their diameter (30), 7 grain line, 6 mirror line, 15 label.
 /// - System text on 1 (apparel_text.h).
-/// @param source  whose options say profile, unit and control piece
+/// @param source  its options set profile, unit and control piece
 /// Cost: that of `apparelPieces`, and linear in the points. Pure.
 std::string writeApparelDxf(const ExportSource& source);
 

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kLongestName = 20;
 constexpr double kSameStation = 1e-6;  // mm
-constexpr double kNearCut = 1;         // mm; so far a notch is put onto the line that is cut
+constexpr double kNearCut = 1;         // mm; maximum distance to move a notch onto the cutting line
 constexpr double kLongestGrain = 300;  // mm
 constexpr double kGrainShare = 0.8;    // of the cloth along it
 constexpr double kMinGrain = 10;       // mm to either side
@@ -37,7 +37,7 @@ bool isDrillSymbol(const DrawnPath& path) {
             path.id.ends_with("-tip-1") || path.id.ends_with("-tip-2"));
 }
 
-/// Darts whose cloth stays: the line that is cut goes round the others.
+/// Darts whose cloth stays; the cutting line goes round the others.
 std::vector<PieceDart> cappedDarts(const Pattern& pattern, const PatternPiece& piece) {
     std::vector<PieceDart> darts;
     if (pattern.hasAllowance) {
@@ -62,7 +62,7 @@ void addLegs(ApparelDrawing& made, const Pattern& pattern, std::size_t index) {
     }
 }
 
-/// The place on a closed line next to a point.
+/// The point on a closed line nearest to a point.
 Eigen::Vector2d nearestOn(const Points2& line, const Eigen::Vector2d& point) {
     Eigen::Vector2d best = point;
     double least = std::numeric_limits<double>::infinity();
@@ -77,9 +77,9 @@ Eigen::Vector2d nearestOn(const Points2& line, const Eigen::Vector2d& point) {
     return best;
 }
 
-/// Where the slits of notches begin and which way they go, whatever form is drawn: the record says
-/// that. An allowance is parallel to the seam line but for fractions of a millimetre; the record
-/// is to lie on the line that is cut.
+/// Starts and directions of notch slits, independent of the drawn form, as the record needs. An
+/// allowance is parallel to the seam line except for fractions of a millimetre, so each start is
+/// moved onto the cutting line.
 std::vector<ApparelNotch> notchRecords(const Pattern& pattern, const PatternPiece& piece,
                                        const Placement& placement) {
     const auto marks = notchMarks(pattern, piece, NotchForm::Slit);
@@ -97,7 +97,7 @@ std::vector<ApparelNotch> notchRecords(const Pattern& pattern, const PatternPiec
     return records;
 }
 
-/// The line from a place inside along a direction to the edge on both sides, a little shorter.
+/// The line through an inner point in a direction, to the edge on both sides, slightly shortened.
 Chord chordThrough(const Points2& outline, const Eigen::Vector2d& place, double angle) {
     const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
     double before = std::numeric_limits<double>::infinity(), after = before;
@@ -117,7 +117,7 @@ Chord chordThrough(const Points2& outline, const Eigen::Vector2d& place, double 
     return {place - kept(before) * way, place + kept(after) * way};
 }
 
-/// Every receiver wants a grain line: the drawn one, else one through the middle.
+/// Every receiving program expects a grain line: the drawn one, else one through the middle.
 Chord grainOfBlock(const Drawing& drawing, const DrawnBlock& block, const PatternPiece& piece,
                    const Eigen::Vector2d& middle) {
     for (std::size_t k = block.path; k < block.path + block.pathCount; ++k) {
@@ -129,7 +129,7 @@ Chord grainOfBlock(const Drawing& drawing, const DrawnBlock& block, const Patter
                         directionOnSheet(block.placement, grainOf(piece)));
 }
 
-/// The fold as far as the cloth reaches, hems too.
+/// The fold over the full extent of the cloth, including hems.
 Chord mirrorOf(const PatternPiece& piece, const Placement& placement) {
     const Chord fold = foldOfEdge(piece);
     return {placement.applied(fold.from), placement.applied(fold.to)};
@@ -182,7 +182,7 @@ ApparelLine apparelLine(const Drawing& drawing, std::size_t path, int layer,
     return made;
 }
 
-/// At most so long and none of those that are there.
+/// A name of limited length that is not taken yet.
 std::string freeName(const std::string& wanted, std::set<std::string>& taken) {
     std::string name = wanted;
     for (int k = 2; !taken.insert(name).second; ++k) {
@@ -225,7 +225,7 @@ std::string apparelName(std::string_view name, std::string_view otherwise) {
         hasSign |= isSign;
         const char sign = isLower ? static_cast<char>(c - 'a' + 'A') : isSign || c == '-' ? c : '_';
         if (sign != '_' || made.empty() || made.back() != '_') {
-            made += sign;  // of several strange characters one stands for all
+            made += sign;  // one sign for a run of unsupported characters
         }
     }
     if (!hasSign) {

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// What a size is called that nobody has named: programs that grade want a name.
+/// The name of an unnamed size: grading programs require a name.
 constexpr const char* kOneSize = "ONE";
 
 std::string said(std::string_view key, std::string_view value) {
@@ -35,17 +35,17 @@ std::string styleName(const ExportSource& source) {
     return apparelName(source.laid().pattern.name, "pattern");
 }
 
-/// How far key points let curves stray, in the unit of the file.
+/// Maximum distance of curves through the key points from the line, in the unit of the file.
 std::string curveTolerance(const ExportSource& source) {
     return DxfTags(source.options().dxf.unit).digits(kKeyTolerance);
 }
 
-/// As it lies, and mirrored: of a piece whose wrong side lies up the images are those with the
-/// right side up.
+/// Copies as in the drawing, and mirrored. If the wrong side of a piece is up, the mirrored copies
+/// have the right side up.
 std::string quantityOf(const PatternPiece& piece, bool mirrored) {
     const bool isOnFold = piece.cutAs == CutAs::OnFold;
     const bool isPair = !isOnFold && (piece.mirroredPair || piece.cutAs == CutAs::Pair);
-    // On the fold it is its own image.
+    // A piece on the fold is its own mirror image.
     const int count = piece.quantity * (isOnFold && piece.mirroredPair ? 2 : 1);
     const std::string own = std::to_string(count), other = isPair ? own : "0";
     return mirrored ? other + "," + own : own + "," + other;
@@ -88,7 +88,7 @@ std::vector<std::string> styleTexts(const ExportSource& source) {
                                    said("Creation Time", "")};
     if (isAstm) {
         texts.push_back(said("Author", "Toile;Toile;" + release));
-    } else {  // three texts before the standard of 2001
+    } else {  // three texts that precede the standard of 2001
         texts.push_back(said("Author", "Toile"));
         texts.push_back(said("Product", "Toile"));
         texts.push_back(said("Version", release));

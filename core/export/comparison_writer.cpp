@@ -11,9 +11,9 @@
 namespace toile {
 namespace {
 
-constexpr int kComparisonVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kComparisonVersion = 1;  // increased when a field changes its meaning or is removed
 
-/// The figures that a garment and a piece share; null where there is none.
+/// The figures that garments and pieces have in common; null if there are none.
 void addFigures(Json& json, const ComparedFigures& figures) {
     for (const CriterionTraits& criterion : allCriteria()) {
         if (!criterion.key.empty()) {
@@ -70,7 +70,7 @@ std::string writeComparison(const Garment& garment, const Comparison& comparison
 namespace {
 
 constexpr double kMillisecondsPerSecond = 1000;
-/// Above this an energy says only that the map is bad, and how many digits of it there are.
+/// Above this an energy only shows that the map is bad; its order of magnitude is enough.
 constexpr double kLongNumber = 1000;
 
 std::string decimal(double value, int decimals) {
@@ -126,7 +126,7 @@ ComparisonTable makeTable(std::string title, const Comparison& comparison,
     return table;
 }
 
-/// Whether a person has left the piece out, of which there is nothing to say then.
+/// Whether the user excluded the piece, so there are no figures for it.
 bool isLeftOut(const Comparison& comparison, std::size_t piece) {
     return std::ranges::any_of(comparison.methods, [piece](const ComparedMethod& method) {
         return toile::isLeftOut(*method.results[piece]);
@@ -241,7 +241,7 @@ std::string writeComparisonMarkdown(const Garment& garment, const Comparison& co
     for (const ComparisonTable& table : comparisonTables(garment, comparison, perPiece)) {
         out += out.empty() ? "" : "\n";
         appendTable(out, table);
-        out += std::exchange(sentence, "");  // below the first
+        out += std::exchange(sentence, "");  // below the first table
     }
     return out;
 }

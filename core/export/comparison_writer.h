@@ -9,25 +9,25 @@
 
 namespace toile {
 
-/// A comparison as people read it; every row is as long as the head. Cells are ASCII numbers in
-/// no locale, "-" where there is no figure. Columns in which nobody has a figure may be left out
+/// A comparison for people; every row is as long as the head. Cells are ASCII numbers, independent
+/// of the locale, "-" if there is no figure. Optional columns without any figure may be left out
 /// (CriterionTraits::isOptional).
 struct ComparisonTable {
-    std::string title;  ///< the files, or one piece, and what is in there
+    std::string title;  ///< the files or one piece, and their contents
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;  ///< one per method
 };
 
-/// What is compared over the whole garment, and then, if wanted, each piece in the garment's order.
+/// The comparison of the whole garment and, if wanted, of each piece in the garment's order.
 std::vector<ComparisonTable> comparisonTables(const Garment& garment, const Comparison& comparison,
                                               bool perPiece);
 
 /// "nearer to the given panels than any method that keeps seam lengths: lscm (2.10 mm against 2.41
-/// of isometric)"; empty where that is not so.
+/// of isometric)"; empty if that is not true.
 std::string nearerSentence(const Comparison& comparison);
 
-/// The tables as GitHub's Markdown, the whole garment's first, and the sentence below it.
-/// @param perPiece  with a table per piece
+/// The tables as GitHub's Markdown, the whole garment's first, with the sentence below it.
+/// @param perPiece  adds a table per piece
 std::string writeComparisonMarkdown(const Garment& garment, const Comparison& comparison,
                                     bool perPiece);
 

@@ -12,13 +12,13 @@ namespace toile {
 /// @param t  in (0, 1)
 std::array<CubicCurve, 2> dividedAt(const CubicCurve& curve, double t);
 
-/// A chain of curves divided at these arc lengths along it, each curve its own again.
+/// Divides a chain of curves at these arc lengths; every part is a curve of its own.
 /// @param places  mm, ascending; those within `near` of a joint divide nothing
-/// Cost: some twenty lengths for each place. Pure.
+/// Cost: about twenty length computations per place. Pure.
 std::vector<CubicCurve> dividedChain(const std::vector<CubicCurve>& chain,
                                      const std::vector<double>& places, double near);
 
-/// Arc lengths of the joints inside of a chain, mm, ascending: one less than curves.
+/// Arc lengths of the inner joints of a chain, mm, ascending: one fewer than curves.
 std::vector<double> jointsOf(const std::vector<CubicCurve>& chain);
 
 }  // namespace toile

@@ -26,7 +26,7 @@ void keepOnPage(LabelPlace& label, const std::vector<std::string>& lines, const 
         return least > most ? 0.5 * (least + most) : std::clamp(value, least, most);
     };
     const Eigen::Vector2d size = textExtent(lines, label.height);
-    const double below = size.y() - 0.5 * label.height;  // of the first line's middle
+    const double below = size.y() - 0.5 * label.height;  // from the first line's middle
     label.position.x() = keep(label.position.x(), 0.5 * size.x(), page.width - 0.5 * size.x());
     label.position.y() = keep(label.position.y(), below, page.height - 0.5 * label.height);
 }
@@ -100,7 +100,7 @@ void addNotches(Drawing& drawing, const Pattern& pattern, const PatternPiece& pi
     }
 }
 
-/// Fold lines, drill points and tips, where the cloth between the legs stays.
+/// Fold lines, drill points and tips of darts whose cloth stays.
 void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
     const std::vector<PieceDart> darts = findDarts(piece);
     for (std::size_t k = 0; k < darts.size(); ++k) {
@@ -119,7 +119,7 @@ void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     }
 }
 
-/// Lines and drill points, numbered apart.
+/// Lines and drill points, each numbered from 1.
 void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
     int lines = 0, points = 0;
     for (const PieceInternal& internal : piece.internals) {
@@ -137,7 +137,7 @@ void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& 
     }
 }
 
-/// Where a stretch of a line lies on it as it is drawn: mirrored, lines run the other way round.
+/// Arc lengths of a stretch on the drawn line: mirrored lines run in the opposite direction.
 /// @param from, to  on the line of the piece
 std::pair<double, double> drawnPlaces(const geometry::Line& line, double from, double to,
                                       bool isMirrored) {
@@ -183,8 +183,8 @@ void addEdges(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     }
 }
 
-/// Names the other side of each seam, where both are drawn, each once. Of two copies of a piece
-/// both would be the same side.
+/// Links the two sides of each seam if each is drawn exactly once. With two copies of a piece both
+/// would be the same side.
 void pairEdges(Drawing& drawing) {
     struct Side {
         DrawnEdge* edge;
@@ -209,7 +209,7 @@ void pairEdges(Drawing& drawing) {
     }
 }
 
-/// @param piece  that of the index, with a slug of the copy's own
+/// @param piece  the piece at the index, with the slug of the copy
 void addPiece(Drawing& drawing, const Pattern& pattern, int index, const PatternPiece& piece,
               const Placement& placement, const DrawingWords& words) {
     const std::string id = "piece-" + piece.slug + "-";
@@ -284,8 +284,8 @@ bool hasLayer(const Drawing& drawing, LayerKind kind) {
 }
 
 Drawing draw(const Pattern& pattern, const Marker& marker, const DrawingWords& words) {
-    // The check square stands to the right on whole millimetres, so that its sides come out as
-    // exactly 100 in any number of decimals.
+    // The check square is to the right on whole millimetres, so that its sides are exactly 100 in
+    // any number of decimals.
     const double left =
         marker.width > 0 ? std::ceil(kDrawingMargin + marker.width + kCheckGap) : kDrawingMargin;
     Drawing drawing;

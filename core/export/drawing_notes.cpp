@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNamed = 3;
 
-/// What is cut out for a block: its outermost closed line.
+/// The outermost closed line of a block, along which it is cut.
 Points2 cutLineOf(const Drawing& drawing, const DrawnBlock& block) {
     for (std::size_t k = block.path; k < block.path + block.pathCount; ++k) {
         if (drawing.paths[k].layer == LayerKind::Cut && drawing.paths[k].closed) {

@@ -8,12 +8,12 @@
 
 namespace toile {
 
-/// What whoever takes a drawing to the table should know before. Nothing where all is well.
+/// Notes to read before using a drawing. Empty if there is nothing to report.
 
-/// Which pieces' cut lines share area on the page, and what helps, in one note.
+/// Lists pieces whose cut lines overlap on the page, with a remedy, in one note.
 /// Cost: as `overlappingOutlines`. Pure.
 std::vector<Wording> overlapNotes(const Pattern& pattern, const Drawing& drawing);
-/// Which pieces are drawn without a grain line, since their grain is not stated, in one note. Pure.
+/// Lists pieces drawn without a grain line because their grain is not stated, in one note. Pure.
 std::vector<Wording> grainNotes(const Pattern& pattern, const Drawing& drawing);
 
 }  // namespace toile

@@ -24,9 +24,9 @@
 namespace toile {
 namespace {
 
-/// The record of a notch is put onto the line that is cut, so far from where the mark is drawn, mm.
+/// Maximum distance by which a notch record is moved onto the cutting line, mm.
 constexpr double kMovedNotch = 1;
-/// The ends of a wide mark may be by so much nearer to a bent line than its middle, mm.
+/// On a bent line, the ends of a wide mark may be nearer by this than its middle, mm.
 constexpr double kBentNotch = 0.1;
 
 struct NamedKind {
@@ -48,7 +48,7 @@ bool isNear(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
 using ReadPlace = std::pair<double, double>;
 using ReadPlaces = std::set<ReadPlace>;
 
-/// As `hasEveryPoint`, from one point of the read line and one of the drawn.
+/// As `hasEveryPoint`, but from given first points of the read and the drawn line.
 bool walksAlong(const Points2& read, Eigen::Index first, const DrawnPath& path, Eigen::Index start,
                 const ReadPlaces& others) {
     const Eigen::Index n = read.rows(), m = path.points.rows();
@@ -70,8 +70,8 @@ bool walksAlong(const Points2& read, Eigen::Index first, const DrawnPath& path, 
     return passed == m;
 }
 
-/// Whether a line that was read has every point of a drawn one in its order, to
-/// kReadBackCoordinates, a closed one from any point on, and none besides but those of `others`.
+/// Whether a read line has every point of a drawn one in order, within kReadBackCoordinates, and no
+/// others except those of `others`. A closed line may start at any point.
 /// Cost: linear. Pure.
 bool hasEveryPoint(const Points2& read, const DrawnPath& path, const ReadPlaces& others) {
     if (read.rows() == 0 || path.points.rows() == 0) {
@@ -107,7 +107,7 @@ double distanceFromLine(const Points2& line, bool closed, const Eigen::Vector2d&
     return least;
 }
 
-/// How the reader calls the two forms of a line on one of the writer's layers.
+/// The reader's roles of the two forms of a line on one of the writer's layers.
 struct LineRoles {
     DxfRole keys, dense;
     LayerKind kind;
@@ -121,10 +121,10 @@ LineRoles rolesOf(int layer) {
                                  : LineRoles{DxfRole::Cut, DxfRole::FineCut, LayerKind::Cut};
 }
 
-/// One block, and what it is to hold.
+/// Checks one block against its expected contents.
 class BlockReader {
 public:
-    /// @param place  of the block: nothing but the unit
+    /// @param place  of the block: only the unit
     BlockReader(const DxfBlock& block, const DxfPlace& place, const ApparelDrawing& made,
                 std::size_t index, const Pattern& pattern, bool isAstm)
         : block_(block),
@@ -134,7 +134,7 @@ public:
           lines_(made.lines[index]),
           piece_(pattern.pieces[static_cast<std::size_t>(drawn_.piece)]),
           isAstm_(isAstm) {
-        std::vector<DxfEntity> withoutFold;  // or the reader would unfold the piece
+        std::vector<DxfEntity> withoutFold;  // otherwise the reader would unfold the piece
         for (const DxfEntity& entity : block.entities) {
             const DxfRole role = dxfRole(entity.layer);
             const auto point = entity.point();
@@ -196,7 +196,7 @@ public:
                              block_.name, "turn and curve points are not those of its lines"));
     }
 
-    /// Texts, grain and mirror line, notches and drill holes.
+    /// Checks texts, grain and mirror line, notches and drill holes.
     std::optional<Error> othersFault() const {
         const DxfFields fields = dxfFields(block_.entities);
         const auto name = fields.find("piece name");
@@ -247,8 +247,8 @@ private:
         return least;
     }
 
-    /// How far a point is from the drawn marks, and the ends of the nearest from the line that is
-    /// cut.
+    /// Distance of a point from the drawn marks, and of the ends of the nearest mark from the
+    /// cutting line.
     std::pair<double, double> fromMarks(const Eigen::Vector2d& point) const {
         double least = std::numeric_limits<double>::infinity(), off = least;
         for (std::size_t k = drawn_.path; k < drawn_.path + drawn_.pathCount; ++k) {
@@ -266,7 +266,7 @@ private:
         return {least, off};
     }
 
-    /// The grain line along the grain, as it is drawn, if it is.
+    /// Whether a line is on the drawn grain line, if there is one, and along the grain.
     bool isGrain(const FileChord& line) const {
         const double angle = directionOnSheet(drawn_.placement, grainOf(piece_));
         const Eigen::Vector2d way = line[1] - line[0];
@@ -358,7 +358,7 @@ private:
     bool isNamedTwice_ = false;
 };
 
-/// All blocks are inserted once, where they lie, in their order; names are fit and used once.
+/// Checks that all blocks are inserted once, at 0,0, in order, with valid unique names.
 std::optional<Error> insertFault(const DxfDocument& document) {
     std::vector<const DxfEntity*> inserts;
     for (const DxfEntity& entity : document.entities) {
@@ -405,7 +405,7 @@ std::optional<Error> controlFault(const DxfBlock& block, const DxfPlace& place, 
     return {};
 }
 
-/// What `readDxfBack` does of the profiles Astm and Aama.
+/// `readDxfBack` for the profiles Astm and Aama.
 Result<ReadBack> readApparelBack(const DxfDocument& document, const ExportSource& source) {
     const DxfOptions& options = source.options().dxf;
     const ApparelDrawing made = apparelDrawing(source);
@@ -455,7 +455,7 @@ Result<ReadBack> readApparelBack(const DxfDocument& document, const ExportSource
     return exact;
 }
 
-/// The lines of the plain profile have no names: those of a layer are in the drawing's order.
+/// Lines of the plain profile have no names; those of a layer are in the drawing's order.
 Result<ReadBack> readPlainBack(const DxfDocument& document, double unit, const Drawing& drawing) {
     ReadDrawing lines;
     std::map<LayerKind, std::vector<Points2>> byLayer;
@@ -497,7 +497,7 @@ Result<ReadBack> readPlainBack(const DxfDocument& document, double unit, const D
          LayerKind::Grain, LayerKind::Check});
 }
 
-/// Of a grade table with one size.
+/// Checks a grade table with one size.
 bool isRuleTable(std::string_view bytes, LengthUnit unit) {
     const std::string units =
         std::string("\r\nUnits: ") + (unit == LengthUnit::Inch ? "ENGLISH" : "METRIC") + "\r\n";

@@ -8,12 +8,12 @@
 
 namespace toile {
 
-/// Reads a DXF file of any profile again (core/reading) and compares it with what it was made from.
-/// Of all profiles: each line with the drawing's (`comparedWithDrawing`), point by point, and the
-/// unit. Of Astm and Aama besides: one block for each piece, each inserted at 0,0; the polygons of
-/// key points by themselves; each key point is a record on 2 or 3, and only they are; system texts;
-/// grain and mirror line; notches, which lie on the line that is cut and end in the drawn mark;
-/// drill holes; the sides of the control piece; the rule table beside it.
+/// Reads a DXF file of any profile (core/reading) and compares it with its source. All profiles:
+/// each line with the drawing's (`comparedWithDrawing`), point by point, and the unit. Astm and
+/// Aama also: one block for each piece, each inserted at 0,0; the polygons of key points alone;
+/// each key point, and no other point, is a record on 2 or 3; system texts; grain and mirror line;
+/// notches, which are on the cutting line and end in the drawn mark; drill holes; the sides of the
+/// control piece; the rule table.
 /// Errors: NotReadBack, with the line or piece. Cost: linear in the points. Pure.
 Result<ReadBack> readDxfBack(const ExportedFiles& files, const ExportSource& source);
 

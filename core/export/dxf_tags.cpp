@@ -7,10 +7,10 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kLongestText = 250;  // R12 holds no longer string
+constexpr std::size_t kLongestText = 250;  // limit of strings in R12
 constexpr int kNumberDecimals = 4;
 
-/// Of a millimetre 4, so of the larger units one more.
+/// 4 decimals of a millimetre, one more for the larger units.
 int decimalsOf(LengthUnit unit) {
     return unit == LengthUnit::Millimetre  ? 4
            : unit == LengthUnit::Metre     ? 7

@@ -10,17 +10,17 @@
 
 namespace toile {
 
-/// What all profiles of DXF files are written with: group codes and values, one per line, codes
-/// three wide as AutoCAD writes them, ends of lines as in DOS.
+/// Writer of DXF files of all profiles: group codes and values, one per line, codes three
+/// characters wide as in AutoCAD, CRLF line ends.
 class DxfTags {
 public:
-    /// @param unit  of the file's lengths, which have as many decimals as 0.0002 mm needs
+    /// @param unit  of the file's lengths, with enough decimals for 0.0002 mm
     explicit DxfTags(LengthUnit unit);
 
     void tag(int code, std::string_view value);
     void tag(int code, int value);
     void length(int code, double millimetres);
-    /// A number that is no length: degrees, factors; 4 decimals.
+    /// A number that is not a length, such as degrees or factors; 4 decimals.
     void number(int code, double value);
     /// A point in millimetres as codes `first` and `first` + 10.
     void flatPoint(int first, const Eigen::Vector2d& point);
@@ -32,7 +32,7 @@ public:
     void beginTable(const char* name, int entries);
     void endTable();
 
-    /// As `length` writes it: one place is one text.
+    /// As `length` writes it: equal places give equal texts.
     std::string digits(double millimetres) const;
 
     std::string take() { return std::move(out_); }
@@ -43,7 +43,7 @@ private:
     int decimals_;
 };
 
-/// Text that stays text in R12: ASCII, at most 250 characters, and without "%%" and '^', which
+/// Text that R12 shows unchanged: ASCII, at most 250 characters, and without "%%" and '^', which
 /// start control codes.
 std::string dxfText(std::string_view line);
 

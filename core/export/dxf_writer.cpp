@@ -31,7 +31,7 @@ const DxfLayer& styleOf(LayerKind kind) {
     return kDxfLayers[static_cast<std::size_t>(kind)];
 }
 
-/// As $INSUNITS has them.
+/// The codes of $INSUNITS.
 int unitCode(LengthUnit unit) {
     switch (unit) {
         case LengthUnit::Inch:
@@ -52,7 +52,7 @@ void writeHeader(DxfTags& out, const Drawing& drawing, LengthUnit unit) {
     out.beginSection("HEADER");
     out.tag(9, "$ACADVER");
     out.tag(1, "AC1009");
-    out.tag(9, "$MEASUREMENT");  // metric; younger than R12, but what importers look for
+    out.tag(9, "$MEASUREMENT");  // metric; newer than R12, but importers look for it
     out.tag(70, unit == LengthUnit::Inch ? 0 : 1);
     out.tag(9, "$INSUNITS");
     out.tag(70, unitCode(unit));
@@ -128,13 +128,13 @@ void writeLine(DxfTags& out, const DrawnText& text, const std::string& line, dou
     const Eigen::Vector2d left = middle + turn * Eigen::Vector2d(-0.5 * width, 0);
     out.tag(0, "TEXT");
     out.tag(8, styleOf(text.layer).name);
-    out.point(10, left);  // for readers that do not centre
+    out.point(10, left);  // for readers that ignore centring
     out.length(40, text.height);
     out.tag(1, ascii);
     if (text.angle != 0) {
         out.number(50, text.angle * 180 / std::numbers::pi);
     }
-    out.number(41, kCharacterWidth);  // the stroke fonts of CAD are as wide as high
+    out.number(41, kCharacterWidth);  // CAD stroke fonts are as wide as high
     out.tag(7, "STANDARD");
     out.tag(72, 1);  // centred on the point that follows
     out.point(11, middle);

@@ -7,8 +7,7 @@
 namespace toile {
 namespace {
 
-/// Of the time that an export takes, about: making, and with that reading back; the rest is
-/// writing.
+/// Approximate shares of the export time: creating, then also reading back; the rest is writing.
 constexpr double kMakingShare = 0.5, kReadShare = 0.8;
 
 }  // namespace

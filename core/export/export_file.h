@@ -12,21 +12,21 @@
 
 namespace toile {
 
-/// What has been written.
+/// The files of an export.
 struct Exported {
-    std::vector<std::filesystem::path> files;  ///< the one asked for first
-    std::optional<ReadBack> readBack{};        ///< none of a format without `readBack`
+    std::vector<std::filesystem::path> files;  ///< the requested one first
+    std::optional<ReadBack> readBack{};        ///< none for a format without `readBack`
 };
 
-/// Writes an export in the format of its ending (`formatOf`), and what belongs beside it: made,
-/// read back and compared, and only then put in the place of what was there.
-/// @param progress  cancelled before the files are written, none is
+/// Writes an export in the format of its file name (`formatOf`), with its additional files. The
+/// files are created, read back and compared before they replace existing ones.
+/// @param progress  if cancelled before the files are written, no file is written
 /// Errors: UnknownFormat, FormatNotBuilt, those of the writer, NotReadBack, FileUnwritable,
 /// Cancelled.
 Result<Exported> exportFile(const std::filesystem::path& path, const ExportSource& source,
                             const Progress& progress = {});
 
-/// Where a file of an export goes. @param beside  of an ExportedFile
+/// The path of a file of an export. @param beside  of an ExportedFile
 std::filesystem::path exportedPath(const std::filesystem::path& path, const std::string& beside);
 
 }  // namespace toile

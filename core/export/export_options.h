@@ -5,22 +5,22 @@
 
 namespace toile {
 
-/// What can be chosen of each format. Typed, remembered and shown by the names of their rows in
-/// format_options.h.
+/// The options of each format. The rows of format_options.h give the names used in settings, the
+/// command line and dialogs.
 
-/// docs/exports.md says what each holds.
+/// See docs/exports.md for the contents of each.
 enum class DxfProfile { Astm, Aama, Plain };
 
 struct DxfOptions {
     DxfProfile profile = DxfProfile::Astm;
     LengthUnit unit = LengthUnit::Millimetre;
     bool ruleTable = false;     ///< a one-size .rul beside the file
-    bool controlPiece = false;  ///< the check square as a piece of its own, in Astm and Aama
+    bool controlPiece = false;  ///< the check square as a separate piece, in Astm and Aama
 
     bool operator==(const DxfOptions&) const = default;
 };
 
-/// What a PDF file is to be laid out for.
+/// The page layout of a PDF file.
 enum class Paper { A4, Letter, Shared, A0, ArchD, ArchE, Roll610, Roll841, Roll914, Projector };
 
 struct PdfOptions {
@@ -30,7 +30,7 @@ struct PdfOptions {
     bool operator==(const PdfOptions&) const = default;
 };
 
-/// For whom an SVG file is.
+/// The target program of an SVG file.
 enum class SvgPreset { Inkscape, Illustrator, Silhouette, Laser, Cricut };
 enum class SvgGroups { Kind, Piece };
 
@@ -43,7 +43,7 @@ struct SvgOptions {
 };
 
 struct PltOptions {
-    bool turned = false;  ///< by a quarter: x along the roll
+    bool turned = false;  ///< by a quarter turn: x along the roll
 
     bool operator==(const PltOptions&) const = default;
 };
@@ -54,10 +54,10 @@ struct PngOptions {
     bool operator==(const PngOptions&) const = default;
 };
 
-/// Of the formats of 3D programs.
+/// Options of the formats of 3D programs.
 struct MeshOptions {
-    bool isExact = false;    ///< the pattern with its outlines as they were solved, not as drawn
-    bool eachPiece = false;  ///< OBJ: a file for each piece beside that of the garment
+    bool isExact = false;    ///< the pattern with its solved outlines instead of the drawn ones
+    bool eachPiece = false;  ///< OBJ: adds a file for each piece
 
     bool operator==(const MeshOptions&) const = default;
 };

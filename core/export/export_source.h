@@ -13,12 +13,12 @@
 
 namespace toile {
 
-/// All that files are made of and compared with. What it refers to must outlive it. For one thread:
-/// the drawing is made once, when it is first asked for.
+/// All data that files are made from and compared with. The referenced data must outlive it. For
+/// one thread: the drawing is made on first use.
 class ExportSource {
 public:
     /// @param results  one per piece of the garment  @param laid  its pattern
-    /// @param drawing  of `laid`, where it is another than that of `draw`
+    /// @param drawing  of `laid`, if it differs from that of `draw`
     ExportSource(const Garment& garment, const PieceResults& results, const LaidOutPattern& laid,
                  const ExportOptions& options = {}, DrawingWords words = {},
                  LineSettings lines = {}, Fabric fabric = fabricPresets().front(),
@@ -37,12 +37,12 @@ public:
     const LaidOutPattern& laid() const { return laid_; }
     const ExportOptions& options() const { return options_; }
     const DrawingWords& words() const { return words_; }
-    /// By which the outlines were drawn.
+    /// The settings with which the outlines were drawn.
     const LineSettings& lines() const { return lines_; }
-    /// Of pieces that are of no material of the pattern's.
+    /// The fabric of pieces without a material of the pattern.
     const Fabric& fabric() const { return fabric_; }
 
-    /// Of `laid().pattern`, where it lies.
+    /// The drawing of `laid().pattern`.
     const Drawing& drawing() const {
         if (!drawing_) {
             drawing_ = draw(laid_.pattern, laid_.marker, words_);

@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/export/formats.h"
 
-/// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
+/// Marks a text for translation in the window: its text collector looks for this. Returns the text.
 #define TR(text) text
 
 namespace toile {
@@ -48,11 +48,11 @@ constexpr const char* kDxfPresetNames[] = {TR("CLO, Marvelous Designer"),
                                            TR("Lectra"),
                                            TR("Illustrator"),
                                            TR("Laser cutter")};
-/// In the order of the presets. All that these programs are known to need of the profiles is their
-/// unit: CLO draws its own METRIC files in millimetres, AccuMark works in inches, where METRIC is
-/// read in more than one way, and Optitex takes METRIC for centimetres. Lectra has taken boundaries
-/// that are polylines in an AAMA file, and refused them in an ASTM one. Drawing programs and lasers
-/// know layers by name and no blocks.
+/// In the order of the presets. For the profiles, the only known requirement of these programs is
+/// the unit: CLO writes its METRIC files in millimetres, AccuMark works in inches and reads METRIC
+/// in more than one way, and Optitex reads METRIC as centimetres. Lectra has accepted boundaries as
+/// polylines in an AAMA file, and refused them in an ASTM one. Drawing programs and lasers use
+/// named layers and no blocks.
 constexpr DxfOptions kOfPresets[] = {
     {DxfProfile::Astm, LengthUnit::Millimetre},  {DxfProfile::Astm, LengthUnit::Inch},
     {DxfProfile::Astm, LengthUnit::Centimetre},  {DxfProfile::Aama, LengthUnit::Millimetre},

@@ -19,7 +19,7 @@
 #include "core/export/svg_read_back.h"
 #include "core/export/writers.h"
 
-/// Marks what a window translates: its collector of texts looks for this. Says the text as it is.
+/// Marks a text for translation in the window: its text collector looks for this. Returns the text.
 #define TR(text) text
 
 namespace toile {
@@ -98,7 +98,7 @@ bool isMoreThanOutlines(const Pattern& pattern) {
            });
 }
 
-/// Of all pieces whole, as a UV map shows them; most drawings are that.
+/// The drawing of all pieces whole, as in a UV map; most drawings already are.
 Drawing wholeDrawing(const ExportSource& source) {
     const LaidOutPattern& laid = source.laid();
     const bool isWhole = laid.wholePattern.facings.empty() &&
@@ -132,7 +132,7 @@ Result<ReadBack> readObjBack(const ExportedFiles& files, const ExportSource& sou
     return comparedWithObj(files.front().bytes, source);
 }
 
-/// Of a format of 3D programs.
+/// For a format of 3D programs.
 template <auto write>
 Result<ExportedFiles> makeMeshes(const ExportSource& source) {
     return oneFile(write(pieceMeshes(source), source.laid().pattern.name));

@@ -14,33 +14,33 @@
 
 namespace toile {
 
-/// The one table of what Toile writes: the command line's help, the dialogs, docs/exports.md and
-/// the tests are made from it.
+/// The table of all output formats. The command line's help, the dialogs, docs/exports.md and the
+/// tests are made from it.
 
-/// A file of an export: the one asked for, or one beside it.
+/// A file of an export: the requested file, or an additional one.
 struct ExportedFile {
-    /// What takes the place of the ending: empty of the one asked for; ".rul", "-front.obj".
+    /// Replaces the ending: empty for the requested file; ".rul", "-front.obj".
     std::string beside{};
     std::string bytes{};
 };
 
-using ExportedFiles = std::vector<ExportedFile>;  ///< the one asked for first
+using ExportedFiles = std::vector<ExportedFile>;  ///< the requested one first
 
 enum class FormatId { Svg, Dxf, Pdf, Plt, Png, Obj, Usd, Glb, GarmentCode, Html, Csv, Report };
 
 struct Format {
     FormatId id;
     const char* name;                      ///< "DXF drawing", English, to be translated
-    const char* use;                       ///< what for, in a few words, likewise
+    const char* use;                       ///< its purpose in a few words, likewise
     std::span<const char* const> endings;  ///< lower case, with the dot; the first is the usual one
-    /// What it can carry.
+    /// The features of the format.
     bool layers = false, trueScale = false, curves = false, pages = false;
-    /// Errors: what cannot be written, for example what no page can hold. Null: needs the window's
-    /// libraries, and this build has none (`provideWriter`).
+    /// Errors: content that the format cannot hold, for example too large for a page. Null: needs
+    /// the window's libraries, which this build lacks (`provideWriter`).
     Result<ExportedFiles> (*write)(const ExportSource&) = nullptr;
-    /// Reads the files again by code of its own and compares them with what they were made from.
-    /// Errors: NotReadBack. Null: the file is not read when it is written. (Readers of PDF, HPGL,
-    /// USD and GLB files are among the tests: tests/core/readers.)
+    /// Reads the files with independent code and compares them with their source. Errors:
+    /// NotReadBack. Null: the file is not read back. (Readers of PDF, HPGL, USD and GLB files are
+    /// among the tests: tests/core/readers.)
     Result<ReadBack> (*readBack)(const ExportedFiles&, const ExportSource&) = nullptr;
 };
 
@@ -48,17 +48,17 @@ struct Format {
 std::span<const Format> formats();
 const Format& formatOf(FormatId id);
 
-/// The longest ending of a format that a file's name ends in, in any case; empty where none does.
+/// The longest ending of a format that matches a file's name, in any case; empty if none does.
 std::string_view endingOf(const std::filesystem::path& path);
 
-/// By that ending; null where there is none.
+/// The format of that ending; null if there is none.
 const Format* formatOf(const std::filesystem::path& path);
 
-/// Gives a format the writer that the core has not. Not thread-safe: once, before anything is
-/// written.
+/// Provides the writer of a format that the core lacks. Not thread-safe: call it once, before any
+/// export.
 void provideWriter(FormatId id, Result<ExportedFiles> (*write)(const ExportSource&));
 
-/// ".svg, .dxf or .json": the usual endings of what this build writes.
+/// ".svg, .dxf or .json": the usual endings of the formats of this build.
 std::string writtenEndings();
 
 }  // namespace toile

@@ -12,8 +12,8 @@
 namespace toile {
 namespace {
 
-/// A curve whose ends are nearer to each other than this part of its length is divided: control
-/// points are relative to the chord.
+/// A curve is divided if the distance of its ends is less than this share of its length, because
+/// control points are relative to the chord.
 constexpr double kLeastChord = 0.2;
 
 void addHalved(const CubicCurve& curve, std::vector<CubicCurve>& chain) {
@@ -29,12 +29,12 @@ void addHalved(const CubicCurve& curve, std::vector<CubicCurve>& chain) {
     }
 }
 
-/// One side of a seam: segments of one piece that follow each other.
+/// One side of a seam: consecutive segments of one piece.
 struct SeamRun {
     int piece = -1;
     std::vector<int> segments{};
     std::vector<CubicCurve> chain{};
-    std::vector<std::size_t> first{};  ///< curve of the chain with which each segment begins
+    std::vector<std::size_t> first{};  ///< index of each segment's first curve in the chain
 
     void measure(const std::vector<std::vector<std::vector<CubicCurve>>>& curves) {
         for (const int segment : segments) {
@@ -48,8 +48,8 @@ struct SeamRun {
 
 using SideKey = std::pair<int, bool>;  // number of the seam, right side
 
-/// The runs of all seams, each from where its side begins along the outline. A side that is not
-/// one run is none.
+/// The runs of all seams, each from the start of its side along the outline. A side that is not one
+/// run is left out.
 std::map<SideKey, SeamRun> seamRuns(const Pattern& pattern) {
     std::map<SideKey, SeamRun> runs;
     for (int p = 0; p < static_cast<int>(pattern.pieces.size()); ++p) {
@@ -84,7 +84,7 @@ std::map<SideKey, SeamRun> seamRuns(const Pattern& pattern) {
     return runs;
 }
 
-/// Divides the curves of both sides where either has a joint, so that they stand one to one.
+/// Divides the curves of both sides at the joints of either, so that they correspond one to one.
 /// @param opposed  the right one runs from the end of the seam to its start
 void divideAlike(SeamRun& left, SeamRun& right, bool opposed) {
     const double lengthLeft = curveLength(left.chain), lengthRight = curveLength(right.chain);
@@ -96,8 +96,8 @@ void divideAlike(SeamRun& left, SeamRun& right, bool opposed) {
         onLeft.push_back(across(joint, lengthRight, lengthLeft));
     }
     std::ranges::sort(onLeft);
-    // A joint of one side that lies at one of the other divides neither, each once, so that both
-    // sides end up with as many; by the left's measure for both.
+    // Joints of the two sides at the same place divide neither side. Each joint is matched once, so
+    // both sides get the same number, measured on the left side.
     const std::vector<double> leftJoints = jointsOf(left.chain);
     std::vector<double> newOnLeft, newOnRight;
     const auto divideRight = [&](double place) {
@@ -139,7 +139,7 @@ void divideAlike(SeamRun& left, SeamRun& right, bool opposed) {
     divide(right, newOnRight);
 }
 
-/// The rigid motion that brings a flat piece nearest to its place in the garment.
+/// Finds the rigid motion that brings a flat piece nearest to its place in the garment.
 void placeInSpace(const Points2& flat, const Points3& garment, SewnPanel& panel) {
     const Eigen::Vector3d middle = garment.colwise().mean().transpose();
     const Eigen::Vector2d flatMiddle = flat.colwise().mean().transpose();
@@ -195,7 +195,7 @@ SewnPanels sewnPanels(const ExportSource& source) {
         divideAlike(run, other->second, opposed);
         sewn.push_back({&run, &other->second, opposed});
     }
-    // The divided curves back to their segments.
+    // Assign the divided curves to their segments again.
     for (const Sewn& seam : sewn) {
         for (const SeamRun* run : {seam.left, seam.right}) {
             for (std::size_t s = 0; s < run->segments.size(); ++s) {

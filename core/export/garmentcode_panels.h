@@ -12,8 +12,8 @@
 
 namespace toile {
 
-/// A pattern as panels of edges, one curve each, that are stitched one to one: what GarmentCode's
-/// files hold. Panels are the seam lines of whole pieces; holes and what is drawn are left out.
+/// A pattern as panels of edges, one curve each, that are stitched one to one, as in GarmentCode
+/// files. Panels are the seam lines of whole pieces; holes and drawn lines are left out.
 
 struct PanelEdge {
     CubicCurve curve{};  ///< mm, in the piece's own coordinates
@@ -22,9 +22,9 @@ struct PanelEdge {
 
 struct SewnPanel {
     std::string name{};              ///< unique
-    std::string label{};             ///< as the piece is called
+    std::string label{};             ///< the name of the piece
     std::vector<PanelEdge> edges{};  ///< anti-clockwise round the piece
-    /// What brings the flat piece nearest to the garment: turned, then moved, mm.
+    /// The motion that brings the flat piece nearest to the garment: turned, then moved, mm.
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
     Eigen::Vector3d shift{0, 0, 0};
 };
@@ -41,11 +41,11 @@ struct SewnPanels {
     std::vector<SewnEdges> stitches{};
 };
 
-/// Where a curve of one side of a seam ends, the other is divided at the same share of its length.
-/// Joints of the two sides nearer to each other than this are one, mm.
+/// If a curve of one side of a seam ends, the other side is divided at the same share of its
+/// length. Joints of the two sides nearer than this are treated as one, mm.
 inline constexpr double kSameJoint = 0.04;
 
-/// @param source  of which the whole pattern is taken (`LaidOutPattern::wholePattern`)
+/// @param source  provides the whole pattern (`LaidOutPattern::wholePattern`)
 /// Cost: that of `curvesOf` for each segment. Pure.
 SewnPanels sewnPanels(const ExportSource& source);
 

@@ -12,7 +12,7 @@
 namespace toile {
 namespace {
 
-/// The place on a line nearest to a point among those near a place.
+/// The point on a line, near an expected place, that is nearest to a point.
 double placeNear(const geometry::Line& line, double expected, const Eigen::RowVector2d& point) {
     constexpr double kReach = 2;  // mm
     double best = expected, least = (line.pointAt(expected) - point).norm();
@@ -35,13 +35,13 @@ double placeNear(const geometry::Line& line, double expected, const Eigen::RowVe
     return best;
 }
 
-/// A panel of a file on the piece that it is of.
+/// Compares a panel of a file with its piece.
 class PanelCheck {
 public:
     PanelCheck(const PatternPiece& piece, const GarmentCodePanel& panel)
         : piece_(piece), panel_(panel), line_(geometry::Line::closed(piece.outline)) {}
 
-    /// The error, or how far the file is off.
+    /// The error, or the largest deviation of the file.
     Result<double> check() {
         double at = piece_.segments.front().from, largest = 0, total = 0;
         for (const GarmentCodeEdge& edge : panel_.edges) {
@@ -74,7 +74,7 @@ public:
         return std::max(largest, difference);
     }
 
-    /// The segment that an edge is part of.
+    /// The segment that contains an edge.
     const PatternSegment* segmentOf(int edge) const {
         const double place = places_[static_cast<std::size_t>(edge)];
         for (const PatternSegment& segment : piece_.segments) {
@@ -99,7 +99,7 @@ private:
 Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pattern) {
     if (std::ranges::all_of(pattern.pieces,
                             [](const auto& piece) { return piece.outline.rows() == 0; })) {
-        return ReadBack{};  // a specification without a panel is none, and nobody could read it
+        return ReadBack{};  // without panels the file is no valid specification to read
     }
     const auto code = readGarmentCode(bytes);
     if (!code) {
@@ -126,7 +126,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
     if (static_cast<std::size_t>(found.pieces) != code->panels.size()) {
         return notReadBack(pattern.name, "it has panels that are none of the pattern");
     }
-    // Each side of a seam by what its stitches cover.
+    // The stretches that stitches cover on each side of a seam.
     std::map<std::pair<int, bool>, double> covered;
     for (const GarmentCodeStitch& stitch : code->stitches) {
         const PatternSegment* segments[2] = {};

@@ -11,8 +11,8 @@
 namespace toile {
 namespace {
 
-constexpr double kMillimetresPerUnit = 10;  // it writes centimetres, as the format's own files do
-constexpr double kFinest = 1e7;             // of a centimetre: digits beyond say nothing
+constexpr double kMillimetresPerUnit = 10;  // centimetres, as in the format's own files
+constexpr double kFinest = 1e7;             // of a centimetre: further digits carry no information
 constexpr double kFinestShare = 1e10;
 
 double rounded(double value, double finest) {
@@ -29,7 +29,7 @@ Eigen::Vector2d vertexOf(const Eigen::Vector2d& point) {
             rounded(point.y() / kMillimetresPerUnit, kFinest)};
 }
 
-/// A control point along an edge and to the left of it, as parts of its length.
+/// A control point along an edge and to its left, relative to its length.
 Eigen::Vector2d relativeTo(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                            const Eigen::Vector2d& control) {
     const Eigen::Vector2d edge = to - from, way = control - from;
@@ -38,7 +38,7 @@ Eigen::Vector2d relativeTo(const Eigen::Vector2d& from, const Eigen::Vector2d& t
             rounded((edge.x() * way.y() - edge.y() * way.x()) / square, kFinestShare)};
 }
 
-/// Turns about x, then y, then z, in degrees.
+/// Rotations about x, then y, then z, in degrees.
 std::array<double, 3> anglesOf(const Eigen::Matrix3d& turn) {
     const double across = std::hypot(turn(0, 0), turn(1, 0));
     constexpr double kUpright = 1e-9;

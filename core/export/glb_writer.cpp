@@ -30,7 +30,7 @@ void appendReal(std::string& out, double value) {
     append32(out, std::bit_cast<std::uint32_t>(static_cast<float>(value)));
 }
 
-/// Of vertices: the mean of their triangles', weighted by area.
+/// Vertex normals: the mean of the triangles' normals, weighted by area.
 Points3 vertexNormals(const PieceMesh& mesh) {
     Points3 normals = Points3::Zero(mesh.V.rows(), 3);
     for (const auto& face : mesh.F.rowwise()) {
@@ -48,7 +48,7 @@ Points3 vertexNormals(const PieceMesh& mesh) {
     return normals;
 }
 
-/// The binary part of the file, and what the JSON says of it.
+/// The binary part of the file, and its description in the JSON.
 class Buffers {
 public:
     Json views = Json::array(), accessors = Json::array();

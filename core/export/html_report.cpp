@@ -30,7 +30,7 @@ constexpr const char* kStyle =
     "th{color:#555;font-weight:600}"
     "@media print{body{margin:0}h2{break-after:avoid}tr{break-inside:avoid}}";
 
-/// Text that is no markup.
+/// Text escaped for HTML.
 std::string htmlText(std::string_view text) {
     std::string out;
     for (const char c : cleanText(text)) {
@@ -68,7 +68,7 @@ void appendPicture(std::string& out, const ReportPicture& picture) {
            "\">\n<figcaption>" + caption + "</figcaption>\n</figure>\n";
 }
 
-/// The drawing without what only a file of its own needs.
+/// The drawing without the parts that only a separate file needs.
 std::string inlineSvg(const Drawing& drawing) {
     std::string svg = writeSvg(drawing);
     svg.erase(0, svg.find("<svg"));

@@ -13,13 +13,13 @@ struct ReportPicture {
     std::string png;  ///< in base 64
 };
 
-/// Gives reports pictures of the garment, which the core cannot draw. Not thread-safe: once, before
-/// anything is written.
+/// Provides pictures of the garment for reports, which the core cannot draw. Not thread-safe: call
+/// it once, before any export.
 void provideReportPictures(std::vector<ReportPicture> (*make)(const ExportSource&));
 
-/// The whole pattern as one page for a browser, with nothing beside it: how many pieces and seams,
-/// how well they fit, the drawing, pictures of the garment where there are some, and the tables of
-/// report_tables.h. The same input gives the same bytes, on another machine but for the pictures.
+/// The whole pattern as one self-contained page for a browser: number of pieces and seams, their
+/// fit, the drawing, pictures of the garment if available, and the tables of report_tables.h. The
+/// same input gives the same bytes; only pictures may differ between machines.
 /// Cost: that of the drawing, of `walkGarment` and of the pictures.
 std::string writeHtmlReport(const ExportSource& source);
 

@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-/// Why a piece is not flat, or will not be.
+/// The reason why a piece is not flat, or will not be.
 const Error* errorOf(const Garment& garment, const PieceResults& results, std::size_t index) {
     const auto& error = results.empty() ? garment.pieces[index]->defect : results[index]->error;
     return error ? &*error : nullptr;
@@ -204,8 +204,8 @@ bool changesOutput(ErrorCode code) {
         case ErrorCode::IndexOutOfRange:       // the faces are gone
         case ErrorCode::NonFinitePosition:     // its faces are in no piece
         case ErrorCode::DegenerateFaceRecord:  // gone, or in no piece
-        case ErrorCode::MalformedFile:         // what could not be read is gone
-        case ErrorCode::VerticesWelded:        // faces name other vertices
+        case ErrorCode::MalformedFile:         // unreadable parts are gone
+        case ErrorCode::VerticesWelded:        // faces refer to other vertices
             return true;
         default:
             return false;

@@ -15,52 +15,51 @@
 #include "core/seam/seam_measure.h"
 #include "core/symmetry/symmetry.h"
 
-/// The parts that the report and the description of a garment share. Include in writers only: the
-/// JSON library takes a second to compile.
+/// The parts that reports and descriptions of a garment share. Include in writers only: the JSON
+/// library takes a second to compile.
 
 namespace toile {
 
 using Json = OrderedJson;  // fields in the order of docs/report.md
 
-/// The one way of a number into a file: JSON has no NaN and no infinity.
+/// Writes a number as JSON, which has no NaN and no infinity: null instead.
 Json number(double value);
 Json number(const std::optional<double>& value);
 Json text(std::string_view words);
-/// A fault as programs and people read it: its code, which never changes, its sentence, and the
-/// places that this tells.
+/// A problem for programs and people: its code, which never changes, its sentence, and the places
+/// in it.
 Json errorJson(const Error& error);
-/// Adds `places` beside a sentence, where it tells any.
+/// Adds `places` to a sentence that names any.
 void addPlaces(Json& json, const std::vector<ToldPlace>& places);
-/// Adds `changed_by`, where anything is changed.
+/// Adds `changed_by` if there are changes.
 void addChanges(Json& json, const std::vector<LengthChange>& changes);
-/// The text, or null where there is none.
+/// The text, or null if it is empty.
 Json textOrNull(const std::string& words);
 
-/// @param results  one per piece, or empty where nothing is flat yet
+/// @param results  one per piece, or empty if nothing is flat yet
 Json filesJson(const Garment& garment, const PieceResults& results);
 Json cutsJson(const Garment& garment);
 Json seamsJson(const Garment& garment, const PieceResults& results);
-/// How a drawn outline came out. Precondition: the result has one (`FlatPiece::line`).
+/// The quality of a drawn outline. Precondition: the result has one (`FlatPiece::line`).
 Json lineJson(const PieceResult& result);
-/// Adds what has been added to the outline: allowances and notches, where there are any.
+/// Adds allowances and notches, if there are any.
 void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piece);
-/// What is cut a second time. @param pattern  as it is cut (`asCut`)
+/// Pieces that are cut a second time. @param pattern  as cut (`asCut`)
 Json facingsJson(const Pattern& pattern);
 /// Kinks at the ends of seams, exact and as drawn. @param results  one per piece
 Json seamEndsJson(const Garment& garment, const PieceResults& results);
-/// The plane, what mirrors what, and what common lengths and mirrored lines change.
+/// The plane, the mirrored pairs, and the changes by common lengths and mirrored lines.
 /// @param results  one per piece
 Json symmetryJson(const Garment& garment, const PieceResults& results, const Symmetry& symmetry);
-/// What there is to say about the garment beyond its files.
+/// All problems of the garment except those of its files.
 Json problemsJson(const Garment& garment);
 
 struct SourceFile;
 
-/// Everything there is to say about a file as a whole, each problem once: what reading, unit and
-/// triangulating had to say, in this order.
+/// All problems of a file as a whole, each once: of reading, unit and triangulating, in this order.
 Problems problemsOf(const SourceFile& file);
 
-/// True where a mesh written from the file cannot equal it because of this problem.
+/// Whether a mesh written from the file must differ from it because of this problem.
 bool changesOutput(ErrorCode code);
 
 }  // namespace toile

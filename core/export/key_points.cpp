@@ -15,19 +15,19 @@
 namespace toile {
 namespace {
 
-constexpr double kOnePlace = 1e-6;      // mm; ends of two neighbours on a line
+constexpr double kOnePlace = 1e-6;      // mm; coinciding ends of two neighbours on a line
 constexpr double kOneCorner = 1e-3;     // mm; a corner where something ends
 constexpr double kStraightTurn = 1e-6;  // radians
 constexpr int kMinRunEdges = 3;
 
 /// The key points of one line while they are gathered.
 struct LineKeys {
-    std::optional<geometry::Line> line{};  ///< none of what has no key points
+    std::optional<geometry::Line> line{};  ///< none if the line has no key points
     KeyPoints fixed{};                     ///< ends, corners, straight runs; by `at`
     KeyPoints found{};
     std::vector<const DrawnEdge*> edges{};
 
-    /// @param within  mm, of a point that is there already and stands for it
+    /// @param within  mm, distance in which an existing point replaces the new one
     void fix(double at, bool isTurn, double within) {
         const double place = line->wrap(at);
         const auto after = std::ranges::lower_bound(fixed, place, {}, &KeyPoint::at);
@@ -45,11 +45,11 @@ struct LineKeys {
     }
 };
 
-/// Ends of long parts that run straight on over several vertices.
+/// Ends of long straight parts with several vertices.
 void fixStraightRuns(LineKeys& keys) {
     const geometry::Line& line = *keys.line;
     const bool isClosed = line.isClosed();
-    // Closed lines twice round, from the first vertex at which they turn.
+    // Go twice round closed lines, from the first vertex with a turn.
     std::optional<int> start = isClosed ? std::nullopt : std::optional(0);
     const int end = isClosed ? 2 * line.count() : line.count();
     for (int k = 1; k < end; ++k) {
@@ -85,7 +85,7 @@ void fixCorners(LineKeys& keys, const DrawnPath& path) {
     }
 }
 
-/// Ends of segments, on the seam line as it is drawn: mirrored, it runs the other way round.
+/// Ends of segments on the drawn seam line: mirrored, it runs in the opposite direction.
 void fixSegments(LineKeys& keys, const PatternPiece& piece, const Placement& placement) {
     const auto outline = geometry::Line::closed(piece.outline);
     for (const PatternSegment& segment : piece.segments) {
@@ -95,7 +95,7 @@ void fixSegments(LineKeys& keys, const PatternPiece& piece, const Placement& pla
     }
 }
 
-/// How an edge of a drawing takes part in its seam.
+/// Direction and fold ends of an edge of a drawing in its seam.
 struct EdgeFacts {
     bool mirrored = false;           ///< drawn from its end to its beginning
     std::array<bool, 2> isAtFold{};  ///< as drawn
@@ -120,7 +120,7 @@ std::vector<EdgeFacts> edgeFacts(const Drawing& drawing, const Pattern& pattern)
     return facts;
 }
 
-/// Whether both sides of a seam run the same way along their outlines, on the pieces themselves.
+/// Whether both sides of a seam run in the same direction along the outlines of their pieces.
 bool runsAlike(const Garment& garment, int number) {
     const auto index = static_cast<std::size_t>(number) - 1;
     if (number < 1 || index >= garment.seams.seams.size()) {
@@ -207,7 +207,7 @@ private:
         return alike == (facts_[edge].mirrored != facts_[other].mirrored);
     }
 
-    /// The other side of its seam, where shares of both mean the same.
+    /// The other side of its seam, if equal shares of both correspond.
     std::optional<std::size_t> partner(std::size_t edge) const {
         const DrawnEdge& own = drawing_.edges[edge];
         if (own.pair.empty()) {
@@ -265,7 +265,7 @@ private:
         }
     }
 
-    /// What is no side of a seam, from one turn point to the next.
+    /// Adds the stretches that are not a side of a seam, between consecutive turn points.
     static void addRest(LineKeys& keys) {
         std::vector<double> ends;
         for (const KeyPoint& point : keys.fixed) {
@@ -290,7 +290,7 @@ private:
         }
     }
 
-    /// Each place once, from a turn point on.
+    /// Each place once, starting at a turn point.
     static KeyPoints inOrder(const LineKeys& keys) {
         if (!keys.line) {
             return {};

@@ -12,13 +12,13 @@
 namespace toile {
 namespace {
 
-/// Places nearer to each other are one, mm.
+/// Places nearer to each other than this count as one, mm.
 constexpr double kSamePlace = 1e-6;
 
-/// What a chord between two stations costs, mm.
+/// The error of a chord between two stations, mm.
 struct ChordCost {
-    double lost = 0;                ///< of the length
-    double far = 0;                 ///< of a vertex from it
+    double lost = 0;                ///< length
+    double far = 0;                 ///< largest distance of a vertex from the chord
     std::optional<double> split{};  ///< place of the vertex nearest to the middle
 };
 
@@ -40,7 +40,7 @@ ChordCost chordCost(const geometry::Line& line, double from, double to) {
     return cost.split ? cost : ChordCost{};
 }
 
-/// The part between two neighbouring stations, on either side.
+/// The part between two neighbouring stations, on both sides.
 struct Part {
     double from = 0, to = 1;  ///< shares
     ChordCost costs[2] = {};
@@ -48,7 +48,7 @@ struct Part {
     double lost() const { return std::max(costs[0].lost, costs[1].lost); }
     double far() const { return std::max(costs[0].far, costs[1].far); }
     bool operator<(const Part& other) const {
-        // What is too far from its line comes first.
+        // Parts too far from their line come first.
         const bool isFar = far() > kKeyFar, otherIsFar = other.far() > kKeyFar;
         return isFar != otherIsFar      ? otherIsFar
                : lost() != other.lost() ? lost() < other.lost()
@@ -68,7 +68,7 @@ public:
         parts_.push(part);
     }
 
-    /// Halves parts until both sides are kept.
+    /// Halves parts until both sides are within the tolerances.
     void refine() {
         while (!parts_.empty() &&
                (std::max(lost_[0], lost_[1]) > kKeyLost || parts_.top().far() > kKeyFar)) {
@@ -76,7 +76,7 @@ public:
             const std::size_t side = worseSide(part);
             const KeyStretch& stretch = sides_[side];
             if (!part.costs[side].split) {
-                return;  // nothing is lost any more
+                return;  // no further gain
             }
             parts_.pop();
             for (std::size_t s = 0; s < sides_.size(); ++s) {
@@ -100,7 +100,7 @@ public:
         return shares;
     }
 
-    /// Without those, but for the fixed ones, that the lengths and the shape do not need.
+    /// Removes stations that length and shape do not need, except the fixed ones.
     std::vector<double> thinned(std::vector<double> shares, const std::vector<double>& fixed) {
         std::vector<std::size_t> before(shares.size()), after(shares.size()), order;
         std::vector<double> saved(shares.size());

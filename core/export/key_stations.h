@@ -8,10 +8,10 @@
 
 namespace toile {
 
-/// A part of a line that a few stations on it are to stand for.
+/// A part of a line to be replaced by a few stations on it.
 struct KeyStretch {
     const geometry::Line* line = nullptr;
-    double from = 0, to = 0;  ///< mm along it: `from` within the first turn, `to` counted on
+    double from = 0, to = 0;  ///< mm along it: `from` in the first round, `to` not wrapped
     bool reversed = false;    ///< shares count from `to`
 
     double at(double share) const {
@@ -19,15 +19,15 @@ struct KeyStretch {
     }
 };
 
-/// How far the polygon through key points may be from its line, mm.
-inline constexpr double kKeyLost = 0.03;  ///< shorter, a whole stretch
-inline constexpr double kKeyFar = 0.08;   ///< beside it
+/// Tolerances of the polygon through key points against its line, mm.
+inline constexpr double kKeyLost = 0.03;  ///< length lost over a whole stretch
+inline constexpr double kKeyFar = 0.08;   ///< distance from the line
 
-/// Shares of a stretch, or of two that are sewn together, at which the points of both lie: so many
-/// that each is kept to kKeyLost and kKeyFar, 0 and 1 among them, ascending. Parts that lose most
-/// are halved at a vertex of the line, so that a straight line has its ends alone and, at worst,
-/// every vertex is a station; then those that are not needed go again.
-/// @param sides  one or two, of some length  @param fixed  shares that are to be there
+/// Shares of a stretch, or of two that are sewn together, at which both have points: enough to keep
+/// each within kKeyLost and kKeyFar; 0 and 1 included, ascending. The parts with the largest loss
+/// are halved at a vertex of the line, so that a straight line has its ends only and, at worst,
+/// every vertex is a station; unnecessary stations are then removed.
+/// @param sides  one or two, with a length above 0  @param fixed  required shares
 /// Cost: vertices times the logarithm of stations. Pure.
 std::vector<double> keyShares(std::span<const KeyStretch> sides, std::vector<double> fixed);
 

@@ -11,7 +11,7 @@
 namespace toile {
 namespace {
 
-/// Strain over pieces: the extremes, and the mean weighted by area. Null where a piece has none.
+/// Strain over pieces: the extremes, and the mean weighted by area. Null if no piece has any.
 Json strainJson(const PieceResults& results, const std::vector<int>& pieces) {
     double least = std::numeric_limits<double>::infinity(), most = -least, sum = 0, area = 0;
     for (const int p : pieces) {
@@ -30,7 +30,7 @@ Json strainJson(const PieceResults& results, const std::vector<int>& pieces) {
             {"strain_mean_abs", number(sum / area)}};
 }
 
-/// The same as drawn, and with the exact outlines.
+/// Strain as drawn, and with the exact outlines.
 void addStrain(Json& json, const PieceResults& results, const std::vector<int>& pieces) {
     json.update(strainJson(results, pieces));
     json["exact"] = strainJson(exactResults(results), pieces);
@@ -40,7 +40,7 @@ bool isDrawnMirrored(const PieceResult& result) {
     return result.flat && result.flat->line && result.plan && result.plan->mirrored;
 }
 
-/// Pieces that mirror each other, each pair once, and those that are symmetric in themselves.
+/// Pairs of mirrored pieces, each once, and pieces that are symmetric in themselves.
 Json pairsJson(const Garment& garment, const PieceResults& results, const MirrorPieces& pieces) {
     Json pairs = Json::array();
     for (int p = 0; p < static_cast<int>(pieces.counterpart.size()); ++p) {

@@ -33,7 +33,7 @@ DrawnMarker drawMarker(const Pattern& pattern, const ClothMarker& marker,
     words.mirrored.clear();
     drawn.drawing = draw(drawn.laid.pattern, drawn.laid.marker, words);
     Drawing& drawing = drawn.drawing;
-    // A person may lay a copy beyond the cloth.
+    // The user may place a copy outside the cloth.
     for (const LaidCopy& copy : marker.copies) {
         const double top = laidOutline(pattern, copy).col(1).maxCoeff();
         drawing.height = std::max(drawing.height, std::ceil(top + 2 * kDrawingMargin));

@@ -10,22 +10,21 @@
 
 namespace toile {
 
-/// A marker as exports want it: labels say nothing of how often a piece is cut, as each copy lies
-/// there, and nothing of its wrong side, which no image shows.
+/// A marker for exports: labels omit the quantity, because each copy is drawn, and the wrong side,
+/// which no mirrored copy shows.
 struct DrawnMarker {
-    LaidOutPattern laid;  ///< of the pattern's pieces where they lie; `whole` and its pattern empty
+    LaidOutPattern laid;  ///< the pattern's pieces at their places; `whole` and its pattern empty
     Drawing drawing;
 };
 
-/// The page of a marker (`draw`), with what the cloth is of as paths of its own: `cloth-<k>`, the
-/// edges of each part, `cloth-<k>-zone-<z>`, holes and grades, `cloth-fold`, and what it says as
-/// text, `cloth-text`.
-/// @param pattern  as it lies (`patternOnCloth`)  @param title  what is written above the cloth
+/// The page of a marker (`draw`), with the cloth as separate paths: `cloth-<k>`, the edges of each
+/// part, `cloth-<k>-zone-<z>`, holes and grades, `cloth-fold`, and its title as text, `cloth-text`.
+/// @param pattern  at its place on the cloth (`patternOnCloth`)  @param title  text above the cloth
 DrawnMarker drawMarker(const Pattern& pattern, const ClothMarker& marker,
                        const MarkerSettings& settings, const std::vector<std::string>& title,
                        DrawingWords words = {});
 
-/// True of formats that hold a page: of those a marker is written in.
+/// Whether a marker can be written in the format: only formats with a page can.
 bool holdsMarkers(const std::filesystem::path& path);
 
 }  // namespace toile

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr int kMarkerVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kMarkerVersion = 1;  // increased when a field changes its meaning or is removed
 
 Json copiesJson(const Pattern& pattern, const ClothMarker& marker) {
     Json copies = Json::array();

@@ -10,7 +10,7 @@
 
 namespace toile {
 
-/// A marker and what it is made of.
+/// A marker and its input.
 struct MadeMarker {
     std::shared_ptr<const Pattern> pattern;  ///< not null
     MarkerSettings settings;
@@ -18,10 +18,9 @@ struct MadeMarker {
 };
 
 /// Markers of a garment, one per material, as JSON: `use`, `length` and `rounds` of all together,
-/// then of each what it says, with the place of every copy (docs/marker.md).
-/// @param minutesPerMetre  of seam, where a person has said it
-/// Cost: linear. Pure.
-/// Precondition: there is one.
+/// then the figures of each, with the place of every copy (docs/marker.md).
+/// @param minutesPerMetre  of seam, if the user has set it
+/// Cost: linear. Pure. Precondition: there is at least one marker.
 std::string writeMarkers(const std::vector<MadeMarker>& markers,
                          std::optional<double> minutesPerMetre);
 

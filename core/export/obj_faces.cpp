@@ -11,14 +11,14 @@ namespace toile {
 namespace {
 
 constexpr int kNoPiece = -1;
-/// A face of more corners is written as its triangles: to compare it costs their square.
+/// A face with more corners is written as its triangles: comparing it costs the square of them.
 constexpr std::size_t kMaxCorners = 2000;
 
 struct PieceTriangle {
     int piece, triangle;
 };
 
-/// The triangles of a file by the face that they came of; before them all those of none.
+/// The triangles of a file by their face, after those without a face.
 geometry::Buckets<PieceTriangle> trianglesByFace(const Garment& garment, int file, int faceCount) {
     return {faceCount + 1, [&garment, file](auto add) {
                 for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
@@ -32,7 +32,7 @@ geometry::Buckets<PieceTriangle> trianglesByFace(const Garment& garment, int fil
             }};
 }
 
-/// The vertex of these triangles of one piece that stands for a position of the file, or -1.
+/// The vertex of these triangles of one piece that represents a position of the file, or -1.
 int vertexFor(const Piece& piece, std::span<const PieceTriangle> triangles, int position) {
     for (const PieceTriangle& t : triangles) {
         for (int k = 0; k < 3; ++k) {
@@ -92,13 +92,13 @@ public:
     }
 
 private:
-    /// Whether the triangles are still a division of the polygon: in one piece, on its corners
-    /// only, and every corner one vertex.
+    /// Whether the triangles still divide the polygon: they are in one piece, on its corners only,
+    /// and every corner is one vertex.
     bool isWhole(std::span<const int> corners, std::span<const PieceTriangle> triangles) const {
         const int p = triangles.front().piece;
         const Piece& piece = *garment_.pieces[p];
         if (corners.size() > kMaxCorners || triangles.size() + 2 != corners.size()) {
-            return false;  // too many, or repair took a triangle away, or divided one
+            return false;  // too many, or repair removed or divided a triangle
         }
         for (const PieceTriangle& t : triangles) {
             if (t.piece != p) {
@@ -121,7 +121,7 @@ private:
         return true;
     }
 
-    /// Whether a triangle of the polygon runs round against it.
+    /// Whether a triangle has the opposite winding of its polygon.
     bool isTurned(std::span<const int> corners, const PieceTriangle& t) const {
         const Piece& piece = *garment_.pieces[t.piece];
         std::ptrdiff_t place[3];
@@ -129,7 +129,7 @@ private:
             const int position = piece.sourceVertex[piece.mesh.F(t.triangle, k)];
             place[k] = std::find(corners.begin(), corners.end(), position) - corners.begin();
         }
-        // Along the polygon the places rise but for one step back to the start.
+        // Along the polygon the places increase, except for one step back to the start.
         const int rises = (place[0] < place[1]) + (place[1] < place[2]) + (place[2] < place[0]);
         return rises == 1;
     }

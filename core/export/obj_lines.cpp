@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-/// What of a drawing has a place beside a UV map, and what it is called there.
+/// The layers of a drawing that are added to a UV map, with their names there.
 constexpr std::array kObjLayers{std::pair(LayerKind::Cut, "pattern_cut"),
                                 std::pair(LayerKind::Sew, "pattern_sew"),
                                 std::pair(LayerKind::Notches, "pattern_notches"),

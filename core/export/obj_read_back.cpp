@@ -16,8 +16,8 @@ struct VertexOfPiece {
     int piece, vertex;
 };
 
-/// Which vertices of pieces stand for each position of the file: those of the input files one after
-/// the other, each followed by those that were added to it.
+/// The vertices of pieces for each position of the file: positions of the input files in sequence,
+/// each followed by its added vertices.
 class Positions {
 public:
     explicit Positions(const Garment& garment) {
@@ -53,8 +53,8 @@ private:
     std::vector<std::vector<VertexOfPiece>> of_;
 };
 
-/// The corner's vertex of a piece: of those that share its position the one whose flat point is
-/// nearest, in the piece of the face's other corners where that is known.
+/// The piece vertex of a corner: among those that share its position, the one with the nearest flat
+/// point, in the piece of the face's other corners if it is known.
 struct NearestVertex {
     double distance = std::numeric_limits<double>::infinity();
     VertexOfPiece at{-1, -1};
@@ -84,7 +84,7 @@ double lengthAlong(const Points2& uv, const std::vector<int>& vertices) {
     return length;
 }
 
-/// Both sides of a seam in the pattern of the file. @param uv  by mesh
+/// Compares both sides of a seam in the pattern of the file. @param uv  by mesh
 Result<double> compareSeam(const MeshSeam& seam, const PieceMeshes& meshes,
                            const std::vector<Points2>& uv, double rounding) {
     double largest = 0;

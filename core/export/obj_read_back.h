@@ -10,14 +10,14 @@
 
 namespace toile {
 
-/// Compares an OBJ file of the whole garment (`writeObj`), whose polygons are the input's, with
-/// what it was made from: every point of the pattern within kReadBackCoordinates, both sides of
-/// each seam as long, within kReadBackLengths. Errors: NotReadBack. Cost: linear. Pure.
+/// Compares an OBJ file of the whole garment (`writeObj`), whose polygons are the input's, with its
+/// source: every point of the pattern within kReadBackCoordinates, both sides of each seam in
+/// length within kReadBackLengths. Errors: NotReadBack. Cost: linear. Pure.
 Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& source);
 
-/// Adds to `found` that both sides of each seam are as long in a pattern as read.
+/// Compares the lengths of both sides of each seam in a read pattern; adds this to `found`.
 /// @param uv        #V x 2 of each mesh, mm
-/// @param rounding  mm that the format's numbers may cost between two vertices
+/// @param rounding  mm of error between two vertices by the format's rounding
 Result<ReadBack> withSeamsCompared(ReadBack found, const PieceMeshes& meshes,
                                    const std::vector<Points2>& uv, double rounding = 0);
 

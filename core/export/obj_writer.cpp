@@ -10,16 +10,16 @@
 #include "core/export/obj_faces.h"
 #include "core/export/writers.h"
 
-// The bad coordinates of a position that is not finite are written as 0, because no reader takes
-// "nan", and a comment says so. No face of a piece uses such a position.
+// Non-finite coordinates of a position are written as 0, because no reader accepts "nan", and a
+// comment states this. No face of a piece uses such a position.
 
 namespace toile {
 namespace {
 
-constexpr std::size_t kVertexBytes = 64;  // of a usual line, to reserve once
+constexpr std::size_t kVertexBytes = 64;  // of a typical line, for reserving memory
 constexpr std::size_t kFaceBytes = 48;
 
-/// One word without blanks, as a `g` line needs it: readers take several words as several groups.
+/// One word without blanks for a `g` line: readers treat several words as several groups.
 std::string groupWord(const std::string& pieceName) {
     std::string word = cleanText(pieceName);
     for (char& c : word) {
@@ -47,7 +47,7 @@ void appendNumbers(std::string& out, const char* keyword, std::initializer_list<
     out += '\n';
 }
 
-/// The file's own text of a position on one line, without a comment.
+/// The file's original text of a position on one line, without a comment.
 void appendOwnText(std::string& out, std::string_view text) {
     text = text.substr(0, text.find('#'));
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -60,8 +60,8 @@ void appendOwnText(std::string& out, std::string_view text) {
     out += '\n';
 }
 
-/// Appends the `v` lines of a file's own positions; returns how many needed a 0 for a number that
-/// is none.
+/// Appends the `v` lines of a file's own positions; returns the number of those with a 0 for a
+/// non-finite number.
 int appendPositions(std::string& out, const PolygonSoup& soup) {
     int replaced = 0;
     out.reserve(out.size() + soup.positions.size() * kVertexBytes);
@@ -79,7 +79,7 @@ int appendPositions(std::string& out, const PolygonSoup& soup) {
     return replaced;
 }
 
-/// Appends a `v` line for each vertex that no position of the file stands for; returns how many.
+/// Appends a `v` line for each vertex without a position in the file; returns their number.
 int appendAddedVertices(std::string& out, const Garment& garment, int file, int nextIndex,
                         ObjIndices& indices) {
     const double unit = millimetresPer(garment.files[file]->unit);
@@ -113,7 +113,7 @@ void comment(std::string& out, const std::string& text) {
     out += "# " + cleanText(text) + "\n";
 }
 
-/// What a file gave, and what is not as it was.
+/// Counts of a file, and of its changes.
 struct FileNotes {
     int first = 1, vertices = 0, added = 0, replaced = 0;
     FaceChanges faces;

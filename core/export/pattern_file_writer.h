@@ -7,8 +7,8 @@
 
 namespace toile {
 
-/// What a pattern file holds, as JSON: format, unit and how it is known, sizes, and each piece with
-/// its lengths (mm), area (mm2) and counts. Never NaN: null.  Cost: linear. Pure.
+/// Describes a pattern file as JSON: format, unit and its source, sizes, and each piece with its
+/// lengths (mm), area (mm2) and counts. Never NaN: null. Cost: linear. Pure.
 std::string writePatternFile(const PatternFile& file);
 
 }  // namespace toile

@@ -39,7 +39,7 @@ Json dartJson(const PieceDart& dart) {
             {"laid_over", text(dart.lay == DartLay::First ? "first" : "second")}};
 }
 
-/// A strip as it is cut; only its name where it has no room.
+/// A strip as cut; only its name if it has no room.
 Json facingJson(const PatternPiece& piece, const PatternPiece& strip) {
     Json json{{"name", strip.name}, {"piece", piece.name}, {"drawn", strip.outline.rows() > 0}};
     if (strip.outline.rows() > 0) {

@@ -8,15 +8,15 @@
 
 namespace toile {
 
-/// A comparison of a pattern with one from a file, as JSON: each pair with what was compared, how
-/// far the lines differ and by how much in length and area, and what has no partner.
+/// A comparison of a pattern with one from a file, as JSON: each pair with the compared lines,
+/// their distance and the differences of length and area, and the pieces without a partner.
 /// Cost: linear. Pure.
 std::string writePatternMatch(const Pattern& pattern, const PatternFile& file,
                               const PatternMatch& match);
 
-/// Each pair as a picture, side by side at true scale: the line of the pattern on the layer of the
-/// cutting lines, that of the file on it on the layer of the seam lines, and the name with the
-/// figures. Ids `piece-<slug>-ours` and `-theirs`, with `-2` of a second line.
+/// Each pair as a picture, side by side at true scale: the pattern's line on the layer of the
+/// cutting lines, the file's line over it on the layer of the seam lines, and the name with the
+/// figures. Ids `piece-<slug>-ours` and `-theirs`, with `-2` for a second line.
 Drawing drawPatternMatch(const Pattern& pattern, const PatternFile& file,
                          const PatternMatch& match);
 

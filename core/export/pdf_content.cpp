@@ -18,7 +18,7 @@ constexpr std::array<const char*, kPdfLayerCount> kLayerNames{
 
 constexpr int kMatrixDigits = 10;  // decimals: a page is thousands of millimetres long
 
-/// Numbers and names of tiles, "12" and "B3": they are many, and of few characters.
+/// Numbers and names of tiles, "12" and "B3": many texts of few characters.
 bool isCode(std::string_view text) {
     constexpr std::size_t kLongest = 6;
     return text.size() <= kLongest && std::ranges::all_of(text, [](char c) -> bool {
@@ -115,7 +115,7 @@ void PdfContent::curves(const std::vector<CubicCurve>& curves, bool closed) {
             point(curves[k].startHandle);
             point(curves[k].endHandle);
         } else if (closed && k + 1 == curves.size()) {
-            continue;  // what closes the line draws it
+            continue;  // closing the line draws it
         }
         point(curves[k].end);
         out_ += curves[k].isLine ? "l\n" : "c\n";

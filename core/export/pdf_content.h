@@ -13,15 +13,15 @@ namespace toile {
 
 inline constexpr int kPdfLayerCount = kPageLayer + 1;
 
-/// As readers list it, "seam line".
+/// The name in a reader's list, "seam line".
 const char* pdfLayerName(int layer);
-/// By which content streams refer to it.
+/// The name in content streams.
 std::string pdfLayerKey(int layer);
 
-/// The operators of a content stream, in whatever unit its matrix gives.
+/// The operators of a content stream, in the unit of its matrix.
 class PdfContent : public SheetCanvas {
 public:
-    /// @param letters  of the same file; they outlive it
+    /// @param letters  of the same file; must outlive this object
     explicit PdfContent(PdfLetters& letters) : letters_(&letters) {}
 
     void save() override { out_ += "q\n"; }

@@ -14,7 +14,7 @@
 namespace toile {
 namespace {
 
-constexpr int kLevel = 2;  // of nine: twice as fast as the usual one, for files a tenth longer
+constexpr int kLevel = 2;  // of nine: twice as fast as the default, for files a tenth larger
 constexpr double kPointsPerMillimetre = 72 / 25.4;
 constexpr std::size_t kOffsetDigits = 10;
 
@@ -24,7 +24,7 @@ std::string deflated(std::string_view bytes) {
     const std::vector<Bytef> plain(bytes.begin(), bytes.end());
     const int done =
         compress2(packed.data(), &size, plain.data(), static_cast<uLong>(plain.size()), kLevel);
-    assert(done == Z_OK);  // there is room for it
+    assert(done == Z_OK);  // the buffer is large enough
     static_cast<void>(done);
     return {packed.begin(), packed.begin() + static_cast<std::ptrdiff_t>(size)};
 }
@@ -35,7 +35,7 @@ void appendHex(std::string& out, std::uint64_t value, int digits) {
     }
 }
 
-/// UTF-16 with its mark, in hexadecimal.
+/// UTF-16 with its byte order mark, in hexadecimal.
 std::string utf16Hex(std::string_view text) {
     std::string hex = "<FEFF";
     for (const char32_t c : codePoints(text)) {
@@ -81,7 +81,7 @@ int PdfFile::addStream(std::string_view entries, std::string_view bytes) {
 }
 
 std::string PdfFile::finished(int catalog, int info) const {
-    // Four bytes that are no text tell those who carry files what this is.
+    // Four non-text bytes mark the file as binary for transfer programs.
     std::string out = "%PDF-1.7\n%\xE2\xE3\xCF\xD3\n";
     std::vector<std::size_t> offsets;
     for (std::size_t k = 0; k < bodies_.size(); ++k) {
@@ -95,7 +95,7 @@ std::string PdfFile::finished(int catalog, int info) const {
     id += ">";
     const std::size_t table = out.size();
     const std::string count = std::to_string(bodies_.size() + 1);
-    // Each entry is twenty bytes long, with two for the end of its line.
+    // Each entry is twenty bytes long, including two for the line end.
     out += "xref\n0 " + count + "\n0000000000 65535 f \n";
     for (const std::size_t offset : offsets) {
         const std::string digits = std::to_string(offset);

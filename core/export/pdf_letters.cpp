@@ -13,13 +13,13 @@ namespace toile {
 namespace {
 
 constexpr double kSizePerCapital = 1.393;  // of Helvetica
-constexpr double kAverageWidth = 0.5;      // of a character of it, in its size
+constexpr double kAverageWidth = 0.5;      // of a character, relative to its size
 
 bool isAscii(std::string_view text) {
     return std::ranges::all_of(text, [](char c) -> bool { return c >= ' ' && c <= '~'; });
 }
 
-/// The characters of a standard font: Latin ones in one byte each, for others a question mark.
+/// The characters in a standard font: Latin ones in one byte each, a question mark for others.
 std::string latinHex(const std::u32string& characters) {
     std::string hex = "<";
     for (const char32_t c : characters) {
@@ -58,7 +58,7 @@ void appendOutlines(std::string& out, const TextOutlines& outlines) {
     out += outlines.contours.empty() ? "" : "f\n";
 }
 
-/// As wide as the outlines. Without a font for these the text itself is seen.
+/// As wide as the outlines. Without a font for these the text itself is visible.
 void appendText(std::string& out, const std::string& text, const TextOutlines& outlines) {
     const std::u32string characters = codePoints(text);
     const double size = PdfLetters::kHeight * kSizePerCapital;
@@ -97,7 +97,7 @@ std::string PdfLetters::addTo(PdfFile& file, const std::string& font) const {
         if (line.key.empty()) {
             continue;
         }
-        // Letters of any script stay within three heights of a capital.
+        // Letters of any script fit within three heights of a capital.
         const int form = file.addStream(
             "/Type /XObject /Subtype /Form /BBox [" + pdfNumber(-kHeight) + " " +
                 pdfNumber(-kHeight) + " " + pdfNumber(line.width + kHeight) + " " +

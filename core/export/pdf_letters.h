@@ -9,23 +9,23 @@ namespace toile {
 
 class PdfFile;
 
-/// Lines of text as forms, each once in a file however often it is shown: outlines of its letters,
-/// filled, and the same text unseen, to be searched for. From (0, 0) on the baseline to the right.
+/// Lines of text as forms, each stored once per file: filled outlines of its letters, and the same
+/// text invisibly, for searching. From (0, 0) on the baseline to the right.
 class PdfLetters {
 public:
-    /// Of a capital, in the unit of the forms; outlines are in whole units.
+    /// Height of a capital, in the unit of the forms; outlines are in whole units.
     static constexpr double kHeight = 1000;
 
     struct Line {
-        std::string key;   ///< in resources; empty: nothing is seen of it
+        std::string key;   ///< in resources; empty: nothing visible
         double width = 0;  ///< in the unit of the forms
         std::string content{};
     };
 
-    /// Cost: that of `textOutlines`, for a line that is new.
+    /// Cost: that of `textOutlines` for a new line.
     const Line& line(std::string_view text);
 
-    /// Writes the forms. @param font  the entry of resources for what is searched for
+    /// Writes the forms. @param font  the resource entry for searchable text
     /// @return their entries of a dictionary "/XObject"
     std::string addTo(PdfFile& file, const std::string& font) const;
 

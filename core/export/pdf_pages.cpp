@@ -15,7 +15,7 @@ namespace {
 using Eigen::AlignedBox2d;
 using Eigen::Vector2d;
 
-constexpr double kClear = 1;        // mm about the content: lines have a width
+constexpr double kClear = 1;        // mm around the content: lines have a width
 constexpr double kRounding = 1e-6;  // mm
 constexpr double kMargins = 2 * kPageMargin;
 
@@ -23,11 +23,11 @@ enum class PaperKind { Tile, Sheet, Roll, Projector };
 
 struct PaperRow {
     PaperKind kind;
-    double width, height;  ///< mm; of a roll its width alone
+    double width, height;  ///< mm; for a roll its width only
 };
 
-/// In the order of the papers. What fits on A4 and Letter is as narrow as one and as short as the
-/// other.
+/// In the order of the papers. The shared layout is as narrow as A4 and as short as Letter, and so
+/// fits on both.
 constexpr PaperRow kPaperRows[] = {
     {PaperKind::Tile, 210, 297},      {PaperKind::Tile, 215.9, 279.4},
     {PaperKind::Tile, 210, 279},      {PaperKind::Sheet, 841, 1189},
@@ -50,7 +50,7 @@ Points2 turnedQuarter(const Points2& line) {
     return turned;
 }
 
-/// How many tiles are needed for a length, where neighbours share `overlap`.
+/// The number of tiles for a length, if neighbours share `overlap`.
 double tilesFor(double length, double tile, double overlap) {
     return std::max(1.0, std::ceil((length - overlap - kRounding) / (tile - overlap)));
 }
@@ -59,7 +59,7 @@ bool fits(const Vector2d& size, const Vector2d& room) {
     return (size.array() <= room.array() + kRounding).all();
 }
 
-/// Marks the tiles of a grid that something is in.
+/// Marks the tiles of a grid that have content.
 class TileGrid {
 public:
     /// @param corner  of the lower left tile's own area  @param overlap  half of it on either side
@@ -71,14 +71,14 @@ public:
           rows_(rows),
           isUsed_(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
 
-    /// What the tile shows. @param row  from the top
+    /// The visible part of the tile. @param row  from the top
     AlignedBox2d window(int column, int row) const {
         const Vector2d low = corner_ + step_.cwiseProduct(Vector2d(column, rows_ - 1 - row));
         const Vector2d beyond = Vector2d::Constant(beyond_);
         return {low - beyond, low + step_ + beyond};
     }
 
-    /// Where it is joined to others, and where there are none all that it shows.
+    /// The visible part, cut along the joints with neighbours.
     AlignedBox2d frame(int column, int row) const {
         const AlignedBox2d shown = window(column, row);
         const Vector2d low(column > 0 ? beyond_ : 0, row + 1 < rows_ ? beyond_ : 0);
@@ -94,7 +94,7 @@ public:
         }
     }
 
-    /// Tiles that no line crosses are inside or outside as a whole.
+    /// Marks tiles inside of the area; a tile that no line crosses is inside or outside as a whole.
     void addInside(const Points2& area) {
         if (area.rows() < 3) {
             return;
@@ -116,7 +116,7 @@ private:
                static_cast<std::size_t>(column);
     }
 
-    /// First and last column and row of the tiles about a box.
+    /// First and last column and row of the tiles around a box.
     std::pair<Eigen::Vector2i, Eigen::Vector2i> cellsOf(const Eigen::RowVector2d& low,
                                                         const Eigen::RowVector2d& high) const {
         const auto place = [](double at, int count) -> int {
@@ -153,7 +153,7 @@ private:
     std::vector<bool> isUsed_;
 };
 
-/// The paper and whether the drawing is turned for it; both may change with what is to be shown.
+/// The paper, and whether the drawing is turned for it; the content may change both.
 struct Layout {
     bool turned = false;
     Vector2d paper;
@@ -169,13 +169,13 @@ Layout layoutOnSheet(const Vector2d& size, const PaperRow& row, double overlap) 
     return {false, pages(lying) < pages(upright) ? lying : upright, overlap};
 }
 
-/// The way round that uses less of the roll, then the length that it takes, in pages of one length.
+/// The turn that uses less of the roll, then the length it needs, in pages of equal length.
 Layout layoutOnRoll(const Vector2d& size, const PaperRow& row, double overlap) {
     const auto strips = [&](double across) -> double {
         return tilesFor(across, row.width - kMargins, overlap);
     };
     const double across = strips(size.x()), acrossTurned = strips(size.y());
-    // In one strip where that can be, whatever its length.
+    // Prefer one strip, whatever its length.
     const bool turned =
         (across > 1 && acrossTurned == 1) ||
         ((across == 1) == (acrossTurned == 1) && acrossTurned * size.x() < across * size.y());
@@ -263,7 +263,7 @@ Result<void> placeOnTiles(PdfPlan& plan, const AlignedBox2d& box, const PrintedC
             }
         }
     }
-    if (plan.pages.empty()) {  // of a pattern without a flat piece: an empty page, but a page
+    if (plan.pages.empty()) {  // a pattern without a flat piece gets one empty page
         plan.pages.push_back({0, 0, grid.window(0, 0), grid.frame(0, 0)});
     }
     findShared(plan);
