@@ -42,7 +42,7 @@ struct SewnPanels {
 };
 
 /// If a curve of one side of a seam ends, the other side is divided at the same share of its
-/// length. Joints of the two sides nearer than this are treated as one, mm.
+/// length. Joints of the two sides nearer than this coincide, mm.
 inline constexpr double kSameJoint = 0.04;
 
 /// @param source  provides the whole pattern (`LaidOutPattern::wholePattern`)

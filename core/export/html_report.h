@@ -17,7 +17,7 @@ struct ReportPicture {
 /// it once, before any export.
 void provideReportPictures(std::vector<ReportPicture> (*make)(const ExportSource&));
 
-/// The whole pattern as one self-contained page for a browser: number of pieces and seams, their
+/// The whole pattern as a self-contained page for a browser: number of pieces and seams, their
 /// fit, the drawing, pictures of the garment if available, and the tables of report_tables.h. The
 /// same input gives the same bytes; only pictures may differ between machines.
 /// Cost: that of the drawing, of `walkGarment` and of the pictures.

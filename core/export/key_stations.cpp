@@ -12,7 +12,7 @@
 namespace toile {
 namespace {
 
-/// Places nearer to each other than this count as one, mm.
+/// Places nearer to each other than this coincide, mm.
 constexpr double kSamePlace = 1e-6;
 
 /// The error of a chord between two stations, mm.

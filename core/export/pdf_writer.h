@@ -12,20 +12,20 @@
 
 namespace toile {
 
-/// PDF 1.7 in true scale, by pages of `planPages`: the drawing once, as a form that every page
-/// shows a part of; a layer (optional content) for each kind of line, and for the projector a grid
-/// of inches that is off at first; no dates, and viewers are told not to scale. Texts are filled
-/// outlines, with the same text beside them unseen.
-/// Where there are tiles the drawing's check square is left out: the first page has squares.
-/// @param pattern  that was drawn
+/// PDF 1.7 in true scale, on the pages of `planPages`. The drawing is stored once, as a form of
+/// which each page shows a part. Each kind of line has a layer (optional content); the projector
+/// also gets a grid of inches, initially off. No dates, and viewers are instructed not to scale.
+/// Texts are filled outlines with the same text invisible. If there are tiles, the drawing's check
+/// square is left out: the first page has squares.
+/// @param pattern  the drawn pattern
 /// Errors: those of planPages. Cost: that of pdfDrawing, and of the texts of each page. Pure.
 Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
                              const PdfOptions& options);
 
-/// The pages of such a file: those of what is drawn. Errors: those of planPages. Pure.
+/// The pages of such a file for the drawn content. Errors: those of planPages. Pure.
 Result<PdfPlan> planPdf(const Drawing& drawing, const PdfOptions& options);
 
-/// The kinds of lines that such a file carries, in tiles or on one page.
+/// The kinds of lines in such a file, in tiles or on one page.
 std::vector<LayerKind> pdfLayers(const Drawing& drawing, bool isTiled);
 
 }  // namespace toile

@@ -9,19 +9,19 @@
 
 namespace toile {
 
-/// A garment as 3D programs take it: single layers, a mesh for each piece, with its flat points as
-/// texture coordinates at true size.
+/// A garment for 3D programs: single layers, a mesh for each piece, with its flat points as texture
+/// coordinates at true size.
 
 struct PieceMesh {
     std::string name;  ///< of the piece
-    std::string slug;  ///< unique, for names that allow no more than that
+    std::string slug;  ///< unique, for formats with restricted names
     Points3 V;         ///< #V x 3, mm, y up
     Triangles F;       ///< #F x 3, outside anti-clockwise
-    Points2 uv;        ///< #V x 2, mm, where the pattern has the points; empty: it is not flat
+    Points2 uv;        ///< #V x 2, mm, pattern points; empty: it is not flat
 };
 
 /// A sewn seam as vertices of meshes, from its start to its end on both sides. A side that begins
-/// or ends inside an edge has that whole edge.
+/// or ends inside an edge includes that whole edge.
 struct MeshSeam {
     std::string name;
     std::string_view kind;  ///< `name(SeamKind)`
@@ -34,12 +34,12 @@ struct PieceMeshes {
     std::vector<MeshSeam> seams{};
 };
 
-/// @param source  whose options say whether the points are those of the drawn or the exact outlines
+/// @param source  its options select the points of the drawn or of the exact outlines
 /// Cost: linear. Pure.
 PieceMeshes pieceMeshes(const ExportSource& source);
 
 /// glTF 2.0, binary: metres, y up, a node and a mesh for each piece; TEXCOORD_0 in metres, counted
-/// downwards from 1 as the format has it, so that 1 - v is the pattern's. The seams stand in the
+/// downwards from 1 as the format requires, so 1 - v is the pattern's. The seams are in the
 /// `extras` of the scene. Single precision.
 std::string writeGlb(const PieceMeshes& meshes, const std::string& title);
 
@@ -48,7 +48,7 @@ std::string writeGlb(const PieceMeshes& meshes, const std::string& title);
 /// decimals, of `st` 7.
 std::string writeUsda(const PieceMeshes& meshes, const std::string& title);
 
-/// A mesh as OBJ of its own, in its file's unit and axes.
+/// A mesh as a separate OBJ, in its file's unit and axes.
 std::string writePieceObj(const PieceMesh& mesh, const SourceFile& file);
 
 }  // namespace toile

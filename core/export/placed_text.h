@@ -8,7 +8,7 @@
 
 namespace toile {
 
-/// The outlines of a text (`textOutlines`) where the drawing has it, mm, y up; none without fonts.
+/// The outlines of a text (`textOutlines`) placed in the drawing, mm, y up; none without fonts.
 std::vector<std::vector<CubicCurve>> placedOutlines(const DrawnText& text);
 
 }  // namespace toile

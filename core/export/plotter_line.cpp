@@ -12,14 +12,14 @@
 namespace toile {
 namespace {
 
-constexpr double kOffLine = 0.019;    // mm; of reading back, 0.02, all but what arithmetic needs
-constexpr double kOffLength = 0.004;  // mm, that a long step may be off
-constexpr double kPerOffset = 0.15;   // mm of length for each that a point is off
-/// Many short steps are a zigzag, and each makes the line longer: mm of length, times mm of step.
+constexpr double kOffLine = 0.019;  // mm; limit of reading back, 0.02, minus a reserve for rounding
+constexpr double kOffLength = 0.004;  // mm, tolerance of a long step
+constexpr double kPerOffset = 0.15;   // mm of length per mm that a point is off
+/// Each short step of a zigzag adds length: mm of length, times mm of step.
 constexpr double kPerStep = 0.002;
-constexpr Eigen::Index kMostPassed = 200;  // points by one step
+constexpr Eigen::Index kMostPassed = 200;  // points passed by one step
 
-/// Steps along a line over the places of a plotter.
+/// Walks along a line in steps between the grid points of a plotter.
 class PlotterWalk {
 public:
     PlotterWalk(const Points2& line, bool closed) : line_(line) {
@@ -56,7 +56,7 @@ private:
         Eigen::Index end = 0;
         Eigen::Vector2d place{0, 0};  ///< units
         double error = 0;             ///< of the length up to the place, mm
-        /// Of the length up to where the new line is nearest to the point.
+        /// Error of the length up to the new line's nearest point to the original point.
         double seen = std::numeric_limits<double>::infinity();
     };
 
@@ -64,7 +64,7 @@ private:
         return (kPlotterUnits * line_.row(k).transpose()).array().round();
     }
 
-    /// The farthest point that a step may end at with the length right, else the best of all.
+    /// The farthest point at which a step may end with the right length, else the best of all.
     Step next(Eigen::Index from, const Eigen::Vector2d& first) const {
         Step best, farthest;
         double least = std::numeric_limits<double>::infinity();
@@ -73,12 +73,12 @@ private:
         for (Eigen::Index end = from + 1; end <= last && misses < 3; ++end) {
             const Step step = stepTo(from, end, first);
             if (!std::isfinite(step.seen)) {
-                ++misses;  // the next may round to the better side
+                ++misses;  // the next point may round better
                 continue;
             }
             misses = 0;
             const double cost = std::abs(step.seen) + kPerStep / lengthBetween(from, end);
-            if (cost < least) {  // false of points that lie on each other
+            if (cost < least) {  // false for coinciding points
                 best = step;
                 least = cost;
             }
@@ -87,7 +87,7 @@ private:
         if (farthest.end > 0 || best.end > 0) {
             return farthest.end > 0 ? farthest : best;
         }
-        // Points closer together than the plotter's places.
+        // Points closer together than the plotter's grid.
         const Eigen::Vector2d place = rounded(from + 1);
         return {from + 1, place,
                 error_ + (place - at_).norm() / kPlotterUnits - lengthBetween(from, from + 1)};
@@ -97,7 +97,7 @@ private:
         return arc_[static_cast<std::size_t>(end)] - arc_[static_cast<std::size_t>(from)];
     }
 
-    /// With the least error of length and place; infinite where the line would be too far off.
+    /// The end with the smallest error of length and place; infinite if the line is too far off.
     Step stepTo(Eigen::Index from, Eigen::Index end, const Eigen::Vector2d& first) const {
         Step best{end};
         double least = std::numeric_limits<double>::infinity();
@@ -122,9 +122,9 @@ private:
         return best;
     }
 
-    /// How far beyond a place the line through it is nearest to its point, mm: at a corner the
-    /// point may be beside the step that comes, or beside the next.
-    /// @param step  that comes to it
+    /// Signed distance along the line from a place to the nearest point to its original point, mm.
+    /// At a corner that point may be on the incoming step or on the next one.
+    /// @param step  the incoming step
     double ahead(Eigen::Index k, const Eigen::Vector2d& place,
                  const Eigen::RowVector2d& step) const {
         const Eigen::Vector2d off = line_.row(k).transpose() - place / kPlotterUnits;
@@ -136,7 +136,7 @@ private:
         return isBehind ? on : back;
     }
 
-    /// Whether all points that a step passes are near it.
+    /// Whether all points passed by a step are near it.
     bool isNear(Eigen::Index from, Eigen::Index end, const Eigen::Vector2d& place) const {
         const Eigen::Vector2d a = at_ / kPlotterUnits, b = place / kPlotterUnits;
         for (Eigen::Index k = from + 1; k < end; ++k) {
@@ -149,7 +149,7 @@ private:
         return true;
     }
 
-    Points2 line_;  ///< a closed one with its first point once more
+    Points2 line_;  ///< a closed line repeats its first point
     std::vector<double> arc_;
     bool isClosed_ = false;
     Eigen::Vector2d at_{0, 0};  ///< units

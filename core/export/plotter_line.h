@@ -8,11 +8,11 @@ namespace toile {
 inline constexpr double kPlotterUnits = 40;  // per mm
 
 /// A line in the whole units of a plotter. Rounding each of many points would make a zigzag that is
-/// longer than the line; here only as many are kept as it takes, so chosen and so rounded that the
-/// line is no more than 0.019 mm off, where its points are two units apart or more, and the length
-/// up to any of them is right to some hundredths of a millimetre.
-/// @param line  mm, one point or more  @return  #n x 2, whole; a closed one with its first point
-/// once more. Cost: linear in the points, times what a step passes over. Pure.
+/// longer than the line. This keeps only as many points as needed, rounded so that the line is off
+/// by at most 0.019 mm if its points are two units apart or more, and the length up to each point
+/// is right within a few hundredths of a millimetre.
+/// @param line  mm, one point or more  @return  #n x 2, whole numbers; a closed line repeats its
+/// first point. Cost: linear in the points, times those passed by a step. Pure.
 Points2 plotterLine(const Points2& line, bool closed);
 
 }  // namespace toile

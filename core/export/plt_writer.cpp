@@ -13,7 +13,7 @@ namespace toile {
 namespace {
 
 constexpr int kCutPen = 1, kLinePen = 2, kLetterPen = 3;
-constexpr Eigen::Index kMostInList = 64;  // points: what buffers of old plotters hold
+constexpr Eigen::Index kMostInList = 64;  // points: buffer size of old plotters
 constexpr int kPerLetterCurve = 4;        // points
 
 class PltWriter {
@@ -33,7 +33,7 @@ public:
                 add(kLinePen, plotterLine(placed(path.points), path.closed));
             }
         }
-        // A piece's holes stand behind its outline.
+        // Reverse order: a piece's holes come after its outline in the drawing.
         for (auto path = drawing_.paths.rbegin(); path != drawing_.paths.rend(); ++path) {
             if (path->layer == LayerKind::Cut) {
                 add(kCutPen, plotterLine(placed(path->points), path->closed));
@@ -49,10 +49,10 @@ private:
             moved.col(0) = drawing_.height - line.col(1).array();
             moved.col(1) = line.col(0);
         }
-        return moved.cwiseMax(0);  // of letters that reach over the page
+        return moved.cwiseMax(0);  // for letters that extend beyond the page
     }
 
-    /// Of a letter, whose length is no matter: rounded, without what falls together.
+    /// The line of a letter, whose length is irrelevant: rounded, without repeated points.
     Points2 letterLine(const std::vector<CubicCurve>& contour) const {
         Points2 units(static_cast<Eigen::Index>(contour.size()) * (kPerLetterCurve + 1), 2);
         Eigen::Index count = 0;

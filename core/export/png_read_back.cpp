@@ -21,7 +21,7 @@ struct PngSize {
     std::uint32_t dotsPerMetreAcross = 0, dotsPerMetreDown = 0;
 };
 
-/// PNG writes the highest byte first.
+/// PNG stores the highest byte first.
 std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
     std::uint32_t value = 0;
     for (std::size_t k = 0; k < 4; ++k) {
@@ -30,7 +30,7 @@ std::uint32_t numberAt(std::string_view bytes, std::size_t at) {
     return value;
 }
 
-/// None where a chunk is cut off or damaged, or the end is missing.
+/// None if a chunk is cut off or damaged, or the end is missing.
 std::optional<PngSize> sizeOf(std::string_view png) {
     if (!png.starts_with(kSignature)) {
         return {};

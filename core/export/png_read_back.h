@@ -10,9 +10,9 @@
 
 namespace toile {
 
-/// Reads of a PNG picture what says its size: dots, and dots per metre; that every chunk is whole
-/// and the last is there. What it shows is not looked at. Errors: NotReadBack. Cost: linear in the
-/// bytes. Pure.
+/// Reads the size of a PNG picture, in dots and dots per metre, and checks that every chunk is
+/// whole and the last is there. The image itself is not checked. Errors: NotReadBack. Cost: linear
+/// in the bytes. Pure.
 Result<ReadBack> readBackPng(std::string_view bytes, const Drawing& drawing,
                              const PngOptions& options);
 

@@ -19,7 +19,7 @@ struct Nearest {
     double at = 0;  ///< arc length
 };
 
-/// A line may pass a place twice, as at a slit: there the passage near the arc length counts.
+/// A line may pass a place twice, as at a slit: the passage near the arc length is used.
 constexpr double kPerLength = 1e-3;  // of the distance, for each mm along the line
 
 void take(Nearest& best, const geometry::Line& line, int k, const Eigen::RowVector2d& point,
@@ -34,10 +34,10 @@ void take(Nearest& best, const geometry::Line& line, int k, const Eigen::RowVect
     }
 }
 
-/// Key points lie closer together than their line by so much at most, over a whole line, mm.
+/// Maximum difference of arc length between key points and their line, over the whole line, mm.
 constexpr double kSlack = 5;
 
-/// The place nearest to a point among those near an arc length.
+/// The nearest point of a line near an arc length.
 Nearest nearestAround(const geometry::Line& line, double at, const Eigen::RowVector2d& point) {
     Nearest best;
     const auto look = [&](double from, double to, double expected) {
@@ -57,8 +57,8 @@ Nearest nearestAround(const geometry::Line& line, double at, const Eigen::RowVec
     return best;
 }
 
-/// @param start  where the first point of `points` lies on `line`, arc length
-/// @param enough  mm, beyond which how far does not matter
+/// @param start  arc length on `line` of the first point of `points`
+/// @param enough  mm, beyond which the exact distance is irrelevant
 double farthestFrom(const geometry::Line& line, const geometry::Line& points, double start,
                     double enough) {
     double farthest = 0;
@@ -69,7 +69,7 @@ double farthestFrom(const geometry::Line& line, const geometry::Line& points, do
     return farthest;
 }
 
-/// Where a line may begin on another that passes there more than once, the nearest place first.
+/// Possible starts of a line on another one that passes there repeatedly, the nearest place first.
 std::vector<Nearest> startsOn(const geometry::Line& line, const Eigen::RowVector2d& first) {
     if (!line.isClosed()) {
         return {Nearest()};
@@ -89,7 +89,7 @@ std::vector<Nearest> startsOn(const geometry::Line& line, const Eigen::RowVector
     return starts.empty() ? std::vector{best} : starts;
 }
 
-/// A line of a file on the line that it stands for.
+/// The match of a line of a file with its drawn line.
 struct Matched {
     double distance = std::numeric_limits<double>::infinity();
     double start = 0;  ///< of the read line, on the drawn one
@@ -120,7 +120,7 @@ bool isCompared(const std::vector<LayerKind>& layers, LayerKind layer) {
     return std::ranges::find(layers, layer) != layers.end();
 }
 
-/// The lines of a file in the order of the drawing's; none where one has no counterpart.
+/// The lines of a file in the order of the drawing's; an error if any has no counterpart.
 Result<std::vector<const ReadLine*>> inOrder(const ReadDrawing& read, const Drawing& drawing,
                                              const std::vector<LayerKind>& layers) {
     std::map<std::string, const ReadLine*> byId;
@@ -159,13 +159,13 @@ Result<std::vector<const ReadLine*>> inOrder(const ReadDrawing& read, const Draw
     return found;
 }
 
-/// How far a length may be off, mm: of very long lines the rounding of many points adds up.
+/// Length tolerance, mm: on very long lines the rounding of many points adds up.
 double allowedOf(double length) {
     return std::max(kReadBackLengths, kReadBackLengthShare * length);
 }
 
-/// The standard deviation of a line's length where its points are rounded to a grid, each by
-/// itself: what a point moves along one edge comes back along the next, but for their turn.
+/// The standard deviation of a line's length if its points are rounded independently to a grid. A
+/// shift of a point along one edge is cancelled along the next, except for the turn between them.
 double roundingOf(const DrawnPath& path, double grid) {
     const Points2& points = path.points;
     const Eigen::Index n = points.rows();
@@ -185,7 +185,7 @@ double lengthOn(const geometry::Line& read, const geometry::Line& drawn, double 
     const double first = nearestAround(read, edge.from - start, drawn.pointAt(edge.from)).at;
     const double second = nearestAround(read, edge.to - start, drawn.pointAt(edge.to)).at;
     const double length = second - first;
-    // Over the first point again, or all the way round: its ends may be one place.
+    // If it passes the first point, or goes all the way round: its ends may coincide.
     const double missing = edge.to - edge.from - length;
     return read.isClosed() && read.length() > 0
                ? length + std::round(missing / read.length()) * read.length()

@@ -13,8 +13,8 @@
 namespace toile {
 namespace {
 
-/// The difference between a field and a length, mm; none where one is missing and the other not,
-/// or they differ by more than is allowed.
+/// The difference between a field and a length, mm; none if only one is missing, or they differ by
+/// more than the tolerance.
 std::optional<double> lengthDifference(const JsonDocument& json, const char* field,
                                        const std::optional<double>& length) {
     const auto found = json.is_object() ? json.find(field) : json.end();

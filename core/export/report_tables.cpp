@@ -61,8 +61,8 @@ std::vector<std::string> stationRow(const std::string& seam, const SeamWalk& wal
     return row;
 }
 
-/// In quotes where the format needs them. A spreadsheet takes what begins so for a formula: a tab
-/// before it makes it text. Numbers are left alone.
+/// Quotes a cell if the format requires it. A leading tab turns a spreadsheet formula into text.
+/// Numbers are unchanged.
 std::string csvCell(const std::string& text) {
     std::string cell = cleanText(text);
     const bool isNumber =
@@ -105,7 +105,7 @@ std::vector<MeasuredSeam> seamsByError(const Garment& garment, const PieceResult
                 {&seam, measureSeam(seam, *left.piece, *left.flat, *right.piece, *right.flat)});
         }
     }
-    // Rounding is no order: equal errors stay in the order of the seams.
+    // Ignore rounding: equal errors stay in the order of the seams.
     const auto nanometres = [](const MeasuredSeam& row) {
         return std::round(std::abs(row.measure.errorMm) * 1e6);
     };

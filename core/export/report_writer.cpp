@@ -11,9 +11,9 @@
 namespace toile {
 namespace {
 
-constexpr int kReportVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kReportVersion = 1;  // increased when a field changes its meaning or is removed
 
-/// Figures of a flat piece; all null for one that is not.
+/// Figures of a flat piece; all null if it is not flat.
 void addQuality(Json& json, const PieceQuality* q) {
     const auto put = [&json, q](const char* key, auto member) {
         json[key] = q ? number(q->*member) : Json(nullptr);
@@ -40,7 +40,7 @@ void addQuality(Json& json, const PieceQuality* q) {
     putCount("outline_crossings", &PieceQuality::outlineCrossings);
 }
 
-/// How far the piece lies from the reference panel, where the file carries one.
+/// Distance of the piece from the reference panel, if the file has one.
 Json referenceJson(const PieceResult& result) {
     if (!result.quality || !result.quality->reference) {
         return nullptr;
@@ -49,7 +49,7 @@ Json referenceJson(const PieceResult& result) {
     return {{"rms", number(fit.rms)}, {"max", number(fit.max)}, {"mirrored", fit.mirrored}};
 }
 
-/// What the solver says; the boundary figures only where the method solves a boundary problem.
+/// Solver diagnostics; boundary figures only if the method solves a boundary problem.
 void addDiagnostics(Json& json, const PieceResult& result) {
     const bool boundary = result.flat && traits(result.options.method).solvesBoundary;
     json["boundary_iterations"] = boundary ? Json(result.flat->boundaryIterations) : Json(nullptr);
@@ -60,7 +60,7 @@ void addDiagnostics(Json& json, const PieceResult& result) {
     json["delaunay_flips"] = result.flat ? Json(result.flat->delaunayFlips) : Json(nullptr);
 }
 
-/// What the user should know of a flat piece.
+/// Notes on a flat piece for the user.
 Json notesJson(const PieceResult& result) {
     Json notes = Json::array();
     if (result.flat) {
@@ -71,7 +71,7 @@ Json notesJson(const PieceResult& result) {
     return notes;
 }
 
-/// Inner loops that stay open.
+/// Inner loops that remain open.
 Json holesJson(const Piece& piece, const PieceResult& result) {
     Json holes = Json::array();
     for (const auto& hole : piece.holes) {
@@ -91,7 +91,7 @@ Json secondsJson(const PieceResult& result, double readSeconds) {
             {"total", number(result.seconds)}};
 }
 
-/// How the piece is cut; once where there is no pattern. Of halves only where they were asked for.
+/// How the piece is cut; once without a pattern. Halves are listed only if requested.
 void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
     const PatternPiece none;
     const PatternPiece& piece = index < pattern.pieces.size() ? pattern.pieces[index] : none;
@@ -115,7 +115,7 @@ void addCutting(Json& json, const Pattern& pattern, std::size_t index) {
     addPatternJson(json, pattern, piece);
 }
 
-/// What its pieces are cut from beside the garment's own fabric.
+/// The materials of the pieces apart from the garment's own fabric.
 Json materialsJson(const Pattern& pattern) {
     const auto limits = [](const StrainLimits& stated) -> Json {
         return {number(stated.least), number(stated.most)};
@@ -135,8 +135,7 @@ Json materialsJson(const Pattern& pattern) {
     return materials;
 }
 
-/// What stands on the labels of all pieces, and what these are cut from; nothing where nobody has
-/// said anything.
+/// Adds the label texts of all pieces and their materials; nothing if none are set.
 void addStated(Json& report, const Pattern& pattern) {
     const auto put = [&report](const char* key, const std::string& stated) {
         if (!stated.empty()) {
@@ -221,7 +220,7 @@ std::string writeReport(const Garment& garment, const PieceResults& results, con
 
 namespace {
 
-constexpr int kInfoVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kInfoVersion = 1;  // increased when a field changes its meaning or is removed
 
 Json pieceJson(const Garment& garment, const Piece& piece) {
     const Eigen::RowVector3d size =

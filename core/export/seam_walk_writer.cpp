@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr int kWalkVersion = 1;  // of the fields: grows when one changes its meaning or goes
+constexpr int kWalkVersion = 1;  // increased when a field changes its meaning or is removed
 
 Json notchJson(const Notch& notch) {
     return {{"reason", text(wordOf(kNotchReasonWords, notch.reason))},

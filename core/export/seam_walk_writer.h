@@ -13,7 +13,7 @@ namespace toile {
 /// "start", "notch" or "end": the station of a walk with this index.
 std::string_view stationWord(const SeamWalk& walk, std::size_t station);
 
-/// What walking the seams found, as JSON (docs/patterns.md).
+/// The results of walking the seams, as JSON (docs/patterns.md).
 /// @param notches  per seam, those of the walks
 std::string writeWalk(const Garment& garment, const std::vector<std::vector<Notch>>& notches,
                       const std::vector<SeamWalk>& walks);

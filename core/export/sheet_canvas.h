@@ -12,31 +12,31 @@
 
 namespace toile {
 
-/// The layers of sheets, by their index: those of the drawing's kinds, then two of the pages.
+/// The layers of sheets, by index: the kinds of the drawing, then two of the pages.
 inline constexpr int kGridLayer = static_cast<int>(kLayerKinds.size());
 inline constexpr int kPageLayer = kGridLayer + 1;
 
-/// From where a line of text goes on.
+/// The anchor of a line of text.
 enum class TextStart { Left, Middle };
 
-/// What sheets of paper are drawn on, in a file or by a printer: millimetres, y up, from the lower
-/// left corner of the sheet. Each `begin` has its `end`; state that is set between `save` and
-/// `restore` ends with it.
+/// A canvas for sheets of paper, in a file or on a printer: millimetres, y up, from the lower left
+/// corner of the sheet. Each `begin` has its `end`; state set between `save` and `restore` ends
+/// with it.
 class SheetCanvas {
 public:
     virtual ~SheetCanvas() = default;
 
     virtual void save() = 0;
     virtual void restore() = 0;
-    /// To what is drawn from now on: (a x + c y, b x + d y) + move.
+    /// Transforms everything drawn from now on: (a x + c y, b x + d y) + move.
     virtual void transform(double a, double b, double c, double d, const Eigen::Vector2d& move) = 0;
     virtual void clip(const Eigen::AlignedBox2d& box) = 0;
-    /// All that is printed of the drawing, in its own coordinates: it is the same for every sheet.
+    /// The printed part of the drawing, in its own coordinates: the same on every sheet.
     virtual void drawing() = 0;
 
     virtual void beginLayer(int layer) = 0;
-    /// What is drawn until its end is known by this in other programs, and in reading back.
-    /// @param piece  empty: of none
+    /// Until its end, everything drawn belongs to this id, in other programs and in reading back.
+    /// @param piece  empty: no piece
     virtual void beginItem(std::string_view id, std::string_view piece = {}) = 0;
     virtual void end() = 0;
 
@@ -47,14 +47,13 @@ public:
     virtual void setRoundEnds() = 0;
 
     virtual void line(const Points2& points, bool closed) = 0;
-    /// Closed where the last ends where the first starts. @param curves  at least one, joined
+    /// Closed if the last ends where the first starts. @param curves  at least one, joined
     virtual void curves(const std::vector<CubicCurve>& curves, bool closed) = 0;
     virtual void box(const Eigen::AlignedBox2d& box) = 0;
     virtual void segment(const Eigen::Vector2d& from, const Eigen::Vector2d& to) = 0;
 
     /// A line of text, in any script. @param position  on the baseline  @param height  of a capital
-    /// @param angle  radians  @param most  it is made smaller where it would be longer; 0: it is
-    /// not
+    /// @param angle  radians  @param most  maximum width, to which it is shrunk; 0: unlimited
     /// @return its width
     virtual double text(std::string_view text, const Eigen::Vector2d& position, double height,
                         TextStart start, double angle = 0, double most = 0) = 0;

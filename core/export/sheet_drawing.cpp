@@ -15,12 +15,12 @@
 namespace toile {
 namespace {
 
-/// Curves stay nearer than this to the line that is drawn, mm; else it is written by its points.
+/// Maximum distance of curves from the drawn line, mm; otherwise it is written by its points.
 constexpr double kCurvesWithin = 0.015;
 constexpr double kLengthWithin = 0.04;  // mm, of the whole line
-/// Curves are tried at places whose chords are nearer than this to them, mm.
+/// Curves are sampled so that chords stay within this distance of them, mm.
 constexpr double kTriedWithin = 0.001;
-constexpr double kMostTried = 1000;  // of a curve
+constexpr double kMostTried = 1000;  // samples of a curve
 
 constexpr double kSewDash = 4, kSewGap = 2;        // mm
 constexpr double kHiddenDash = 6, kHiddenGap = 3;  // mm, of lines that are not sewn
@@ -37,7 +37,7 @@ CubicCurve placedCurve(const CubicCurve& curve, const Placement& placement) {
             curve.isLine};
 }
 
-/// Places on joined curves, so near to each other that chords will do.
+/// Points on joined curves, close enough for chords to replace the curves.
 Points2 placesOn(const std::vector<CubicCurve>& chain) {
     std::vector<Eigen::Vector2d> places;
     for (const CubicCurve& curve : chain) {
@@ -64,7 +64,7 @@ double openLength(const Points2& points) {
     return (points.bottomRows(steps) - points.topRows(steps)).rowwise().norm().sum();
 }
 
-/// Whether curves say the same as the points of a part of a line.
+/// Whether curves coincide with the points of a part of a line.
 bool isSameLine(const std::vector<CubicCurve>& curves, const Points2& part) {
     if (curves.empty() || part.rows() < 2) {
         return false;
@@ -81,8 +81,8 @@ std::vector<CubicCurve> edgesBetween(const Points2& points) {
     return edges;
 }
 
-/// The outline of a piece as it lies, in the direction of the drawn line: segment by segment as
-/// curves, or by its points where these leave the line. None where segments do not go round.
+/// The placed outline of a piece, in the direction of the drawn line: each segment as curves, or by
+/// its points if the curves leave the line. None if the segments do not form a loop.
 std::vector<CubicCurve> outlineCurves(const PatternPiece& piece, const Placement& placement) {
     const auto outline = geometry::Line::closed(piece.outline);
     std::vector<CubicCurve> chain;
@@ -170,7 +170,7 @@ private:
         out_.end();
     }
 
-    /// None where the path is no curved outline.
+    /// None if the path is not a curved outline.
     std::vector<CubicCurve> curvesFor(const DrawnBlock& block, const DrawnPath& path) const {
         if (block.piece < 0 || static_cast<std::size_t>(block.piece) >= pattern_.pieces.size()) {
             return {};

@@ -30,7 +30,7 @@ const DrawnPath* checkSquare(const Drawing& drawing) {
     return at == drawing.paths.end() || at->points.rows() == 0 ? nullptr : &*at;
 }
 
-/// Both squares from the lower left corner of the first.
+/// Both squares, from the lower left corner of the first.
 void addSquares(SheetCanvas& out, const Vector2d& corner) {
     out.beginLayer(kCheckLayer);
     out.save();
@@ -49,7 +49,7 @@ void addSquares(SheetCanvas& out, const Vector2d& corner) {
     out.end();
 }
 
-/// From the sheet to a page.
+/// The translation from the sheet to a page.
 Vector2d moveOf(const PdfPlan& plan, const PdfPage& page) {
     return plan.origin - page.window.min();
 }
@@ -74,7 +74,7 @@ std::string styleName(const Drawing& drawing) {
     return shownText(drawing.title, kMostOfName);
 }
 
-/// The marks of the edges that a page shares, and whom it shares them with.
+/// The marks of the edges that a page shares, with the names of the neighbours.
 void addSharedEdges(SheetCanvas& out, const PdfPlan& plan, std::size_t index) {
     const PdfPage& page = plan.pages[index];
     for (const SharedEdge& edge : plan.shared) {
@@ -103,7 +103,7 @@ void addSharedEdges(SheetCanvas& out, const PdfPlan& plan, std::size_t index) {
     }
 }
 
-/// "page %1 of %2" with numbers there, divided where they stand.
+/// "page %1 of %2" with the numbers inserted, split at each number.
 std::vector<std::string> withNumbers(std::string_view words, std::size_t first,
                                      std::size_t second) {
     std::vector<std::string> parts;
@@ -138,7 +138,7 @@ public:
         at_.y() -= 0.9 * height;
     }
 
-    /// Line by line.
+    /// Adds a text line by line.
     void addLines(std::string_view lines, double height, double grey) {
         for (std::size_t at = 0; at <= lines.size();) {
             const std::size_t end = std::min(lines.find('\n', at), lines.size());
@@ -147,7 +147,7 @@ public:
         }
     }
 
-    /// Parts of a line, of which others have some too: these are in the file once.
+    /// Adds a line in parts, so that parts shared by several lines are stored once in the file.
     void addParts(const std::vector<std::string>& parts, double height, double grey) {
         at_.y() -= height;
         out_.setGrey(grey);
@@ -166,7 +166,7 @@ private:
     double width_;
 };
 
-/// Points nearer to each other than this on a map are one, mm.
+/// Points of a map nearer to each other than this are merged, mm.
 constexpr double kMapStep = 0.25;
 
 void addMapLine(SheetCanvas& out, const PdfPlan& plan, const DrawnPath& path, double scale,
@@ -185,7 +185,7 @@ void addMapLine(SheetCanvas& out, const PdfPlan& plan, const DrawnPath& path, do
     }
 }
 
-/// The tiles and the lines that are cut, small, from the top of a box.
+/// The tiles and the cutting lines, reduced, from the top of a box.
 void addMap(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan,
             const AlignedBox2d& room) {
     AlignedBox2d sheet;

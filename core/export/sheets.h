@@ -7,25 +7,25 @@
 
 namespace toile {
 
-/// What stands on the sheets of a plan, in a PDF file and on paper alike.
+/// The contents of the sheets of a plan, for PDF files and printers.
 
-/// Sides of the squares by which a print is checked, mm.
+/// Sides of the squares for checking a print, mm.
 inline constexpr double kMetricSquare = 50, kInchSquare = 25.4;
 
-/// Where the two squares stand side by side beside a drawing's own check square, in the drawing.
-/// Empty where it has none.
+/// The place of the two squares, side by side next to the drawing's own check square, in the
+/// drawing. Empty if it has none.
 Eigen::AlignedBox2d squaresBeside(const Drawing& drawing);
 
-/// The pages of the plan, after that with the map where there are tiles.
+/// Number of pages of the plan, including the page with the map if there are tiles.
 std::size_t sheetCount(const PdfPlan& plan);
-/// How large a sheet is, mm.
+/// The size of a sheet, mm.
 Eigen::Vector2d sheetPaper(const PdfPlan& plan, std::size_t sheet);
 
-/// Draws a sheet. In tiles the first says what it is, how it is printed and put together, with the
-/// two squares and a map of the tiles; each that follows has its part of the drawing, the frame
-/// along which it is cut, half of each mark that is shared with a neighbour, the neighbours' names,
-/// its own, and its number. Else all of the drawing, with the two squares.
-/// @param sheet  below sheetCount  @param hasGrid  of inches, on a layer of its own; not on tiles
+/// Draws a sheet. With tiles, the first sheet has the title, instructions for printing and joining,
+/// the two squares and a map of the tiles. Each following sheet has its part of the drawing, the
+/// frame for cutting, half of each mark shared with a neighbour, the neighbours' names, its own
+/// name and its number. Without tiles: the whole drawing, with the two squares.
+/// @param sheet  below sheetCount  @param hasGrid  of inches, on its own layer; not on tiles
 void drawSheet(SheetCanvas& out, const Drawing& drawing, const PdfPlan& plan, std::size_t sheet,
                bool hasGrid = false);
 

@@ -35,7 +35,7 @@ Result<void> comparePage(const ReadSvg& svg, const Drawing& drawing) {
     return {};
 }
 
-/// comparedWithDrawing finds lines by their ids, on whatever layer they are.
+/// comparedWithDrawing finds lines by id, so the layers are compared here.
 Result<void> compareLayers(const ReadDrawing& read, const Drawing& drawing) {
     std::map<std::string_view, LayerKind> layers;
     for (const DrawnPath& path : drawing.paths) {
@@ -50,7 +50,7 @@ Result<void> compareLayers(const ReadDrawing& read, const Drawing& drawing) {
     return {};
 }
 
-/// @return  how far the lines are apart, mm
+/// @return  the distance of the lines, mm
 Result<double> compareSeam(const SvgLine& line, const DrawnEdge& edge) {
     const SvgSeam& seam = *line.seam;
     if (seam.pair != edge.pair || seam.name != cleanText(edge.seam)) {

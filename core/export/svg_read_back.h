@@ -11,12 +11,12 @@
 
 namespace toile {
 
-/// The lines of one of our SVG files as those of a drawing, by the names of its layers; without its
-/// letters and the sides of its seams. Pure.
+/// The lines of one of our SVG files as lines of a drawing, by the names of its layers; without
+/// letters and sides of seams. Pure.
 ReadDrawing drawingOf(const ReadSvg& svg);
 
 /// Reads an SVG file and compares its page, its lines with their layers, and the sides of its seams
-/// with what they are asked to be. Errors: NotReadBack. Cost: linear in the points. Pure.
+/// with their source. Errors: NotReadBack. Cost: linear in the points. Pure.
 Result<ReadBack> readBackSvg(std::string_view bytes, const Drawing& drawing,
                              const SvgOptions& options);
 

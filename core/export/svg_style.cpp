@@ -20,15 +20,15 @@ using SvgColours = std::array<const char*, kLayerKinds.size()>;
 constexpr SvgColours kScreenColours{"#ff0000", "#606060", "#c06000", "#0070c0",
                                     "#008000", "#800080", "#000000", "#0000ff"};
 
-/// LightBurn knows its operations by colours of its palette and takes others for the nearest of
-/// them, so that two of ours could fall together. In its numbers: 02, 01, 05, 06, 03, 07, 00, 09.
+/// LightBurn identifies operations by the colours of its palette and maps others to the nearest
+/// one, which could merge two of ours. In its numbers: 02, 01, 05, 06, 03, 07, 00, 09.
 constexpr SvgColours kLaserColours{"#ff0000", "#0000ff", "#ff8000", "#00e0e0",
                                    "#00e000", "#ff00ff", "#000000", "#0000a0"};
 
-/// A thousandth of an inch: what drivers of lasers take for a line to follow, not to fill.
+/// A thousandth of an inch: laser drivers follow a line this thin instead of filling it.
 constexpr double kHairline = 0.0254;  // mm
 
-/// What holds the piece is done last: a piece that has come loose may move.
+/// Lines that hold the piece are cut last, because a loose piece may move.
 std::vector<LayerKind> cutLast() {
     std::vector<LayerKind> order(kLayerKinds.begin(), kLayerKinds.end());
     std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -42,14 +42,14 @@ SvgStyle svgStyle(const SvgOptions& options) {
     style.textAsPaths = options.textAsPaths;
     style.colours = kScreenColours;
     style.order.assign(kLayerKinds.begin(), kLayerKinds.end());
-    // These programs take a number without a unit for a point, a 72nd of an inch, whatever the
-    // page says of its size. A page in points says the same to all others.
+    // These programs read a number without a unit as a point, 1/72 inch, regardless of the page
+    // size. A page in points means the same to all other programs.
     if (options.preset == SvgPreset::Illustrator || options.preset == SvgPreset::Silhouette ||
         options.preset == SvgPreset::Cricut) {
         style.unit = "pt";
         style.perMillimetre = kPointsPerMillimetre;
     }
-    // Cutters follow lines that are not seen too.
+    // Cutters follow invisible lines too.
     style.hasSeams =
         options.preset == SvgPreset::Inkscape || options.preset == SvgPreset::Illustrator;
     if (options.preset == SvgPreset::Cricut) {

@@ -10,12 +10,12 @@
 
 namespace toile {
 
-/// How an SVG file is written for a program or machine.
+/// The style of an SVG file for a program or machine.
 struct SvgStyle {
-    const char* unit = "mm";   ///< of the page and, without saying so, of every number
-    double perMillimetre = 1;  ///< units
+    const char* unit = "mm";   ///< of the page, and implied for every number
+    double perMillimetre = 1;  ///< units per mm
     double stroke = 0.3;       ///< mm
-    bool hasSeams = true;      ///< the sides of seams as lines that are not seen
+    bool hasSeams = true;      ///< the sides of seams as invisible lines
     bool textAsPaths = false;
     std::array<const char*, kLayerKinds.size()> colours{};  ///< in the order of the kinds
     std::vector<LayerKind> order{};                         ///< of the layers
@@ -25,11 +25,11 @@ struct SvgStyle {
 
 SvgStyle svgStyle(const SvgOptions& options);
 
-/// "cut", as layers are called.
+/// "cut", the name of a layer.
 const char* svgLayerName(LayerKind kind);
 
-/// Places and lengths of a drawing in the numbers of the file: y counted downwards from the top of
-/// the page.
+/// Converts places and lengths of a drawing to numbers of the file: y counted downwards from the
+/// top of the page.
 class SvgScale {
 public:
     SvgScale(const SvgStyle& style, double pageHeight)
@@ -39,9 +39,9 @@ public:
     void append(std::string& out, const Eigen::Vector2d& point) const;
     std::string x(const Eigen::Vector2d& point) const;
     std::string y(const Eigen::Vector2d& point) const;
-    /// A length, in the decimals of places.
+    /// A length, with as many decimals as places.
     std::string length(double millimetres) const;
-    /// In as few digits as it needs: sizes of whole numbers read better without decimals.
+    /// With as few digits as needed: whole numbers have no decimals.
     std::string size(double millimetres) const;
 
 private:

@@ -16,10 +16,10 @@
 namespace toile {
 namespace {
 
-constexpr double kFontPerCapital = 1.39;  // font size per height of a capital, usual sans-serif
+constexpr double kFontPerCapital = 1.39;  // font size per height of a capital, typical sans-serif
 constexpr const char* kSeamsLayer = "seams";
 
-/// Collects what pugixml writes.
+/// Collects the output of pugixml.
 struct StringWriter : pugi::xml_writer {
     std::string bytes;
 
@@ -32,7 +32,7 @@ void set(pugi::xml_node node, const char* name, const std::string& value) {
     node.append_attribute(name).set_value(value.c_str());
 }
 
-/// "M x,y L x,y ... Z"; no Z where it is open.
+/// "M x,y L x,y ... Z"; no Z if it is open.
 std::string pathData(const Points2& points, bool closed, const SvgScale& scale) {
     std::string data;
     data.reserve(static_cast<std::size_t>(points.rows()) * 22);
@@ -65,9 +65,9 @@ std::string outlineData(const std::vector<std::vector<CubicCurve>>& contours,
     return data;
 }
 
-/// A part of a drawing: what is in a block, or all of it, or what is in none.
+/// A part of a drawing: a block, the whole drawing, or everything outside of blocks.
 struct SvgPart {
-    std::string id, name;  ///< of the piece; empty of the page
+    std::string id, name;  ///< of the piece; empty for the page
     std::vector<const DrawnPath*> paths{};
     std::vector<const DrawnText*> texts{};
     std::vector<const DrawnEdge*> edges{};
@@ -96,7 +96,7 @@ public:
     }
 
 private:
-    /// Width, height and viewBox say the same.
+    /// Width, height and viewBox agree.
     pugi::xml_node addPage(pugi::xml_document& document) const {
         const std::string width = scale_.size(drawing_.width);
         const std::string height = scale_.size(drawing_.height);
@@ -132,7 +132,7 @@ private:
         return group;
     }
 
-    /// The name that its label begins with, as the person reads it; else its id.
+    /// The name at the start of its label; else its id.
     std::string nameOf(const DrawnBlock& block) const {
         for (std::size_t k = block.text; k < block.text + block.textCount; ++k) {
             if (drawing_.texts[k].id == block.id + "-name" && !drawing_.texts[k].lines.empty()) {
@@ -168,7 +168,7 @@ private:
         return part;
     }
 
-    /// What is in no block: these follow each other.
+    /// Everything outside of blocks; the contents of each block are contiguous.
     SvgPart rest() const {
         SvgPart part;
         std::size_t path = 0, text = 0;
@@ -219,7 +219,7 @@ private:
         }
     }
 
-    /// Lines that are not seen, for programs that sew.
+    /// Invisible lines for programs that sew.
     void addSeams(pugi::xml_node parent, const SvgPart& part, const std::string& id) const {
         pugi::xml_node layer = addGroup(parent, id, kSeamsLayer);
         set(layer, "fill", "none");
@@ -236,7 +236,7 @@ private:
         }
     }
 
-    /// Of which piece it is; where these are groups, those say so.
+    /// Names the piece; unnecessary inside a group of the piece.
     void setPiece(pugi::xml_node node, const DrawnPath& path) const {
         const auto index = static_cast<std::size_t>(&path - drawing_.paths.data());
         for (const DrawnBlock& block : drawing_.blocks) {
@@ -247,7 +247,7 @@ private:
         }
     }
 
-    /// False where there is no font.
+    /// False without a font.
     bool addOutlines(pugi::xml_node layer, const DrawnText& text) const {
         const auto contours = placedOutlines(text);
         if (contours.empty()) {
@@ -280,11 +280,11 @@ private:
                 "rotate(" + fixed(degrees, kDrawingDecimals) + " " + scale_.x(text.position) + " " +
                     scale_.y(text.position) + ")");
         }
-        // Capitals are centred on the line's middle; no reader agrees on dominant-baseline.
+        // Capitals are centred on the line's middle; readers differ on dominant-baseline.
         Eigen::Vector2d start = text.position - Eigen::Vector2d(0, 0.5 * text.height);
         for (const std::string& line : text.lines) {
-            // Blanks between the lines would be part of the text and push it off its middle: an
-            // empty text node keeps the printer from indenting the next element.
+            // Blanks between the lines would become part of the text and shift its middle. An empty
+            // text node keeps the printer from indenting the next element.
             node.append_child(pugi::node_pcdata);
             pugi::xml_node span = node.append_child("tspan");
             set(span, "x", scale_.x(start));

@@ -102,7 +102,7 @@ int cubicTo(const FT_Vector* first, const FT_Vector* second, const FT_Vector* to
     return 0;
 }
 
-/// A font's file, for its outlines and for placing its letters, in its own units.
+/// A font's file, for its outlines and for shaping, in its own units.
 struct FontFace {
     std::size_t number = 0;
     Owned<hb_blob_t, hb_blob_destroy> file;
@@ -110,11 +110,11 @@ struct FontFace {
     Owned<hb_font_t, hb_font_destroy> shapes;
     double units = 1;  ///< per size of the font
 
-    /// @param scale  from its units  A letter without an outline, as of a picture font, adds
+    /// @param scale  from its units  A letter without an outline, as in a picture font, adds
     /// nothing.
     void draw(std::uint32_t glyph, const Eigen::Vector2d& origin, double scale,
               std::vector<std::vector<CubicCurve>>& contours) const {
-        // Without scaling there is no hinting: the same figures with every version of FreeType.
+        // Without scaling there is no hinting: every version of FreeType gives the same outlines.
         if (FT_Load_Glyph(outlines.get(), glyph, FT_LOAD_NO_SCALE) != 0 ||
             outlines->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
             return;
@@ -125,7 +125,7 @@ struct FontFace {
         collector.close();
     }
 
-    /// Of a capital letter, in its units.
+    /// Height of a capital letter, in its units.
     double capital() const {
         std::vector<std::vector<CubicCurve>> letter;
         draw(FT_Get_Char_Index(outlines.get(), 'H'), {0, 0}, 1, letter);
@@ -135,12 +135,12 @@ struct FontFace {
                 height = std::max(height, curve.start.y());
             }
         }
-        constexpr double kUsual = 0.72;  // of its size, of a font without Latin letters
+        constexpr double kUsual = 0.72;  // relative to its size, for a font without Latin letters
         return height > 0 ? height : kUsual * units;
     }
 };
 
-/// The fonts of the system in the order in which they are asked for a letter. For one thread.
+/// The system fonts in the order in which they are searched for a letter. For one thread.
 class Fonts {
 public:
     Fonts() {
@@ -154,7 +154,7 @@ public:
 
     bool any() const { return !fonts_.empty(); }
 
-    /// The first that has the letter; the first of all where none has.
+    /// The first font with the letter; the first of all if none has it.
     std::size_t fontOf(char32_t code) const {
         const auto at = std::ranges::find_if(fonts_, [code](const FcPattern* font) {
             FcCharSet* letters = nullptr;
@@ -164,7 +164,7 @@ public:
         return at == fonts_.end() ? 0 : static_cast<std::size_t>(at - fonts_.begin());
     }
 
-    /// Null where its file cannot be used. Valid until the next call.
+    /// Null if its file cannot be used. Valid until the next call.
     const FontFace* face(std::size_t number) {
         const auto held = std::ranges::find(faces_, number, &FontFace::number);
         if (held != faces_.end()) {
@@ -193,7 +193,7 @@ private:
             FcPatternAddString(wanted.get(), object, bytes.data());
         };
         add(FC_FAMILY, "DejaVu Sans");
-        add(FC_LANG, "en");  // else that of the user, and the same text would differ
+        add(FC_LANG, "en");  // otherwise the user's language would change the text
         FcConfigSubstitute(config_.get(), wanted.get(), FcMatchPattern);
         FcDefaultSubstitute(wanted.get());
         FcResult found = FcResultNoMatch;
@@ -219,7 +219,7 @@ private:
             return face;
         }
         FcPatternGetInteger(fonts_[number], FC_INDEX, 0, &index);
-        index &= 0xFFFF;  // above that are named kinds of a font of many
+        index &= 0xFFFF;  // the bits above select named instances of a variable font
         std::string name;
         for (; *path != 0; ++path) {
             name += static_cast<char>(*path);
@@ -242,11 +242,11 @@ private:
     Owned<FcConfig, FcConfigDestroy> config_;
     Owned<FT_LibraryRec_, closeLibrary> library_;
     Owned<FcFontSet, FcFontSetDestroy> sorted_;
-    std::vector<FcPattern*> fonts_;  ///< those of it that have outlines
-    std::list<FontFace> faces_;      ///< the last used first
+    std::vector<FcPattern*> fonts_;  ///< those with outlines
+    std::list<FontFace> faces_;      ///< most recently used first
 };
 
-/// Adds a run behind what is there. @param size  of the font
+/// Appends a run. @param size  of the font
 void addRun(const TextRun& run, const FontFace& face, double size, TextOutlines& outlines) {
     const Owned<hb_buffer_t, hb_buffer_destroy> buffer(hb_buffer_create());
     const std::vector<std::uint32_t> codes(run.characters.begin(), run.characters.end());

@@ -16,7 +16,7 @@ struct Character {
     char32_t code;
     Turn turn;
     std::uint32_t script;
-    bool isAttached;  ///< to what stands before it
+    bool isAttached;  ///< to the preceding character
     bool isRightToLeft = false;
     int level = 0;  ///< of nested directions, even ones to the right
 };
@@ -59,7 +59,7 @@ std::vector<Character> charactersOf(std::string_view line) {
     return all;
 }
 
-/// What has no script of its own is written in that of what stands before it, else behind it.
+/// Characters without a script get that of the preceding character, else of the first with one.
 void settleScripts(std::vector<Character>& line) {
     const auto first =
         std::ranges::find_if(line, [](const Character& c) { return isScript(c.script); });
@@ -75,8 +75,8 @@ bool joinsNumbers(char32_t code) {
     return code == '.' || code == ',' || code == ':' || code == '/' || code == '-' || code == '+';
 }
 
-/// Accents go with their letters, points within numbers with these, and numbers behind letters that
-/// run to the right are like them.
+/// Accents follow their letters, points within numbers these numbers, and numbers after letters
+/// that run to the right are treated like these letters.
 void settleNumbers(std::vector<Character>& line, Turn base) {
     Turn letters = base;
     for (std::size_t k = 0; k < line.size(); ++k) {
@@ -130,7 +130,7 @@ struct LevelRun : TextRun {
     int level = 0;
 };
 
-/// From the order of reading to that of places: what is nested deepest is turned first.
+/// Converts reading order to visual order: the deepest nesting is reversed first.
 void reorder(std::vector<LevelRun>& runs) {
     for (const int level : {2, 1}) {
         for (auto from = runs.begin(); from != runs.end();) {

@@ -9,20 +9,20 @@
 
 namespace toile {
 
-/// Characters that follow each other in one font, one script and one direction.
+/// Consecutive characters with the same font, script and direction.
 struct TextRun {
-    std::u32string characters{};  ///< as they are read
+    std::u32string characters{};  ///< in reading order
     std::size_t font = 0;
-    std::uint32_t script = 0;  ///< as HarfBuzz numbers them
+    std::uint32_t script = 0;  ///< HarfBuzz number
     bool isRightToLeft = false;
 };
 
-/// The runs of a line from its left to its right. Directions by the main rules of Unicode: the
-/// first letter gives that of the line, letters their own, numbers run to the right, and what lies
-/// between goes with its neighbours where these agree, else with the line; marks that turn the
-/// direction are taken for blanks.
+/// The runs of a line from left to right. Directions follow the main rules of Unicode: the first
+/// letter sets that of the line, letters have their own, numbers run to the right, and characters
+/// between take the direction of their neighbours if these agree, else that of the line; marks that
+/// change the direction are treated as blanks.
 /// @param line    UTF-8
-/// @param fontOf  a character's font; accents and joiners stay in that of what stands before them
+/// @param fontOf  font of a character; accents and joiners keep the font of the preceding character
 /// Cost: linear. Pure.
 std::vector<TextRun> textRuns(std::string_view line,
                               const std::function<std::size_t(char32_t)>& fontOf);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kUsdDecimals = 4, kUvDecimals = 7;
 constexpr double kMetrePerMillimetre = 0.001;
 
-/// A name that USD allows: letters, digits and '_', no digit first.
+/// A valid USD name: letters, digits and '_', no digit first.
 std::string primName(const std::string& slug) {
     std::string name = slug;
     std::ranges::replace(name, '-', '_');
