@@ -14,7 +14,7 @@ enum class DxfProfile { Astm, Aama, Plain };
 struct DxfOptions {
     DxfProfile profile = DxfProfile::Astm;
     LengthUnit unit = LengthUnit::Millimetre;
-    bool ruleTable = false;     ///< a one-size .rul beside the file
+    bool ruleTable = false;     ///< an additional one-size .rul file
     bool controlPiece = false;  ///< the check square as a separate piece, in Astm and Aama
 
     bool operator==(const DxfOptions&) const = default;

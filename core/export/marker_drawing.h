@@ -10,8 +10,8 @@
 
 namespace toile {
 
-/// A marker for exports: labels omit the quantity, because each copy is drawn, and the wrong side,
-/// which no mirrored copy shows.
+/// A marker for exports: labels omit the quantity, because each copy is drawn, and the note on the
+/// wrong side, which no mirrored copy shows.
 struct DrawnMarker {
     LaidOutPattern laid;  ///< the pattern's pieces at their places; `whole` and its pattern empty
     Drawing drawing;

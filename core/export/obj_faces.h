@@ -14,7 +14,7 @@ struct ObjIndices {
     std::vector<int> firstVertex;    ///< per file: index of its first input vertex
     std::vector<int> firstUv;        ///< per piece: index of its first vt; 0 if it has none
     std::vector<std::vector<int>> addedVertex;  ///< per piece, per vertex: index of its own `v`
-                                                ///< line, 0 where the input has it; may be empty
+                                                ///< line, 0 if the input has it; may be empty
 };
 
 /// Numbers of input faces that are written differently.

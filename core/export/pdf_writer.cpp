@@ -18,7 +18,7 @@ namespace {
 using Eigen::AlignedBox2d;
 
 constexpr double kPageScale = 72 / 25.4;           // points per mm
-constexpr SheetLineWidths kOnScreen{1.5, 1, 0.8};  // mm: what a projector shows
+constexpr SheetLineWidths kOnScreen{1.5, 1, 0.8};  // mm: thick enough for a projector
 
 bool isOnTiles(Paper paper) {
     return paper == Paper::A4 || paper == Paper::Letter || paper == Paper::Shared;
@@ -105,7 +105,7 @@ std::string references(const std::vector<int>& numbers) {
     return text + "]";
 }
 
-/// Layers, their key in resources, and how they are listed and shown.
+/// Layers: their keys in resources, and their order and visibility in viewers.
 struct LayerObjects {
     std::string properties, listing;
 };
@@ -125,7 +125,7 @@ LayerObjects addLayers(PdfFile& file, const std::vector<int>& layers) {
     return made;
 }
 
-/// Names of the pages, as viewers list them.
+/// Names of the pages in viewers.
 std::string pageLabels(const PdfPlan& plan) {
     std::string labels = "<< /Nums [";
     std::size_t number = 0;
@@ -156,7 +156,7 @@ Result<PdfPlan> planPdf(const Drawing& drawing, const PdfOptions& options) {
     const bool isTiled = isOnTiles(options.paper);
     Result<PdfPlan> plan = planPages(contentOf(drawing, pdfLayers(drawing, isTiled)), options);
     if (plan && plan->isTiled && !isTiled) {
-        // Too large for one sheet: the squares need no room then.
+        // Too large for one sheet. Tiles have the squares on the first page.
         plan = planPages(contentOf(drawing, pdfLayers(drawing, true)), options, true);
     }
     return plan;
@@ -173,7 +173,7 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     std::vector<int> layers;
     for (const LayerKind kind : kLayerKinds) {
         if (hasLayer(drawing, kind)) {
-            layers.push_back(static_cast<int>(kind));  // the squares are checked on every paper
+            layers.push_back(static_cast<int>(kind));  // including Check, for the squares
         }
     }
     if (isProjected) {
@@ -192,7 +192,7 @@ Result<std::string> writePdf(const Drawing& drawing, const Pattern& pattern,
     const int font = file.add(
         "<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>");
     const std::string fonts = "/F1 " + pdfReference(font);
-    // What pages show is made first: the texts of all of it are in the file once.
+    // Create the contents of all pages first, because each text is stored once in the file.
     PdfLetters letters;
     PdfContent drawn(letters);
     drawPattern(drawn, drawing, pattern, kinds, isProjected ? kOnScreen : SheetLineWidths{});

@@ -9,7 +9,7 @@
 
 namespace toile {
 
-/// Widths of lines, mm, by the kinds.
+/// Line widths, mm, by kind of line.
 struct SheetLineWidths {
     double cut = 0.35, others = 0.25, marks = 0.18;
 };

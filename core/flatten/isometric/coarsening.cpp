@@ -31,7 +31,7 @@ constexpr double kMinRemovedShare = 0.02;
 constexpr int kAhead = 8;  // vertices
 constexpr int kStepsPerCancelCheck = 1 << 14;
 
-/// Area over squared edges, 1 where equilateral; negative where flipped.
+/// Area over squared edges, 1 if equilateral; negative if flipped.
 double shapeOf(double twiceArea, double squaredEdges) {
     return squaredEdges > 0 ? 2 * std::sqrt(3.0) * twiceArea / squaredEdges : 0;
 }

@@ -30,7 +30,7 @@ constexpr int kRoundsForFew = 15000;
 /// Accuracy of steps by conjugate gradients (`TwoLevelSolver`) that needs as many steps as exact
 /// solutions would.
 constexpr double kRoughSteps = 0.2;
-constexpr int kMaxSteppedApart = 40;  // with the outline held apart
+constexpr int kMaxSteppedApart = 40;  // while the outline is kept simple
 /// Crossings per edge of the outline above which no simple outline is near: two sides that cross
 /// from end to end have about one crossing per edge.
 constexpr int kMaxCrossingsEach = 10;

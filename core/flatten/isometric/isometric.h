@@ -32,7 +32,7 @@ struct FlatteningMemory {
     /// Its points with an outline that does not cross itself: `Q`, or the points after the sides
     /// were moved apart; null if the outline still crosses itself.
     std::shared_ptr<const Points2> simple{};
-    double distortion = 0;  ///< of `Q`; 1 where isometric
+    double distortion = 0;  ///< of `Q`; 1 if isometric
     /// The end state of that descent: its last model (null for large pieces) and the multipliers of
     /// the boundary lengths.
     std::shared_ptr<const isometric::KktModel> model{};

@@ -14,8 +14,8 @@ namespace toile::isometric {
 namespace {
 
 constexpr int kMaxCorrections = 6;
-constexpr int kMaxApproaches = 12;         // to exact lengths, from a start that has none
-constexpr double kMinApproach = 0.05;      // of the way, for the next to be worth trying
+constexpr int kMaxApproaches = 12;         // to exact lengths, from a start without
+constexpr double kMinApproach = 0.05;      // smallest share of the way for another try
 constexpr double kSmallCorrection = 1e-3;  // of an edge: the boundary alone may take it
 constexpr double kLargestCorrection = 1;   // of an edge: the quadratic model is unreliable beyond
 constexpr double kSufficientDecrease = 1e-4;

@@ -48,7 +48,7 @@ double nearLimit(double before);
 
 struct DescentResult {
     Points2 Q;
-    double distortion = 0;  ///< symmetric Dirichlet energy, 1 where isometric
+    double distortion = 0;  ///< symmetric Dirichlet energy, 1 if isometric
     int iterations = 0;
     Eigen::VectorXd multipliers{};            ///< of the boundary lengths: the tension of each edge
     bool converged = false;                   ///< the tolerance was met

@@ -269,7 +269,7 @@ double OutlineBarrier::largestStep(const Points2& Q, const Points2& P, double li
         if (i == j || i == (j + 1) % n) {
             return;
         }
-        // The vertex is in line with the edge where a t^2 + b t + c = 0.
+        // The vertex is in line with the edge when a t^2 + b t + c = 0.
         const Eigen::RowVector2d e = at(j + 1) - at(j);
         const Eigen::RowVector2d r = at(i) - at(j);
         const Eigen::RowVector2d de = P.row(boundary_[(j + 1) % n]) - P.row(boundary_[j]);

@@ -29,7 +29,7 @@ public:
     void addHessian(const Points2& Q, linalg::BlockMatrix& hessian) const;
 
 private:
-    /// 2 sin((theta - alpha) / 2) at one vertex, which is theta - alpha where small and has no jump
+    /// 2 sin((theta - alpha) / 2) at one vertex, which is theta - alpha if small and has no jump
     /// at a full turn, and its derivatives by the vertex before, the vertex itself and the next.
     struct Turn {
         int vertex[3];
