@@ -129,20 +129,33 @@ bool isNumber(const std::string& text) {
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// As CLI11 takes them: last first. `--fair` may stand alone: what follows is its value only where
-/// it begins as a number does.
+/// Whether a word is `--fair` without a value: the next word is none unless it begins as a number.
+bool isFairAlone(const std::vector<std::string>& typed, std::size_t word) {
+    const std::string next = word + 1 < typed.size() ? typed[word + 1] : "";
+    return typed[word] == "--fair" && (next.empty() || !isNumber(next.substr(0, next.find(','))));
+}
+
+/// As CLI11 takes them, last first, with the value that `--fair` alone stands for.
 std::vector<std::string> reversedWords(const std::vector<std::string>& typed) {
     std::vector<std::string> words;
     for (std::size_t i = 0; i < typed.size(); ++i) {
         words.push_back(typed[i]);
-        const std::string next = i + 1 < typed.size() ? typed[i + 1] : "";
-        if (words.back() == "--fair" &&
-            (next.empty() || !isNumber(next.substr(0, next.find(','))))) {
-            words.emplace_back("nan");  // the usual tolerance, which wrinkles may widen
+        if (isFairAlone(typed, i)) {
+            words.emplace_back(shortest(Fairing{}.tolerance));
         }
     }
     std::ranges::reverse(words);
     return words;
+}
+
+/// Wrinkles may widen the usual tolerance of fair lines, but no typed one.
+void fixTypedTolerance(StatedOptions& stated, const std::vector<std::string>& words) {
+    if (stated.fairing) {
+        stated.fairing->isFixed = true;
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            stated.fairing->isFixed &= !isFairAlone(words, i);
+        }
+    }
 }
 
 /// Each once, in the order typed; all of them where none was.
@@ -348,6 +361,7 @@ Arguments parseArguments(int argc, const char* const* argv, unsigned taken) {
     if (const std::string wrong = wordNotTaken(app, typed.groups, taken); !wrong.empty()) {
         return wrongUsage(app, wrong);
     }
+    fixTypedTolerance(arguments.stated, words);
 
     if (arguments.command == Arguments::Command::Window) {
         arguments.inputs = typed.windowFiles;

@@ -2,7 +2,6 @@
 // Includes CLI11 as `arguments.cpp` does; both are compiled together.
 #include "app/cli/flattening_options.h"
 
-#include <cmath>
 #include <optional>
 
 #include "app/cli/choice_options.h"
@@ -67,8 +66,7 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
             "--fair",
             [&stated](const std::vector<double>& typed) {
                 Fairing& fairing = stated.fairing.emplace();
-                fairing.isFixed = !std::isnan(typed.front());  // see reversedWords
-                fairing.tolerance = fairing.isFixed ? typed.front() : fairing.tolerance;
+                fairing.tolerance = typed.front();
                 fairing.smoothing = typed.size() > 1 ? typed[1] : fairing.smoothing;
             },
             "Draw outlines as fair lines of the same length, at most MM from the exact ones, "

@@ -321,6 +321,14 @@ std::vector<std::string> everyCommand() {
     return commands;
 }
 
+TEST(Arguments, OnlyATypedToleranceOfFairLinesIsFixed) {
+    EXPECT_FALSE(parse({"flatten", "--fair", "a.obj"}).stated.fairing->isFixed);
+    for (const char* typed : {"--fair=1", "--fair=0.5,30"}) {
+        EXPECT_TRUE(parse({"flatten", "a.obj", typed}).stated.fairing->isFixed) << typed;
+    }
+    EXPECT_TRUE(parse({"flatten", "--fair", "1", "a.obj"}).stated.fairing->isFixed);
+}
+
 TEST(Arguments, NoNumberIsNanOrInfinite) {
     int tried = 0;
     for (const std::string& command : everyCommand()) {
