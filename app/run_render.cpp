@@ -52,12 +52,12 @@ void addReference(DocumentState& state) {
 
 /// Within a second or so, by the quickest method.
 bool isSoonFlat(const Garment& garment) {
-    constexpr std::size_t kMostTriangles = 50'000;
+    constexpr std::size_t kMaxShownTriangles = 50'000;
     std::size_t triangles = 0;
     for (const auto& piece : garment.pieces) {
         triangles += static_cast<std::size_t>(piece->mesh.F.rows());
     }
-    return triangles <= kMostTriangles;
+    return triangles <= kMaxShownTriangles;
 }
 
 /// Opens what the window shows once everything is flat. @return whether some piece is not

@@ -94,7 +94,7 @@ enum OptionGroup : unsigned {
 };
 
 /// Threads that work at one garment; OpenBLAS has memory for no more.
-inline constexpr int kMostThreads = 64;
+inline constexpr int kMaxThreads = 64;
 
 /// What the user typed, parsed and checked.
 struct Arguments {

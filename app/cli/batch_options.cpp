@@ -11,7 +11,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kLongestLimit = 1e6;  // s
-constexpr int kMostMemory = 1 << 24;   // MiB
+constexpr int kMaxMemory = 1 << 24;    // MiB
 
 /// What is of the batch, not of a garment.
 constexpr const char* kOfTheBatch[] = {"LIST",     "--output",  "--formats", "--limit",
@@ -56,11 +56,11 @@ void addBatchOptions(CLI::App& command, BatchArguments& batch) {
         .add_option("--memory", batch.memoryMib,
                     "Memory that a garment may take; 0: as much as there is")
         ->type_name("MIB")
-        ->check(within(0, kMostMemory))
+        ->check(within(0, kMaxMemory))
         ->capture_default_str();
     command.add_option("--threads", batch.threads, "Threads that work at one garment")
         ->type_name("N")
-        ->check(within(1, kMostThreads))
+        ->check(within(1, kMaxThreads))
         ->capture_default_str();
 }
 

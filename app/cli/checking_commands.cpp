@@ -106,7 +106,7 @@ void addSewnPattern(CLI::App& command, Arguments& arguments) {
                                "Length of the cloth's triangles [what a project says, else as the "
                                "garment's own]")
                    ->type_name("MM")
-                   ->check(within(kLeastProofEdge, kMostProofEdge)));
+                   ->check(within(kMinProofEdge, kMaxProofEdge)));
 }
 
 void addStiffness(CLI::App& command, ProveArguments& prove) {
@@ -125,7 +125,7 @@ void addStiffness(CLI::App& command, ProveArguments& prove) {
             ->delimiter(',')
             ->expected(1, 2)
             ->allow_extra_args(false)
-            ->check(within(kLeastStretch, kMostStretch));
+            ->check(within(kMinStretch, kMaxStretch));
     notesStiffness<&StatedStiffness::warp>(prove, stretch);
     notesStiffness<&StatedStiffness::weft>(prove, stretch);
     const auto add = [&command](const char* option, std::optional<double>& value, double unit,
@@ -137,13 +137,13 @@ void addStiffness(CLI::App& command, ProveArguments& prove) {
             ->check(within(least, most));
     };
     notesStiffness<&StatedStiffness::shear>(
-        prove, add("--shear", stated.shear, 1, "N/M", kLeastShear, kMostShear,
+        prove, add("--shear", stated.shear, 1, "N/M", kMinShear, kMaxShear,
                    "How it resists being sheared, N/m"));
     notesStiffness<&StatedStiffness::bending>(
-        prove, add("--bend", stated.bending, kMicro, "UNM", 0, kMostBending / kMicro,
+        prove, add("--bend", stated.bending, kMicro, "UNM", 0, kMaxBending / kMicro,
                    "How it resists being bent, in millionths of a newton metre"));
     notesStiffness<&StatedStiffness::weight>(
-        prove, add("--weight", stated.weight, 1, "GSM", 0, kMostClothWeight,
+        prove, add("--weight", stated.weight, 1, "GSM", 0, kMaxClothWeight,
                    "What it weighs, g/m2: counts with --gravity"));
 }
 
@@ -171,7 +171,7 @@ void addSelfContact(CLI::App& command, Arguments& arguments, CLI::Option* needed
         prove,
         command.add_option("--cloth-thickness", settings.thickness, "How far it keeps off itself")
             ->type_name("MM")
-            ->check(within(kLeastThickness, kMostThickness))
+            ->check(within(kMinThickness, kMaxThickness))
             ->capture_default_str()
             ->needs(touches));
     if (needed != nullptr) {
@@ -192,7 +192,7 @@ void addSewing(CLI::App& command, Arguments& arguments) {
                                "Pressure on the cloth towards the design or the body; below 0: "
                                "outwards, as of a cushion's filling")
                    ->type_name("PA")
-                   ->check(within(-kMostPressure, kMostPressure))
+                   ->check(within(-kMaxPressure, kMaxPressure))
                    ->capture_default_str());
     CLI::Option* gravity =
         command.add_flag("--gravity", settings.hasGravity, "Let the cloth's weight pull down");
@@ -204,7 +204,7 @@ void addSewing(CLI::App& command, Arguments& arguments) {
         command
             .add_option("--threads", settings.threads, "To work with; the result is the same [all]")
             ->type_name("N")
-            ->check(within(1, kMostThreads)));
+            ->check(within(1, kMaxThreads)));
 }
 
 /// Adds what becomes of a proof. Precondition: the options of sewing are there.

@@ -70,8 +70,7 @@ void addLineOptions(CLI::App& command, StatedOptions& stated) {
                 fairing.smoothing = typed.size() > 1 ? typed[1] : fairing.smoothing;
             },
             "Draw outlines as fair lines of the same length, at most MM from the exact ones, "
-            "smoothed "
-            "over LAMBDA [1,40]. Without MM, up to 8 on wrinkled garments")
+            "smoothed over LAMBDA [1,40]. Without MM, up to 8 on wrinkled garments")
         ->type_name("[MM[,LAMBDA]]")
         ->delimiter(',')
         ->expected(1, 2)

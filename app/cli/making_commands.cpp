@@ -18,7 +18,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kMaxApart = 1000;  // mm
-constexpr int kMostGarments = 1000;
+constexpr int kMaxGarments = 1000;
 
 /// Notes that this setting was typed. @param field  of MarkerSettings
 template <auto field>
@@ -80,7 +80,7 @@ void addCloth(CLI::App& command, MarkerArguments& marker) {
     notes<&MarkerSettings::garments>(
         marker, command.add_option("--garments", settings.garments, "How many garments are cut")
                     ->type_name("N")
-                    ->check(within(1, kMostGarments))
+                    ->check(within(1, kMaxGarments))
                     ->capture_default_str());
     command
         .add_option("--material", marker.material,
@@ -144,7 +144,7 @@ void addMarkerOptions(CLI::App& command, MarkerArguments& marker) {
                     ->capture_default_str());
     command.add_option("--threads", marker.threads, "To work with; the nest is the same [all]")
         ->type_name("N")
-        ->check(within(1, kMostThreads));
+        ->check(within(1, kMaxThreads));
     command
         .add_option("--minutes-per-metre", marker.minutesPerMetre,
                     "Say how long the seams take to sew")
@@ -181,7 +181,7 @@ void addFlatten(CLI::App& app, TypedOptions& typed, Arguments& arguments) {
         .add_option("--threads", arguments.threads,
                     "To work with, 0: all there are; the result is the same")
         ->type_name("N")
-        ->check(within(0, kMostThreads))
+        ->check(within(0, kMaxThreads))
         ->capture_default_str();
     areAbout(kThreads, flatten, typed.groups);
     flatten

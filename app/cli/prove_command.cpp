@@ -44,7 +44,7 @@ void printEnd(const Improved& improved, std::ostream& out) {
         case ImproveEnd::Rounds:
             break;
         case ImproveEnd::LittleGain:
-            out << "the last round gained less than " << fixed(100 * kLeastGain, 0) << " %\n";
+            out << "the last round gained less than " << fixed(100 * kMinGain, 0) << " %\n";
             break;
         case ImproveEnd::GapGrows:
             out << "further rounds only make it worse\n";

@@ -19,8 +19,8 @@ namespace toile::app {
 namespace {
 
 // Of what waits. More is refused: who reads no further hears no "cancel".
-constexpr std::size_t kMostWaiting = 1024;
-constexpr std::size_t kMostWaitingBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxWaiting = 1024;
+constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20U;
 constexpr std::chrono::milliseconds kBetweenProgress{100};
 constexpr double kProgressStep = 0.01;
 
@@ -39,7 +39,7 @@ std::optional<ReadLine> nextLine(std::istream& in) {
         return std::nullopt;
     }
     for (; byte != std::streambuf::traits_type::eof() && byte != '\n'; byte = bytes.sbumpc()) {
-        isTooLong = isTooLong || line.size() >= kMostServeLine;
+        isTooLong = isTooLong || line.size() >= kMaxServeLine;
         if (!isTooLong) {
             line += static_cast<char>(byte);
         }
@@ -84,8 +84,8 @@ private:
     /// "quit" always finds a place.
     void add(ReadLine line) {
         const std::lock_guard lock(mutex_);
-        const bool isFull = waiting_.size() >= kMostWaiting ||
-                            (!waiting_.empty() && waitingBytes_ + line.bytes > kMostWaitingBytes);
+        const bool isFull = waiting_.size() >= kMaxWaiting ||
+                            (!waiting_.empty() && waitingBytes_ + line.bytes > kMaxWaitingBytes);
         if (isFull && line.request.what != "quit") {
             say(serveAnswer(line.request.id,
                             Refusal(kTooManyRequests,

@@ -17,7 +17,7 @@ std::string lineOf(const std::string& id, const char* key, const OrderedJson& js
 /// An id may come back in any answer: a whole number or a short text.
 bool isId(const JsonDocument& json) {
     return json.is_number_integer() ||
-           (json.is_string() && json.get_ref<const std::string&>().size() <= kMostServeId);
+           (json.is_string() && json.get_ref<const std::string&>().size() <= kMaxServeId);
 }
 
 void readId(JsonFields& fields, const char* key, std::string& id) {
@@ -109,7 +109,7 @@ ServeRequest readServeRequest(std::string_view line) {
 ServeRequest tooLongServeRequest() {
     ServeRequest request;
     request.refusal = {kWrongRequest,
-                       "the line is longer than " + std::to_string(kMostServeLine >> 20U) + " MiB"};
+                       "the line is longer than " + std::to_string(kMaxServeLine >> 20U) + " MiB"};
     return request;
 }
 

@@ -29,8 +29,8 @@ inline constexpr std::string_view kServeWords[] = {"load",  "edit",   "flatten",
                                                    "prove", "cancel", "close",   "quit"};
 
 /// Bytes of a line; a longer one is refused.
-inline constexpr std::size_t kMostServeLine = std::size_t{16} << 20U;
-inline constexpr std::size_t kMostServeId = 100;  ///< bytes of an id that is a text
+inline constexpr std::size_t kMaxServeLine = std::size_t{16} << 20U;
+inline constexpr std::size_t kMaxServeId = 100;  ///< bytes of an id that is a text
 
 /// Never fails: what is no request has a refusal. Linear.
 ServeRequest readServeRequest(std::string_view line);

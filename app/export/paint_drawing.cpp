@@ -18,8 +18,8 @@ constexpr QRgb kLayerColours[] = {0xd00000, 0x606060, 0xc06000, 0x0070c0,
                                   0x008000, 0x800080, 0x000000, 0x0000ff};
 static_assert(std::size(kLayerColours) == kLayerKinds.size());
 
-constexpr double kMostDots = 30000;  // on a side; painters count no farther than 32767
-constexpr double kMostOfPicture = 400e6;
+constexpr double kMaxDots = 30000;  // on a side; painters count no farther than 32767
+constexpr double kMaxOfPicture = 400e6;
 
 QColor colourOf(LayerKind kind) {
     return QColor::fromRgb(kLayerColours[static_cast<std::size_t>(kind)]);
@@ -111,9 +111,9 @@ Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
     const double scale = dpi / kMillimetresPerInch;
     const double width = std::round(drawing.width * scale),
                  height = std::round(drawing.height * scale);
-    if (!(width <= kMostDots && height <= kMostDots && width * height <= kMostOfPicture)) {
+    if (!(width <= kMaxDots && height <= kMaxDots && width * height <= kMaxOfPicture)) {
         const double most = std::min(
-            {kMostDots / width, kMostDots / height, std::sqrt(kMostOfPicture / (width * height))});
+            {kMaxDots / width, kMaxDots / height, std::sqrt(kMaxOfPicture / (width * height))});
         return Error{ErrorCode::PageTooSmall,
                      {},
                      worded("%1 x %2 dots; at most %3 dpi fit",

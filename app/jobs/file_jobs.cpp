@@ -38,7 +38,7 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
 }
 
 /// Of a file that is looked at before it is written, bytes.
-constexpr std::size_t kMostOfBeginning = 20000;
+constexpr std::size_t kMaxOfBeginning = 20000;
 
 /// What is saved of a state, also where its garment is still on its way.
 Result<Project> projectNow(DocumentState state, const Derived& derived,
@@ -133,7 +133,7 @@ std::unique_ptr<Job> beginningJob(const Document& document, FormatId format,
                     return made.error();
                 }
                 std::string& bytes = made->front().bytes;
-                bytes.resize(std::min(bytes.size(), kMostOfBeginning));
+                bytes.resize(std::min(bytes.size(), kMaxOfBeginning));
                 return std::move(bytes);
             });
     };

@@ -22,12 +22,12 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kSeamsHigh = 120;                // pixels
-constexpr int kFieldWide = 128;                // pixels
-constexpr double kLongestGap = 1000;           // mm
-constexpr double kLongestRepeat = 10'000;      // mm
-constexpr double kMostSheet = kMaxClothWidth;  // mm
-constexpr int kMostGarments = 200;
+constexpr int kSeamsHigh = 120;               // pixels
+constexpr int kFieldWide = 128;               // pixels
+constexpr double kLongestGap = 1000;          // mm
+constexpr double kLongestRepeat = 10'000;     // mm
+constexpr double kMaxSheet = kMaxClothWidth;  // mm
+constexpr int kMaxGarments = 200;
 const Eigen::Vector2d kUsualSheet(610, 305);  // a cutting mat, mm
 
 /// Rows of the list of kinds.
@@ -136,9 +136,9 @@ void MarkerForm::addCloth(QGridLayout& grid) {
         };
     };
     along_ = addLength(grid, "markerSheetAlong", tr("Sheet &length"),
-                       tr("Of a sheet, along the warp"), 1, kMostSheet, sheetSide(0));
+                       tr("Of a sheet, along the warp"), 1, kMaxSheet, sheetSide(0));
     across_ = addLength(grid, "markerSheetAcross", tr("Sheet wi&dth"),
-                        tr("Of a sheet, across the warp"), 1, kMostSheet, sheetSide(1));
+                        tr("Of a sheet, across the warp"), 1, kMaxSheet, sheetSide(1));
     folded_->setObjectName("markerFolded");
     folded_->setToolTip(
         tr("Two layers, right sides together: pairs are cut at once, and what is its own mirror "
@@ -153,7 +153,7 @@ void MarkerForm::addCloth(QGridLayout& grid) {
 
 void MarkerForm::addPieces(QGridLayout& grid) {
     addHeading(grid, tr("Pieces"));
-    garments_->setRange(1, kMostGarments);
+    garments_->setRange(1, kMaxGarments);
     garments_->setDecimals(0);
     garments_->setKeyboardTracking(false);
     addRow(grid, "markerGarments", tr("&Garments"), tr("How many of the garment are cut at once"),

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double kPoint = 3.6, kReach = 11;  // pixels
 constexpr int kHeight = 130, kWidth = 300;
-constexpr double kAir = 1.12;         // above the highest
-constexpr double kLeastRange = 0.01;  // of strain
+constexpr double kAir = 1.12;       // above the highest
+constexpr double kMinRange = 0.01;  // of strain
 
 /// 1, 2 or 5 times a power of ten: three or four to the range.
 double stepFor(double range) {
@@ -75,7 +75,7 @@ double CutChart::shownStrain(const Step& step) const {
 }
 
 double CutChart::highest() const {
-    double most = std::max(kLeastRange, enough_.value_or(0));
+    double most = std::max(kMinRange, enough_.value_or(0));
     for (const Step& step : steps_) {
         most = std::max({most, step.predicted, step.solved.value_or(0)});
     }

@@ -25,7 +25,6 @@
 #include "core/base/units.h"
 #include "core/geometry/line.h"
 #include "core/pattern/darts.h"
-#include "core/pattern/exact_outline.h"
 #include "core/pattern/outline_reference.h"
 #include "core/pattern/piece_marks.h"
 

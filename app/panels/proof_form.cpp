@@ -61,22 +61,22 @@ StiffnessForm::StiffnessForm(FieldGuard& guard, QWidget* parent) : QWidget(paren
         tr("What a strip of the cloth, 1 m wide, resists being stretched along the warp with: the "
            "force by the strain. Empty: as the fabric"),
         {&StatedStiffness::warp, &sew::ClothStiffness::warp, 1,
-         field(kLeastStretch, kMostStretch, perMetre)});
+         field(kMinStretch, kMaxStretch, perMetre)});
     add(tr("Stretch, weft"), "stretchWeft", tr("The same along the weft. Empty: as the fabric"),
         {&StatedStiffness::weft, &sew::ClothStiffness::weft, 1,
-         field(kLeastStretch, kMostStretch, perMetre)});
+         field(kMinStretch, kMaxStretch, perMetre)});
     add(tr("Shear"), "stiffnessShear",
         tr("What it resists being sheared with, on the bias. Empty: as the fabric"),
         {&StatedStiffness::shear, &sew::ClothStiffness::shear, 1,
-         field(kLeastShear, kMostShear, perMetre)});
+         field(kMinShear, kMaxShear, perMetre)});
     add(tr("Bending"), "stiffnessBending",
         tr("What it resists being bent with. Empty: as the fabric"),
         {&StatedStiffness::bending, &sew::ClothStiffness::bending, kMicroNewtonMetre,
-         field(0, kMostBending / kMicroNewtonMetre, bending)});
+         field(0, kMaxBending / kMicroNewtonMetre, bending)});
     add(tr("Weight"), "clothWeight",
         tr("What it weighs, which counts with gravity. Empty: as the fabric"),
         {&StatedStiffness::weight, &sew::ClothStiffness::weight, 1,
-         field(0, kMostClothWeight, weight)});
+         field(0, kMaxClothWeight, weight)});
 }
 
 void StiffnessForm::add(const QString& name, const char* objectName, const QString& toolTip,
@@ -177,7 +177,7 @@ void ProofForm::makeFields() {
         tr("What the cloth lies on while it is sewn: the design's own surface, or "
            "the mesh of a body in the garment's place"));
     pressure_->setObjectName("proofPressure");
-    pressure_->setRange(-kMostPressure, kMostPressure);
+    pressure_->setRange(-kMaxPressure, kMaxPressure);
     pressure_->setDecimals(1);
     pressure_->setSuffix(tr(" Pa"));
     pressure_->setKeyboardTracking(false);
@@ -185,7 +185,7 @@ void ProofForm::makeFields() {
         tr("Presses the cloth onto what holds it; below 0 it is filled as a "
            "cushion is. 10 Pa are 1 g on 10 cm²"));
     edge_->setObjectName("proofEdge");
-    edge_->setRange(0, kMostProofEdge);
+    edge_->setRange(0, kMaxProofEdge);
     edge_->setSpecialValueText(tr("As the garment has them"));
     edge_->setToolTip(
         tr("Length of the edges of the triangles that are sewn; the shorter, the "
@@ -215,7 +215,7 @@ void ProofForm::makeFields() {
 void ProofForm::makeCloth() {
     cloth_->setObjectName("proofFabric");
     thickness_->setObjectName("proofThickness");
-    thickness_->setRange(kLeastThickness, kMostThickness);
+    thickness_->setRange(kMinThickness, kMaxThickness);
     thickness_->setToolTip(tr("How far layers of cloth keep off each other"));
     thickness_->setMaximumWidth(kWidestProofField);
     thickness_->installEventFilter(this);
@@ -257,7 +257,7 @@ void ProofForm::connectFields() {
             [value](ProofPlan& plan) { plan.settings.pressure = value; }, gesture_);
     });
     connect(edge_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        const double edge = value > 0 ? std::max(value, kLeastProofEdge) : 0;
+        const double edge = value > 0 ? std::max(value, kMinProofEdge) : 0;
         change(
             tr("Triangles of the proof"), [edge](ProofPlan& plan) { plan.settings.edge = edge; },
             gesture_);

@@ -34,7 +34,7 @@ std::optional<double> stripOf(double typed) {
 }
 
 constexpr double kPercent = 0.01;
-constexpr double kMostEase = 100, kMinEase = -50;  // per cent, in the field
+constexpr double kMaxEasePercent = 100, kMinEasePercent = -50;  // per cent, in the field
 
 QToolButton* makeSmallButton(const char* name, const QString& text, const QString& tip,
                              QWidget* parent) {
@@ -206,7 +206,7 @@ SewnRows::SewnRows(Document& document, FieldGuard& guard, QWidget* form)
     ease_->setObjectName("segmentEase");
     ease_->setToolTip(
         tr("How much longer the left side of the seam is meant to be. Bold: stated by you"));
-    ease_->setRange(kMinEase, kMostEase);
+    ease_->setRange(kMinEasePercent, kMaxEasePercent);
     ease_->setFocusPolicy(Qt::StrongFocus);
     ease_->installEventFilter(this);
     guard.install(*ease_);

@@ -28,9 +28,9 @@ int threadsOf(const py::object& given) {
             : PyLong_AsLongAndOverflow(
                   py::reinterpret_steal<py::object>(PyNumber_Index(given.ptr())).ptr(),
                   &isTooLarge);
-    if (isTooLarge != 0 || count < 0 || count > app::kMostThreads) {
+    if (isTooLarge != 0 || count < 0 || count > app::kMaxThreads) {
         PyErr_Clear();
-        refuseCall("threads is a whole number from 0 to " + std::to_string(app::kMostThreads),
+        refuseCall("threads is a whole number from 0 to " + std::to_string(app::kMaxThreads),
                    given);
     }
     return static_cast<int>(count);

@@ -258,12 +258,12 @@ void addInternalLines(const Garment& garment, const PieceResults& results, const
 }
 
 void addLeftOut(const Garment& garment, Scene& scene) {
-    constexpr Eigen::Index kMostEdges = 50'000;  // more are a grey surface
+    constexpr Eigen::Index kMaxEdges = 50'000;  // more are a grey surface
     const int none = static_cast<int>(garment.pieces.size());
     for (const auto& file : garment.files) {
         const MeshArrays& mesh = file->reading.leftOut;
         const EdgeTable table = buildEdgeTable(mesh.F, static_cast<int>(mesh.V.rows()));
-        const Eigen::Index step = 1 + table.edges.rows() / kMostEdges;
+        const Eigen::Index step = 1 + table.edges.rows() / kMaxEdges;
         for (Eigen::Index e = 0; e < table.edges.rows(); e += step) {
             Points3 edge(2, 3);
             for (Eigen::Index k = 0; k < 2; ++k) {

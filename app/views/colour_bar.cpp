@@ -16,8 +16,8 @@ namespace {
 constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 212;
 /// Where less than this is left beside the scale bar, the legend stands above that and takes the
 /// width but for this, which a ruler may have.
-constexpr int kLeastWidth = 260, kAtSides = 40, kAboveCorner = 52;
-constexpr int kLeastGround = 238;  ///< of 255: what is drawn below must not be read
+constexpr int kMinWidth = 260, kAtSides = 40, kAboveCorner = 52;
+constexpr int kMinGround = 238;  ///< of 255: what is drawn below must not be read
 
 }  // namespace
 
@@ -38,7 +38,7 @@ ColourBar* ColourBar::inCorner(QWidget& view) {
 
 void ColourBar::placeInCorner() {
     const QWidget& view = *parentWidget();
-    const bool isAbove = view.width() - kBesideCorner < kLeastWidth;
+    const bool isAbove = view.width() - kBesideCorner < kMinWidth;
     const int taken = isAbove ? kAtSides : kBesideCorner;
     const int width = std::clamp(view.width() - taken, 1, kCornerWidth);
     const int height = cornerLegendHeight(legend_, font(), width);
@@ -94,7 +94,7 @@ void ColourBar::paintEvent(QPaintEvent*) {
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(Qt::NoPen);
         QColor ground = renderStyle(palette()).labelFill;
-        ground.setAlpha(std::max(ground.alpha(), kLeastGround));
+        ground.setAlpha(std::max(ground.alpha(), kMinGround));
         painter.setBrush(ground);
         painter.drawRoundedRect(rect(), 7, 7);
     }

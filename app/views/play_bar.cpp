@@ -22,8 +22,8 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 constexpr int kAirAround = 12;
-constexpr int kCatch = 5;        ///< logical pixels from a stop, when dragged
-constexpr int kLeastFill = 238;  ///< of 255: what is written below must not be read
+constexpr int kCatch = 5;      ///< logical pixels from a stop, when dragged
+constexpr int kMinFill = 238;  ///< of 255: what is written below must not be read
 
 /// A slider that goes to where its groove is pressed, whatever the desktop's habit, and can be
 /// dragged on from there.
@@ -175,7 +175,7 @@ void PlayBar::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(Qt::NoPen);
     QColor fill = renderStyle(palette()).labelFill;
-    fill.setAlpha(std::max(fill.alpha(), kLeastFill));
+    fill.setAlpha(std::max(fill.alpha(), kMinFill));
     painter.setBrush(fill);
     painter.drawRoundedRect(rect(), 7, 7);
 }

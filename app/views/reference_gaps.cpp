@@ -21,13 +21,13 @@
 namespace toile::app {
 namespace {
 
-constexpr double kStep = 2;          // mm between gaps, or
-constexpr double kSteps = 4000;      // so many along a piece, where that is less
-constexpr double kLeastWord = 0.05;  // mm: less is no difference that a tailor sees
-constexpr double kFromLine = 8;      // pixels from the gap to its word
-constexpr double kLeastBand = 6;     // pixels: a smaller gap has a word only as its piece's widest
+constexpr double kStep = 2;        // mm between gaps, or
+constexpr double kSteps = 4000;    // so many along a piece, where that is less
+constexpr double kMinWord = 0.05;  // mm: less is no difference that a tailor sees
+constexpr double kFromLine = 8;    // pixels from the gap to its word
+constexpr double kMinBand = 6;     // pixels: a smaller gap has a word only as its piece's widest
 constexpr double kBetweenWords = 140;  // pixels, at least, on one piece
-constexpr int kMostTries = 60;         // of words on one piece
+constexpr int kMaxTries = 60;          // of words on one piece
 constexpr float kBandStrength = 0.3F;
 
 /// The outline of a piece as the pattern draws it; empty where it has none.
@@ -164,11 +164,11 @@ std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& s
         const bool isNear = std::ranges::any_of(others, [&line](const QPointF& other) {
             return QLineF(line.p2(), other).length() < kBetweenWords;
         });
-        if (gap.distance < kLeastWord) {
+        if (gap.distance < kMinWord) {
             break;
         }
         if (placeOf(places, gap.piece).hidden || isNear || !view.contains(line.p2()) ||
-            (!others.empty() && line.length() < kLeastBand) || ++tries[gap.piece] > kMostTries) {
+            (!others.empty() && line.length() < kMinBand) || ++tries[gap.piece] > kMaxTries) {
             continue;
         }
         // Beyond the end that lies outside, along the gap.

@@ -52,7 +52,7 @@ std::size_t HintLabel::fitting(int width) const {
     const int more = kBetweenClauses + fontMetrics().horizontalAdvance(kMore);
     int taken = 0;
     std::size_t count = 0;
-    for (; count < std::min(clauses_.size(), kMostShown); ++count) {
+    for (; count < std::min(clauses_.size(), kMaxHintsShown); ++count) {
         const int end = taken + widthOf(clauses_[count]);
         const bool isLast = count + 1 == clauses_.size();
         if (end + (isLast ? 0 : more) > width) {

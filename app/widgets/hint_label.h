@@ -23,7 +23,7 @@ class HintLabel : public QLabel {
 
 public:
     /// A person reads no more of them at a glance.
-    static constexpr std::size_t kMostShown = 3;
+    static constexpr std::size_t kMaxHintsShown = 3;
 
     explicit HintLabel(QWidget* parent = nullptr);
 

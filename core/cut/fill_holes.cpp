@@ -49,7 +49,7 @@ constexpr double kNearlyATurn = 1.5 * std::numbers::pi;
 /// A ring is a tube if it must stretch across by more than this to be worn, once its rims are flat
 /// at their lengths. This is the mean: at this value it reaches a quarter near a rim, more than any
 /// cloth takes (diagnose/doubt.h).
-constexpr double kMostStrainAcross = 0.15;
+constexpr double kMaxStrainAcross = 0.15;
 
 /// How far the rim turns to the side of the cloth, radians: 2 pi for a disk's outline.
 double turning(const SurfaceLinks& links, const RimLoop& loop) {
@@ -123,11 +123,11 @@ SortedLoops sortLoops(const SurfaceLinks& links, double smallHole) {
         }
     }
     const std::vector<double> strains =
-        strainsAcross(links, loops[outline], longHoles, kMostStrainAcross);
+        strainsAcross(links, loops[outline], longHoles, kMaxStrainAcross);
     auto strain = strains.begin();
     for (std::ptrdiff_t k = 0; k < std::ssize(loops); ++k) {
         const bool isHole =
-            smallHole > 0 && (isShort(k) || (turnsAsHole(k) && *strain++ <= kMostStrainAcross));
+            smallHole > 0 && (isShort(k) || (turnsAsHole(k) && *strain++ <= kMaxStrainAcross));
         (isHole ? sorted.holes : sorted.openings).push_back(std::move(loops[k]));
     }
     return sorted;

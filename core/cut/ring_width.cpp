@@ -54,7 +54,7 @@ LoopHull hullOf(const Points3& V, const RimLoop& loop) {
 /// Smoothing steps that turn a ragged outline, longer than its cloth is wide, into a smooth one.
 constexpr int kSmoothings = 4;
 /// Largest shift by smoothing, as a share of the room for the ring; else the outline is kept.
-constexpr double kMostSmoothing = 0.05;
+constexpr double kMaxRingSmoothing = 0.05;
 
 /// Measures of an outline, and how far its cloth ends inside the vertices, as a mean.
 struct OutlineReach {
@@ -81,7 +81,7 @@ OutlineReach reachOf(const Points3& V, const RimLoop& outline, double hullPerime
     }
     const double room = (outline.perimeter - hullPerimeter) / (2 * std::numbers::pi);
     const double longest = edges(line).rowwise().norm().maxCoeff();
-    return moved > kMostSmoothing * room
+    return moved > kMaxRingSmoothing * room
                ? OutlineReach{outline.perimeter, 0, longest}
                : OutlineReach{edges(smooth).rowwise().norm().sum(), moved, longest};
 }

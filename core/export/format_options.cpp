@@ -116,8 +116,8 @@ bool setNumber(double& value, std::string_view typed, double least, double most)
     return true;
 }
 
-constexpr double kMostOverlap = 50;  // mm
-constexpr double kLeastDpi = 10, kMostDpi = 1200;
+constexpr double kMaxOverlap = 50;  // mm
+constexpr double kMinDpi = 10, kMaxDpi = 1200;
 
 using Options = ExportOptions;
 using Typed = std::string_view;
@@ -183,10 +183,10 @@ const FormatOption kRows[] = {
      .title = TR("Overlap"),
      .help = TR("By how much the tiles of a PDF file overlap, mm"),
      .least = 0,
-     .most = kMostOverlap,
+     .most = kMaxOverlap,
      .get = [](const Options& o) { return shortest(o.pdf.overlap); },
      .set = [](Options& o,
-               Typed typed) { return setNumber(o.pdf.overlap, typed, 0, kMostOverlap); }},
+               Typed typed) { return setNumber(o.pdf.overlap, typed, 0, kMaxOverlap); }},
     {.formats = kForSvg,
      .name = "svg-preset",
      .title = TR("For"),
@@ -223,11 +223,10 @@ const FormatOption kRows[] = {
      .name = "png-dpi",
      .title = TR("Dots per inch"),
      .help = TR("Dots per inch of the PNG picture"),
-     .least = kLeastDpi,
-     .most = kMostDpi,
+     .least = kMinDpi,
+     .most = kMaxDpi,
      .get = [](const Options& o) { return shortest(o.png.dpi); },
-     .set = [](Options& o,
-               Typed typed) { return setNumber(o.png.dpi, typed, kLeastDpi, kMostDpi); }},
+     .set = [](Options& o, Typed typed) { return setNumber(o.png.dpi, typed, kMinDpi, kMaxDpi); }},
     {.formats = kForMeshes,
      .name = "mesh-uv",
      .title = TR("Pattern"),

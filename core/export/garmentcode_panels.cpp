@@ -14,14 +14,14 @@ namespace {
 
 /// A curve is divided if the distance of its ends is less than this share of its length, because
 /// control points are relative to the chord.
-constexpr double kLeastChord = 0.2;
+constexpr double kMinChord = 0.2;
 
 void addHalved(const CubicCurve& curve, std::vector<CubicCurve>& chain) {
     const double length = curveLength(curve);
     if (!(length > 0)) {
         return;
     }
-    if (!curve.isLine && (curve.end - curve.start).norm() < kLeastChord * length) {
+    if (!curve.isLine && (curve.end - curve.start).norm() < kMinChord * length) {
         const auto halves = dividedAt(curve, 0.5);
         chain.insert(chain.end(), halves.begin(), halves.end());
     } else {

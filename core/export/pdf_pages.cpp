@@ -237,12 +237,11 @@ Result<void> placeOnTiles(PdfPlan& plan, const AlignedBox2d& box, const PrintedC
     const Vector2d step = room - Vector2d::Constant(overlap);
     const double columns = tilesFor(box.sizes().x(), room.x(), overlap);
     const double rows = tilesFor(box.sizes().y(), room.y(), overlap);
-    if (!(columns * rows <= kMostTiles)) {
-        return Error{
-            ErrorCode::PageTooSmall,
-            {},
-            worded("%1 mm x %2 mm, more than %3 pages",
-                   {figure(box.sizes().x()), figure(box.sizes().y()), figure(kMostTiles)})};
+    if (!(columns * rows <= kMaxTiles)) {
+        return Error{ErrorCode::PageTooSmall,
+                     {},
+                     worded("%1 mm x %2 mm, more than %3 pages",
+                            {figure(box.sizes().x()), figure(box.sizes().y()), figure(kMaxTiles)})};
     }
     plan.isTiled = true;
     plan.columns = static_cast<int>(columns);

@@ -54,11 +54,11 @@ struct PdfPlan {
 /// evenly.
 /// @param hasMap  tiles even if everything fits on one page
 /// Errors: PageTooSmall if the projector's one page would be too long, with the lengths, or if
-/// there would be more than kMostTiles. Cost: linear in content and pages. Pure.
+/// there would be more than kMaxTiles. Cost: linear in content and pages. Pure.
 Result<PdfPlan> planPages(const PrintedContent& content, const PdfOptions& options,
                           bool hasMap = false);
 
-inline constexpr int kMostTiles = 4000;
+inline constexpr int kMaxTiles = 4000;
 
 /// "B3": the row as letters, the column as a number.
 std::string tileName(const PdfPage& page);

@@ -17,7 +17,7 @@ constexpr double kOffLength = 0.004;  // mm, tolerance of a long step
 constexpr double kPerOffset = 0.15;   // mm of length per mm that a point is off
 /// Each short step of a zigzag adds length: mm of length, times mm of step.
 constexpr double kPerStep = 0.002;
-constexpr Eigen::Index kMostPassed = 200;  // points passed by one step
+constexpr Eigen::Index kMaxPassed = 200;  // points passed by one step
 
 /// Walks along a line in steps between the grid points of a plotter.
 class PlotterWalk {
@@ -68,7 +68,7 @@ private:
     Step next(Eigen::Index from, const Eigen::Vector2d& first) const {
         Step best, farthest;
         double least = std::numeric_limits<double>::infinity();
-        const Eigen::Index last = std::min(line_.rows() - 1, from + kMostPassed);
+        const Eigen::Index last = std::min(line_.rows() - 1, from + kMaxPassed);
         int misses = 0;
         for (Eigen::Index end = from + 1; end <= last && misses < 3; ++end) {
             const Step step = stepTo(from, end, first);

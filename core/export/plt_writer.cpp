@@ -13,8 +13,8 @@ namespace toile {
 namespace {
 
 constexpr int kCutPen = 1, kLinePen = 2, kLetterPen = 3;
-constexpr Eigen::Index kMostInList = 64;  // points: buffer size of old plotters
-constexpr int kPerLetterCurve = 4;        // points
+constexpr Eigen::Index kMaxInList = 64;  // points: buffer size of old plotters
+constexpr int kPerLetterCurve = 4;       // points
 
 class PltWriter {
 public:
@@ -79,7 +79,7 @@ private:
         bytes_ += "PU";
         append(units, 0);
         for (Eigen::Index k = 1; k < units.rows(); ++k) {
-            bytes_ += k % kMostInList == 1 ? ";PD" : ",";
+            bytes_ += k % kMaxInList == 1 ? ";PD" : ",";
             append(units, k);
         }
         bytes_ += ";PU;";

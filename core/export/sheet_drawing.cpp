@@ -20,7 +20,7 @@ constexpr double kCurvesWithin = 0.015;
 constexpr double kLengthWithin = 0.04;  // mm, of the whole line
 /// Curves are sampled so that chords stay within this distance of them, mm.
 constexpr double kTriedWithin = 0.001;
-constexpr double kMostTried = 1000;  // samples of a curve
+constexpr double kMaxTried = 1000;  // samples of a curve
 
 constexpr double kSewDash = 4, kSewGap = 2;        // mm
 constexpr double kHiddenDash = 6, kHiddenGap = 3;  // mm, of lines that are not sewn
@@ -44,7 +44,7 @@ Points2 placesOn(const std::vector<CubicCurve>& chain) {
         const double bend = std::max((curve.start - 2 * curve.startHandle + curve.endHandle).norm(),
                                      (curve.startHandle - 2 * curve.endHandle + curve.end).norm());
         const double count =
-            std::clamp(std::ceil(std::sqrt(0.75 * bend / kTriedWithin)), 1.0, kMostTried);
+            std::clamp(std::ceil(std::sqrt(0.75 * bend / kTriedWithin)), 1.0, kMaxTried);
         for (int k = 0; k < count; ++k) {
             places.push_back(curve.at(k / count));
         }

@@ -20,7 +20,7 @@ constexpr double kSquareGap = 8;   // mm, about the squares
 constexpr double kSquareText = 3;  // mm
 constexpr double kTileName = 7, kTileText = 2.5, kTileInset = 4;  // mm
 constexpr double kTitle = 7, kPlain = 3, kSmallPlain = 2.5;       // mm, on the cover
-constexpr std::size_t kMostOfName = 60;                           // characters
+constexpr std::size_t kMaxOfName = 60;                            // characters
 constexpr int kCheckLayer = static_cast<int>(LayerKind::Check);
 
 const DrawnPath* checkSquare(const Drawing& drawing) {
@@ -71,7 +71,7 @@ void addDrawing(SheetCanvas& out, const PdfPlan& plan, const PdfPage& page) {
 }
 
 std::string styleName(const Drawing& drawing) {
-    return shownText(drawing.title, kMostOfName);
+    return shownText(drawing.title, kMaxOfName);
 }
 
 /// The marks of the edges that a page shares, with the names of the neighbours.

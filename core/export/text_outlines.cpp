@@ -176,14 +176,14 @@ public:
             return nullptr;
         }
         faces_.push_front(std::move(opened));
-        if (faces_.size() > kMostHeld) {
+        if (faces_.size() > kMaxHeld) {
             faces_.pop_back();
         }
         return &faces_.front();
     }
 
 private:
-    static constexpr std::size_t kMostHeld = 6;
+    static constexpr std::size_t kMaxHeld = 6;
 
     void sort() {
         const Owned<FcPattern, FcPatternDestroy> wanted(FcPatternCreate());

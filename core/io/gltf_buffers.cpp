@@ -105,7 +105,7 @@ Result<std::uint64_t> hashWithBuffers(const fs::path& path, std::string_view tex
             return refused(kBufferNoFile, written);
         }
         const std::uintmax_t size = fs::file_size(at, unknown);
-        if (unknown || size > kMostBufferBytes - sum) {
+        if (unknown || size > kMaxBufferBytes - sum) {
             return refused(kBuffersTooLong, written);
         }
         sum += size;

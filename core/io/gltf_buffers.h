@@ -21,7 +21,7 @@ std::optional<std::filesystem::path> pathBelow(const std::filesystem::path& fold
                                                const std::filesystem::path& path);
 
 /// Maximum total size of the buffers of a .gltf in bytes; more is refused.
-inline constexpr std::uintmax_t kMostBufferBytes = (1ULL << 31) - 1;
+inline constexpr std::uintmax_t kMaxBufferBytes = (1ULL << 31) - 1;
 
 /// A hash that detects changes of a .gltf: of its text and of the files next to it that hold its
 /// buffers, as its text names them; missing files are ignored.

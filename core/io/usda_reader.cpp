@@ -21,7 +21,7 @@ using Eigen::Matrix4d;
 using Eigen::Vector3d;
 using io::UsdPrim;
 
-constexpr std::size_t kMostCorners = std::numeric_limits<int>::max();
+constexpr std::size_t kMaxFaceCorners = std::numeric_limits<int>::max();
 
 /// The last name of a path: </Shirt/Looks/Denim>.
 std::string_view lastName(std::string_view path) {
@@ -207,14 +207,14 @@ private:
         }
         std::size_t sum = 0;
         for (const int count : *counts) {
-            sum += count < 0 ? kMostCorners : static_cast<std::size_t>(count);
+            sum += count < 0 ? kMaxFaceCorners : static_cast<std::size_t>(count);
             if (sum > corners->size()) {
                 break;
             }
         }
         const std::size_t pointCount = points->size() / 3;
-        if (sum != corners->size() || sum > kMostCorners - soup_.corners.size() ||
-            pointCount > kMostCorners - soup_.positions.size()) {
+        if (sum != corners->size() || sum > kMaxFaceCorners - soup_.corners.size() ||
+            pointCount > kMaxFaceCorners - soup_.positions.size()) {
             return "a mesh's faces have other corners than it lists";
         }
         const std::string* called = prim.find("toile:name");

@@ -12,7 +12,7 @@ using geometry::Polygon;
 
 constexpr double kBetweenParts = 50;  // mm
 constexpr double kBeyondHide = 10;    // mm: margin of a hide's surroundings beyond its box
-constexpr double kMostAlong = 9e6;    // mm: largest coordinate of a nest with all its parts
+constexpr double kMaxAlong = 9e6;     // mm: largest coordinate of a nest with all its parts
 
 Polygon movedAlong(Polygon line, double x) {
     line.col(0).array() += x;
@@ -51,7 +51,7 @@ std::vector<ClothPart> clothParts(const MarkerSettings& settings, std::size_t co
     }
     for (std::size_t k = 0; settings.hides.empty() && settings.sheet && k < copies; ++k) {
         const double along = settings.sheet->x();
-        if (k > 0 && x + along > kMostAlong) {
+        if (k > 0 && x + along > kMaxAlong) {
             break;
         }
         parts.push_back({rectangleOf(x, 0, x + along, settings.sheet->y())});

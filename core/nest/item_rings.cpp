@@ -24,13 +24,13 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kNestGrid = 1e-5;   // mm: Clipper's integer grid
-constexpr double kArcShare = 1e-3;   // mm: by how much the arcs of a gap exceed it
-constexpr double kLeastSide = 1e-3;  // mm: of an outline's box
+constexpr double kNestGrid = 1e-5;  // mm: Clipper's integer grid
+constexpr double kArcShare = 1e-3;  // mm: by how much the arcs of a gap exceed it
+constexpr double kMinSide = 1e-3;   // mm: of an outline's box
 
 bool isUsable(const NestPlacement& placement) {
-    return std::isfinite(placement.angle) && std::abs(placement.x) <= kMostSize &&
-           std::abs(placement.y) <= kMostSize;
+    return std::isfinite(placement.angle) && std::abs(placement.x) <= kMaxSize &&
+           std::abs(placement.y) <= kMaxSize;
 }
 
 /// The rings without points that repeat their predecessor.
@@ -82,12 +82,12 @@ bool areWoundOnce(const Rings& rings) {
 /// @param rings  without repeats
 const char* wrongInRings(const Rings& rings) {
     if (rings.empty() || std::ranges::any_of(rings, [](const Polygon& ring) {
-            return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMostSize;
+            return ring.rows() < 3 || !ring.allFinite() || ring.cwiseAbs().maxCoeff() > kMaxSize;
         })) {
         return kNoOutline;
     }
     const Eigen::RowVector2d sides = rings[0].colwise().maxCoeff() - rings[0].colwise().minCoeff();
-    if (!(sides.minCoeff() >= kLeastSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
+    if (!(sides.minCoeff() >= kMinSide && std::abs(geometry::signedAreaOf(rings[0])) > 0)) {
         return kNoArea;
     }
     if (doRingsCross(rings)) {

@@ -8,7 +8,7 @@
 // For the sources of this folder, of core/marker and core/reading.
 namespace toile::nest {
 
-constexpr double kMostSize = 1e7;  ///< mm: largest coordinate, so that Clipper's grid can hold it
+constexpr double kMaxSize = 1e7;  ///< mm: largest coordinate, so that Clipper's grid can hold it
 
 Error wrongItem(const NestItem& item, const Wording& what);
 

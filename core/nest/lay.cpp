@@ -11,8 +11,8 @@
 namespace toile::nest {
 namespace {
 
-constexpr double kLeastGrowth = 1.2, kMostGrowth = 2.0, kFading = 0.95;
-constexpr double kMostWeight = 1e100;
+constexpr double kMinGrowth = 1.2, kMaxLayGrowth = 2.0, kFading = 0.95;
+constexpr double kMaxWeight = 1e100;
 
 }  // namespace
 
@@ -162,8 +162,8 @@ void Lay::raiseWeights() {
     for (std::size_t k = 0; k < losses_.size(); ++k) {
         weights_[k] =
             losses_[k] > 0
-                ? std::min(kMostWeight, weights_[k] * (kLeastGrowth + (kMostGrowth - kLeastGrowth) *
-                                                                          losses_[k] / most))
+                ? std::min(kMaxWeight, weights_[k] * (kMinGrowth + (kMaxLayGrowth - kMinGrowth) *
+                                                                       losses_[k] / most))
                 : std::max(1.0, weights_[k] * kFading);
     }
 }

@@ -186,7 +186,7 @@ double endOfArea(const Problem& problem, double length) {
 std::optional<Error> addStretches(Problem& problem, const NestInstance& instance) {
     auto bands = instance.bands;
     if (!std::ranges::all_of(bands, [](const NestBand& band) {
-            return std::abs(band.from) <= kMostSize && band.to >= band.from;
+            return std::abs(band.from) <= kMaxSize && band.to >= band.from;
         })) {
         return Error{ErrorCode::MalformedFile, Subject::file(instance.name), kNoBand};
     }
@@ -243,8 +243,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     problem.cloth = instance.width;
     problem.low = options.border - options.gap / 2;
     problem.high = instance.width - problem.low;
-    if (!(instance.width > 0 && instance.width <= kMostSize && options.gap >= 0 &&
-          options.border >= 0 && options.gap <= kMostSize && problem.width() > 0)) {
+    if (!(instance.width > 0 && instance.width <= kMaxSize && options.gap >= 0 &&
+          options.border >= 0 && options.gap <= kMaxSize && problem.width() > 0)) {
         return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
     }
     std::int64_t copies = 0;

@@ -97,10 +97,10 @@ std::optional<Found> crowdedNest(const Problem& problem, const std::vector<Pose>
                : std::nullopt;
 }
 
-constexpr int kTurnsTried = 8;         // rotations per side, for shapes that turn freely
-constexpr double kApart = 1e-6;        // mm: exceeds rounding
-constexpr std::size_t kMostRows = 60;  // rows at which a copy is tried
-constexpr int kEvenRows = 20;          // rows added beside obstacles
+constexpr int kTurnsTried = 8;             // rotations per side, for shapes that turn freely
+constexpr double kApart = 1e-6;            // mm: exceeds rounding
+constexpr std::size_t kMaxRowsTried = 60;  // rows at which a copy is tried
+constexpr int kEvenRows = 20;              // rows added beside obstacles
 /// For more copies than this, a place is searched only from near the last copy of the same item on,
 /// in fewer rows: all else was tried for that one.
 constexpr std::size_t kManyCopies = 150, kMaxRowsOfMany = 30;
@@ -227,7 +227,7 @@ private:
         for (int k = 1; k < kEvenRows && !problem_.obstacles.empty(); ++k) {
             rows.insert(low + (most - low) * k / kEvenRows);
         }
-        if (track.step > 0 && (most - low) / track.step < static_cast<double>(kMostRows)) {
+        if (track.step > 0 && (most - low) / track.step < static_cast<double>(kMaxRowsTried)) {
             for (int k = 0; low + k * track.step <= most; ++k) {
                 rows.insert(low + k * track.step);
             }
@@ -241,7 +241,7 @@ private:
             }
         }
         std::vector<double> list(places.begin(), places.end());
-        const std::size_t limit = areMany() ? kMaxRowsOfMany : kMostRows;
+        const std::size_t limit = areMany() ? kMaxRowsOfMany : kMaxRowsTried;
         if (list.size() > limit) {  // evenly chosen, including the edges
             for (std::size_t k = 0; k < limit; ++k) {
                 list[k] = list[k * (list.size() - 1) / (limit - 1)];

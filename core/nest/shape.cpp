@@ -21,9 +21,9 @@ constexpr std::array<std::pair<std::size_t, double>, 3> kCircleLimits{
     {{64, 0.0}, {16, 0.8}, {8, 0.9}}};
 constexpr std::size_t kLanes = 4;
 
-constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;   // larger shapes are simplified
-constexpr double kMostSlack = 0.5, kMostSlackShare = 0.001;  // mm, and share of the diameter
-constexpr double kNearHullShare = 1e-9;                      // of the diameter: within rounding
+constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;  // larger shapes are simplified
+constexpr double kMaxSlack = 0.5, kMaxSlackShare = 0.001;   // mm, and share of the diameter
+constexpr double kNearHullShare = 1e-9;                     // of the diameter: within rounding
 
 struct Circle {
     Vector2d centre;
@@ -55,7 +55,7 @@ double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& 
 /// The largest circle in the remaining area, to 2 %: subdivides squares, most promising first.
 Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
     constexpr double kTolerance = 0.02;
-    constexpr int kMostSquares = 2000;
+    constexpr int kMaxCircleSquares = 2000;
     struct Square {
         Vector2d centre;
         double half, room;
@@ -74,7 +74,7 @@ Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
         squares.push(square);
     };
     add((low + high) / 2, half);
-    for (int k = 0; k < kMostSquares && !squares.empty(); ++k) {
+    for (int k = 0; k < kMaxCircleSquares && !squares.empty(); ++k) {
         const Square square = squares.top();
         squares.pop();
         if (square.most() <= best.radius * (1 + kTolerance)) {
@@ -155,7 +155,7 @@ Shape makeShape(const Rings& all) {
     Rings fewer;
     if (points > kFewPoints) {
         const Vector2d sides = all[0].colwise().maxCoeff() - all[0].colwise().minCoeff();
-        shape.slack = std::min(kMostSlack, kMostSlackShare * sides.norm());
+        shape.slack = std::min(kMaxSlack, kMaxSlackShare * sides.norm());
         fewer = simplified(all, shape.slack, kEnoughPoints);
         for (const Vector2d& p : hullOf(all[0], kNearHullShare * sides.squaredNorm())) {
             shape.rimX.push_back(p.x());

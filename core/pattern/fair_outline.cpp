@@ -13,9 +13,9 @@
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"
-#include "core/pattern/exact_outline.h"
 #include "core/pattern/fair_line.h"
 #include "core/pattern/grain_line.h"
+#include "core/pattern/outline_reference.h"
 #include "core/pattern/reshaped_outline.h"
 #include "core/quality/outline_crossings.h"
 

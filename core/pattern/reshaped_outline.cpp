@@ -8,7 +8,7 @@
 
 #include "core/flatten/boundary/boundary_problem.h"
 #include "core/geometry/segment.h"
-#include "core/pattern/exact_outline.h"
+#include "core/pattern/outline_reference.h"
 
 namespace toile {
 namespace {

@@ -213,7 +213,7 @@ Result<Improved> improvePattern(const Garment& garment, const PieceResults& resu
             improved.proof = std::move(tried->proof);
             best = std::move(positions);
         }
-        if (gain >= 0 && gain < kLeastGain) {
+        if (gain >= 0 && gain < kMinGain) {
             improved.ended = ImproveEnd::LittleGain;
             return improved;
         }

@@ -42,13 +42,13 @@ struct ImproveRound {
 /// Why the rounds ended.
 enum class ImproveEnd {
     Rounds,      ///< all requested rounds are done
-    LittleGain,  ///< the last gained less than kLeastGain
+    LittleGain,  ///< the last gained less than kMinGain
     GapGrows,    ///< the gap grows even with a smoothed move and half the gap
     NotFlat,     ///< the virtual design could not be flattened or sewn: `Improved::why`
 };
 
 /// A round that gains less than this part of the mean gap is the last.
-inline constexpr double kLeastGain = 0.02;
+inline constexpr double kMinGain = 0.02;
 
 struct Improved {
     /// The best pattern found, one result per piece of the garment. Outlines have the lengths of

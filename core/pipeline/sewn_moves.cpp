@@ -14,7 +14,7 @@ constexpr double kIsVertex = 1e-6;
 /// A pass of smoothing averages each move with the mean of its neighbours: the squared deviation
 /// grows by about this part of the squared edge length.
 constexpr double kPerPass = 0.25;
-constexpr double kMostPasses = 400;
+constexpr double kMaxMovePasses = 400;
 
 int vertexCount(const std::vector<Points3>& moves) {
     Eigen::Index count = 0;
@@ -138,7 +138,8 @@ double SewnMoves::meanEdge() const {
 void SewnMoves::smooth(double length) {
     const double edge = meanEdge();
     const double passes =
-        edge > 0 ? std::min(std::ceil(length * length / (kPerPass * edge * edge)), kMostPasses) : 0;
+        edge > 0 ? std::min(std::ceil(length * length / (kPerPass * edge * edge)), kMaxMovePasses)
+                 : 0;
     for (int pass = 0; pass < passes; ++pass) {
         for (std::size_t p = 0; p < moves_.size(); ++p) {
             moves_[p] =

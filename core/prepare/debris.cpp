@@ -11,11 +11,11 @@
 namespace toile {
 namespace {
 
-constexpr double kLargestArea = 1e-3;    // of a fragment, relative to the largest part
-constexpr double kLargestSize = 0.2;     // the same, by diagonals of boxes
-constexpr double kMostOfAllArea = 0.05;  // beyond this the fragments are cloth
-constexpr int kFacesOfKind = 8;          // fewer can be alike by chance
-constexpr double kSameKind = 0.01;       // largest difference of area and size within a kind
+constexpr double kLargestArea = 1e-3;   // of a fragment, relative to the largest part
+constexpr double kLargestSize = 0.2;    // the same, by diagonals of boxes
+constexpr double kMaxOfAllArea = 0.05;  // beyond this the fragments are cloth
+constexpr int kFacesOfKind = 8;         // fewer can be alike by chance
+constexpr double kSameKind = 0.01;      // largest difference of area and size within a kind
 
 struct Fragment {
     int faces = 0;
@@ -98,7 +98,7 @@ Debris findDebris(const MeshArrays& mesh) {
             smallArea += fragment.area;
         }
     }
-    if (smallArea > kMostOfAllArea * allArea) {
+    if (smallArea > kMaxOfAllArea * allArea) {
         return {};
     }
     keepKinds(small);

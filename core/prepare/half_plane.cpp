@@ -23,7 +23,7 @@ using Plane = Eigen::Hyperplane<double, 3>;
 constexpr double kHalfTolerance = 1e-3;
 /// Relative to a garment's size: the minimum depth off the plane, the minimum spread of the rims in
 /// it, seen from above, and their minimum length if the user did not say that it is half.
-constexpr double kLeastDepth = 0.05, kLeastSpread = 0.05, kOfferedLength = 0.5;
+constexpr double kMinDepth = 0.05, kMinSpread = 0.05, kOfferedLength = 0.5;
 /// Minimum shares of all rims in the plane: offered, stated, and without any other rim.
 constexpr double kOfferedShare = 0.2, kStatedShare = 0.05, kNoOtherRim = 0.99;
 /// Minimum share of the rims in the plane that go up or down: those of flat panels do not.
@@ -185,14 +185,14 @@ RimsInPlane rimsIn(const HalfRims& half, const Plane& plane, double tolerance) {
             ++ofPart[half.part[chain]].chains;
         }
     }
-    found.isBeside = areBeside(ofPart, kLeastSpread * half.size);
+    found.isBeside = areBeside(ofPart, kMinSpread * half.size);
     return found;
 }
 
 /// Whether these rims alone indicate half a garment.
 bool mayBeOffered(const HalfRims& half, const RimsInPlane& in) {
     return in.open >= kOfferedShare * half.length && in.open >= kOfferedLength * half.size &&
-           in.spread >= kLeastSpread * half.size && in.rise >= kRising * in.open && !in.isBeside &&
+           in.spread >= kMinSpread * half.size && in.rise >= kRising * in.open && !in.isBeside &&
            (in.chains > 1 || !half.isOne);
 }
 
@@ -205,7 +205,7 @@ std::optional<Plane> besideCloth(const HalfRims& half, const Plane& plane, doubl
         least = std::min(least, distance);
         most = std::max(most, distance);
     }
-    if (std::min(-least, most) > tolerance || std::max(-least, most) < kLeastDepth * half.size) {
+    if (std::min(-least, most) > tolerance || std::max(-least, most) < kMinDepth * half.size) {
         return std::nullopt;
     }
     return most >= -least ? plane : Plane(-plane.normal(), -plane.offset());
@@ -229,7 +229,7 @@ std::vector<Plane> candidates(const HalfRims& half) {
     const geometry::Polygon hull = outlineFromAbove(half);
     for (Eigen::Index k = 0; k < hull.rows(); ++k) {
         const Eigen::Vector2d way = hull.row((k + 1) % hull.rows()) - hull.row(k);
-        if (way.norm() >= kLeastSpread * half.size) {
+        if (way.norm() >= kMinSpread * half.size) {
             const Eigen::Vector2d inwards = geometry::leftOf(way.normalized());
             const Eigen::Vector3d normal =
                 inwards.x() * half.along[0] + inwards.y() * half.along[1];

@@ -16,7 +16,7 @@ using layers::PartDepth;
 
 /// Minimum share of a part's area inside others for a file to be recognised by it, and minimum
 /// share of the file in such parts.
-constexpr double kSurelyInside = 0.8, kLeastInside = 0.1;
+constexpr double kSurelyInside = 0.8, kMinInside = 0.1;
 /// Parts with less than this share of the area are not a layer of their own.
 constexpr double kSmallPart = 0.02;
 /// Up to this share of its area a part does not lie on another.
@@ -135,7 +135,7 @@ std::optional<Layers> findLayers(const FileSurface& surface, const Progress& pro
             isSure = isSure && (seen[p].isSure || parts.area[p] < kSmallPart * parts.total);
         }
     }
-    if (inside < kLeastInside * parts.total) {
+    if (inside < kMinInside * parts.total) {
         return std::nullopt;
     }
     attach(seen, parts, sewnTo(single.mesh, parts));

@@ -13,14 +13,14 @@ namespace {
 /// model is not all one thickness.
 constexpr double kFarthestLayer = 30, kFarthestOfSize = 0.1;
 /// Minimum share of a part's area inside others to count as inside them.
-constexpr double kMostOfIt = 0.6;
+constexpr double kMaxOfIt = 0.6;
 /// Number of triangles sampled per part.
 constexpr std::size_t kLooksPerPart = 400;
 /// Minimum cosine between adjacent sheets.
 constexpr double kAlongside = 0.8;
 /// Minimum shares of a part's area that agree on the garment's inside, and on the part's bend: flat
 /// sheets show neither.
-constexpr double kLeastVote = 0.2, kLeastBend = 0.1;
+constexpr double kMinVote = 0.2, kMinBend = 0.1;
 
 /// Cloth near one side of a triangle.
 struct SideSeen {
@@ -135,10 +135,10 @@ private:
                 }
             }
         }
-        if (std::abs(vote) >= kLeastVote * seen.area) {
+        if (std::abs(vote) >= kMinVote * seen.area) {
             return vote;
         }
-        if (std::abs(bend) >= kLeastBend * seen.area) {
+        if (std::abs(bend) >= kMinBend * seen.area) {
             return bend;
         }
         isSure = order == 0;
@@ -170,7 +170,7 @@ private:
         double deeper = 0;
         for (std::size_t depth = areaOfDepth.size(); depth-- > 1;) {
             deeper += areaOfDepth[depth];
-            if (found.layer == 0 && deeper >= kMostOfIt * seen.area) {
+            if (found.layer == 0 && deeper >= kMaxOfIt * seen.area) {
                 found.layer = static_cast<int>(depth);
             }
         }

@@ -12,8 +12,8 @@ namespace {
 
 /// Minimum shares for a shell: of its area in the two surfaces, and of the two surfaces at one or
 /// two thicknesses.
-constexpr double kLeastSides = 0.6;
-constexpr double kLeastConstant = 0.9;
+constexpr double kMinSides = 0.6;
+constexpr double kMinConstant = 0.9;
 /// Maximum thickness, relative to the root of the outer surface's area: thicker is a solid.
 constexpr double kThickestOfSize = 0.05;
 
@@ -77,8 +77,8 @@ std::optional<Shell> findShell(const FileSurface& surface, const Progress& progr
         }
     }
     const double all = welded.area.sum();
-    if (!(paired > 0 && both >= kLeastSides * all &&
-          shell::shareInTwoSpans(thickness) * paired >= kLeastConstant * both)) {
+    if (!(paired > 0 && both >= kMinSides * all &&
+          shell::shareInTwoSpans(thickness) * paired >= kMinConstant * both)) {
         return std::nullopt;
     }
     shell.median = areaQuantile(thickness, 0.5);

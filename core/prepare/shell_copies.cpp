@@ -16,7 +16,7 @@ constexpr double kDistanceRatio = 2;
 /// direction lies in the surface.
 constexpr double kThrough = 0.25;
 /// Polygons with more corners are not cloth; matching two of them is quadratic.
-constexpr int kMostCorners = 64;
+constexpr int kMaxFaceCorners = 64;
 
 std::uint64_t keyOf(int a, int b) {
     return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
@@ -125,7 +125,7 @@ Copies::Seed Copies::seedOf(int triangle, const Meeting& met) const {
     }
     const int polygon = polygon_[triangle], other = polygon_[met.triangle];
     const int count = corners(polygon);
-    if (count < 3 || count > kMostCorners || corners(other) != count) {
+    if (count < 3 || count > kMaxFaceCorners || corners(other) != count) {
         return best;
     }
     const Eigen::Vector3d direction = met.way.normalized();

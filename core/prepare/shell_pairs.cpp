@@ -18,7 +18,7 @@ constexpr double kThickestOfSize = 0.05;
 /// The first sample shows the surfaces' orientation, the second whether it is a shell: minimum
 /// shares of their area that face another surface, the second within two spans of distances.
 constexpr int kFirstSample = 200, kSample = 2000;
-constexpr double kFirstShare = 0.3, kLeastShare = 0.5;
+constexpr double kFirstShare = 0.3, kMinPairShare = 0.5;
 /// How many times farther, or closer, than nearly all of the sample a surface may be.
 constexpr double kBeyondSample = 3;
 /// Slant up to which a seed is accepted: 18 degrees.
@@ -107,7 +107,7 @@ std::optional<Reach> reachOf(const Surface& surface, const Rays& rays, const Pro
     Sample& sample = reach.sample;
     sample = sampleOf(surface, rays, reach.facing, reach.farthest, kSample, progress);
     const double share = shareInTwoSpans(sample.distances);  // sorted by this call
-    if (sample.area == 0 || share * sample.area < kLeastShare * sample.all) {
+    if (sample.area == 0 || share * sample.area < kMinPairShare * sample.all) {
         return std::nullopt;
     }
     const std::size_t count = sample.distances.size();

@@ -13,7 +13,7 @@ namespace {
 /// folds are wide. A rounded rim has no opposite.
 constexpr double kFacing = 0.8;
 /// Triangles tested per ray: more coincide only in files made to do so.
-constexpr int kMostVisits = 2000;
+constexpr int kMaxVisits = 2000;
 
 /// Where a ray enters a box; infinite if it misses it.
 /// @param inverse  componentwise inverse of its direction
@@ -57,8 +57,8 @@ void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& fa
     const Eigen::Vector3d inverse = direction.cwiseInverse();
     int visits = 0;
     const auto distanceTo = [&](const auto& box) {
-        return visits < kMostVisits ? entry(box, origin, inverse, farthest)
-                                    : geometry::TriangleTree<3, double>::kMissed;
+        return visits < kMaxVisits ? entry(box, origin, inverse, farthest)
+                                   : geometry::TriangleTree<3, double>::kMissed;
     };
     tree_.search(distanceTo, [&](std::uint32_t index) {
         ++visits;

@@ -14,10 +14,10 @@ namespace {
 /// If more than two meet, as at a seam of thick panels, none continues smoothly.
 constexpr double kManyMeet = 2;
 /// At most this many triangles at one edge are all neighbours; of more, those adjacent in the file.
-constexpr std::size_t kMostAtEdge = 8;
+constexpr std::size_t kMaxAtEdge = 8;
 
 /// Maximum share of openings around both surfaces in the length of a shell's edges.
-constexpr double kMostShared = 0.04;
+constexpr double kMaxShared = 0.04;
 /// Maximum share of an island in a file's area to be taken for a mistake.
 constexpr double kIsland = 1e-3;
 /// Maximum width of a rim, in multiples of the thickness.
@@ -28,7 +28,7 @@ struct Edging {
     double all = 0;
     double shared = 0;  ///< of openings that run along both surfaces
 
-    bool isShells() const { return shared <= kMostShared * all; }
+    bool isShells() const { return shared <= kMaxShared * all; }
 };
 
 std::size_t numberOf(ShellSide side) {
@@ -122,7 +122,7 @@ std::vector<Neighbours> neighboursOf(const Surface& surface, const EdgeTable& ta
         const double length =
             (mesh.V.row(table.edges(e, 0)) - mesh.V.row(table.edges(e, 1))).norm();
         for (std::size_t i = 0; i < uses.size(); ++i) {
-            const std::size_t last = uses.size() > kMostAtEdge ? i + 2 : uses.size();
+            const std::size_t last = uses.size() > kMaxAtEdge ? i + 2 : uses.size();
             for (std::size_t j = i + 1; j < std::min(last, uses.size()); ++j) {
                 const int a = uses[i] / 3, b = uses[j] / 3;
                 const double sign = tailOf(mesh.F, uses[i]) == tailOf(mesh.F, uses[j]) ? -1 : 1;

@@ -13,9 +13,9 @@ namespace toile::shell {
 namespace {
 
 /// Maximum share of a shell's area that is opposite itself.
-constexpr double kMostConflicts = 0.05;
+constexpr double kMaxConflicts = 0.05;
 /// Minimum ratio of the areas of the two surfaces.
-constexpr double kLeastBalance = 0.6;
+constexpr double kMinBalance = 0.6;
 /// Maximum thickness, relative to the root of one surface's area. Buttons are thicker.
 constexpr double kThickestPart = 0.15;
 
@@ -58,7 +58,7 @@ struct Sums {
     bool isShell() const {
         const auto [least, most] = std::minmax(area[0], area[1]);
         const double both = area[0] + area[1];
-        return least > 0 && least >= kLeastBalance * most && conflicts <= kMostConflicts * both &&
+        return least > 0 && least >= kMinBalance * most && conflicts <= kMaxConflicts * both &&
                volume <= kThickestPart * std::sqrt(most) * both;
     }
 };

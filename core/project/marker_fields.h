@@ -20,11 +20,11 @@ namespace toile::project_fields {
 
 /// Fields of a project file for markers (layouts on cloth); included in one file.
 
-inline constexpr double kMostOfCloth = 1e6;      ///< mm
+inline constexpr double kMaxOfCloth = 1e6;       ///< mm
 inline constexpr double kFarthestOnCloth = 1e7;  ///< mm, along and across, in both directions
-inline constexpr double kMostTurn = 6.283185307179586;
+inline constexpr double kMaxMarkerTurn = 6.283185307179586;
 inline constexpr int kWorstGrade = 1000;
-inline constexpr int kMostGarments = 200;  ///< same limit as in the window
+inline constexpr int kMaxGarments = 200;  ///< same limit as in the window
 
 inline constexpr Word<TurnRule> kTurnRuleWords[] = {
     {TurnRule::HalfTurns, "halfTurns"}, {TurnRule::OneWay, "oneWay"}, {TurnRule::Free, "free"}};
@@ -96,9 +96,9 @@ void hideList(Fields& at, Hides& hides) {
 }
 
 inline constexpr auto kRepeat = [](auto& at, auto& repeat) {
-    at.field("warp", repeat.warp, 0, kMostOfCloth);
-    at.field("weft", repeat.weft, 0, kMostOfCloth);
-    at.point("origin", repeat.origin, kMostOfCloth);
+    at.field("warp", repeat.warp, 0, kMaxOfCloth);
+    at.field("weft", repeat.weft, 0, kMaxOfCloth);
+    at.point("origin", repeat.origin, kMaxOfCloth);
 };
 
 /// Names of seams across which the repeat is matched.
@@ -168,17 +168,17 @@ inline constexpr auto kMarker = [](auto& at, auto& marker) {
         }
     }
     hideList(at, settings.hides);
-    at.field("gap", settings.gap, 0, kMostOfCloth);
-    at.field("border", settings.border, 0, kMostOfCloth);
+    at.field("gap", settings.gap, 0, kMaxOfCloth);
+    at.field("border", settings.border, 0, kMaxOfCloth);
     at.word("turns", settings.turns, kTurnRuleWords);
-    at.field("tolerance", settings.tolerance, 0, kMostTurn);
+    at.field("tolerance", settings.tolerance, 0, kMaxMarkerTurn);
     at.field("isFolded", settings.isFolded);
     if (at.kReads || !(settings.repeat == ClothRepeat{})) {
         at.object("repeat", settings.repeat, kRepeat);
     }
     nameList(at, "matched", settings.matched);
     gradeList(at, settings.grades);
-    at.field("garments", settings.garments, 1, kMostGarments);
+    at.field("garments", settings.garments, 1, kMaxGarments);
     if (at.kReads || !marker.second.kept.empty()) {
         at.list("kept", marker.second.kept, kKeptCopy);
     }

@@ -9,11 +9,11 @@ namespace toile::project_fields {
 /// Fields of a project file for the proof; included in one file.
 
 inline constexpr auto kStiffness = [](auto& at, auto& stated) {
-    at.field("warp", stated.warp, kLeastStretch, kMostStretch);
-    at.field("weft", stated.weft, kLeastStretch, kMostStretch);
-    at.field("shear", stated.shear, kLeastShear, kMostShear);
-    at.field("bending", stated.bending, 0, kMostBending);
-    at.field("weight", stated.weight, 0, kMostClothWeight);
+    at.field("warp", stated.warp, kMinStretch, kMaxStretch);
+    at.field("weft", stated.weft, kMinStretch, kMaxStretch);
+    at.field("shear", stated.shear, kMinShear, kMaxShear);
+    at.field("bending", stated.bending, 0, kMaxBending);
+    at.field("weight", stated.weight, 0, kMaxClothWeight);
 };
 
 /// Writes values that differ from the defaults, except the body's file, which depends on the
@@ -30,12 +30,11 @@ inline constexpr auto kProof = [](auto& at, auto& plan) {
         at.word("sewn", plan.sewn, kSewnPatternWords);
     }
     at.field("bodyUnit", plan.bodyUnit);
-    field("edge", settings.edge, usual.settings.edge, kLeastProofEdge, kMostProofEdge);
-    field("pressure", settings.pressure, usual.settings.pressure, -kMostPressure, kMostPressure);
+    field("edge", settings.edge, usual.settings.edge, kMinProofEdge, kMaxProofEdge);
+    field("pressure", settings.pressure, usual.settings.pressure, -kMaxPressure, kMaxPressure);
     field("gravity", settings.hasGravity, usual.settings.hasGravity);
     field("selfContact", settings.touchesItself, usual.settings.touchesItself);
-    field("thickness", settings.thickness, usual.settings.thickness, kLeastThickness,
-          kMostThickness);
+    field("thickness", settings.thickness, usual.settings.thickness, kMinThickness, kMaxThickness);
     if (at.kReads || !(settings.stiffness == StatedStiffness{})) {
         at.object("stiffness", settings.stiffness, kStiffness);
     }

@@ -11,15 +11,15 @@
 namespace toile {
 
 /// Limits of `ProofSettings::edge` if it is set, mm.
-inline constexpr double kLeastProofEdge = 1, kMostProofEdge = 500;
+inline constexpr double kMinProofEdge = 1, kMaxProofEdge = 500;
 /// Limits of `ProofSettings::thickness`, mm.
-inline constexpr double kLeastThickness = 0.1, kMostThickness = 10;
+inline constexpr double kMinThickness = 0.1, kMaxThickness = 10;
 /// Limit of `ProofSettings::pressure`, in either direction, N/m².
-inline constexpr double kMostPressure = 1e5;
+inline constexpr double kMaxPressure = 1e5;
 /// Limits of `StatedStiffness`: warp and weft, N/m; shear, N/m; bending, N·m; weight, g/m².
-inline constexpr double kLeastStretch = 1, kMostStretch = 1e7;
-inline constexpr double kLeastShear = 0.01, kMostShear = kMostStretch;
-inline constexpr double kMostBending = 10, kMostClothWeight = 1e5;
+inline constexpr double kMinStretch = 1, kMaxStretch = 1e7;
+inline constexpr double kMinShear = 0.01, kMaxShear = kMaxStretch;
+inline constexpr double kMaxBending = 10, kMaxClothWeight = 1e5;
 
 /// User settings for sewing a pattern, and for the forces on it.
 struct ProofSettings {

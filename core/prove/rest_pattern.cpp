@@ -11,6 +11,7 @@
 #include "core/garment/piece.h"
 #include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
+#include "core/pattern/corners.h"
 #include "core/prove/fault_words.h"
 #include "core/quality/measures.h"
 #include "core/reading/pattern_match.h"
@@ -372,6 +373,18 @@ Result<PatternFile> readBack(const ExportSource& source) {
 }
 
 }  // namespace
+
+RestLoop::RestLoop(Points3 space, geometry::Line drawn, geometry::Line rest, LineMap map)
+    : space_(geometry::SpaceLine::closed(std::move(space))),
+      drawn_(std::move(drawn)),
+      along_(geometry::Line::closed(drawn_.points())),
+      rest_(std::move(rest)),
+      map_(std::move(map)) {
+    for (const int k : findCorners(drawn_.points())) {
+        // A line drawn as the image of another may begin elsewhere than the outline.
+        corners_.push_back(space_.wrap(drawn_.arc()[k]));
+    }
+}
 
 Result<RestPattern> restPattern(const ExportSource& source, const ProofOrder& order) {
     const auto isFlat = [](const PatternPiece& piece) { return piece.outline.rows() > 0; };

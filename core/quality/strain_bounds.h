@@ -16,7 +16,8 @@ public:
     static constexpr double kSlack = 1.0005;
 
     explicit StrainBounds(const StrainLimits& stated)
-        : least_(std::min(stated.least, -kLeastLimit)), most_(std::max(stated.most, kLeastLimit)) {}
+        : least_(std::min(stated.least, -kMinStrainLimit)),
+          most_(std::max(stated.most, kMinStrainLimit)) {}
 
     /// The limit on the side of this strain's sign.
     double limitFor(double strain) const { return strain < 0 ? least_ : most_; }
@@ -25,7 +26,7 @@ public:
     bool isBeyond(double strain) const { return severity(strain) > kSlack; }
 
 private:
-    static constexpr double kLeastLimit = 1e-4;
+    static constexpr double kMinStrainLimit = 1e-4;
 
     double least_, most_;
 };

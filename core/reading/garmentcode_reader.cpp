@@ -13,13 +13,13 @@
 namespace toile {
 namespace {
 
-constexpr double kMostCoordinate = 1e7;  // in the file's unit
-constexpr double kMostShare = 1e4;       // of an edge's length: distance of its control points
-constexpr double kMostOfArc = kPi / 6;   // radians per cubic curve: its error is negligible
+constexpr double kMaxCoordinate = 1e7;  // in the file's unit
+constexpr double kMaxShare = 1e4;       // of an edge's length: distance of its control points
+constexpr double kMaxOfArc = kPi / 6;   // radians per cubic curve: its error is negligible
 constexpr int kPointsPerCurve = 32;
 constexpr double kMetre = 1000;         // mm
 constexpr double kUsualPerMetre = 100;  // cm
-constexpr double kLeastPerMetre = 1e-3, kMostPerMetre = 1e6;
+constexpr double kMinPerMetre = 1e-3, kMaxPerMetre = 1e6;
 
 /// A point in coordinates of an edge: along the edge, and to its left, in lengths of the edge.
 Eigen::Vector2d besideEdge(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double along,
@@ -48,7 +48,7 @@ std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vect
     const double side = isRight != isLarge ? 1 : -1;  // of the centre, from the chord
     const Eigen::Vector2d centre = (from + to) / 2 + side * away * left;
     const double turn = isRight ? angle : -angle;  // anti-clockwise if the arc is on the right
-    const int count = std::max(1, static_cast<int>(std::ceil(angle / kMostOfArc)));
+    const int count = std::max(1, static_cast<int>(std::ceil(angle / kMaxOfArc)));
     const double step = turn / count, handle = 4.0 / 3 * std::tan(step / 4);
     std::vector<CubicCurve> curves;
     Eigen::Vector2d at = from;
@@ -101,8 +101,8 @@ private:
         properties.read("curvature_coords", coordinates);
         isRelative_ = coordinates != "absolute";
         double perMetre = 0;
-        properties.read("units_in_meter", perMetre, 0, kMostPerMetre);
-        if (perMetre >= kLeastPerMetre) {
+        properties.read("units_in_meter", perMetre, 0, kMaxPerMetre);
+        if (perMetre >= kMinPerMetre) {
             code_.unit = kMetre / perMetre;
             code_.unitReason = reasonOfUnit(perMetre);
         } else {
@@ -148,8 +148,8 @@ private:
         std::vector<Eigen::Vector2d> vertices;
         panel.readEach("vertices", [&](const JsonDocument& json, const std::string& place) {
             const auto at = numbersOf(json, 2);
-            if (at && std::abs(at->front()) < kMostCoordinate &&
-                std::abs(at->back()) < kMostCoordinate) {
+            if (at && std::abs(at->front()) < kMaxCoordinate &&
+                std::abs(at->back()) < kMaxCoordinate) {
                 vertices.emplace_back(code_.unit * at->front(), code_.unit * at->back());
             } else {
                 panel.failAt(place, "must be two numbers");
@@ -162,10 +162,10 @@ private:
         GarmentCodePanel panel;
         panel.name = readableName(name);
         fields.read("label", panel.label);
-        if (const auto at = fields.numbers("translation", 3, kMostCoordinate)) {
+        if (const auto at = fields.numbers("translation", 3, kMaxCoordinate)) {
             panel.translation = code_.unit * Eigen::Vector3d((*at)[0], (*at)[1], (*at)[2]);
         }
-        if (const auto turns = fields.numbers("rotation", 3, kMostCoordinate)) {
+        if (const auto turns = fields.numbers("rotation", 3, kMaxCoordinate)) {
             panel.rotation = {(*turns)[0], (*turns)[1], (*turns)[2]};
         }
         const std::vector<Eigen::Vector2d> vertices = readVertices(fields);
@@ -267,11 +267,11 @@ private:
                 return {};
             }
         }
-        return found[0] > 0 && found[0] < kMostCoordinate ? std::optional(found) : std::nullopt;
+        return found[0] > 0 && found[0] < kMaxCoordinate ? std::optional(found) : std::nullopt;
     }
 
     bool isShare(const std::vector<double>& point) const {
-        const double most = isRelative_ ? kMostShare : kMostCoordinate;
+        const double most = isRelative_ ? kMaxShare : kMaxCoordinate;
         return std::abs(point[0]) < most && std::abs(point[1]) < most;
     }
 

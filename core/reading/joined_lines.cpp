@@ -11,7 +11,7 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestCell = 1e15;
-constexpr int kMostEnds = 32;  // tested per cell: more never meet in a pattern
+constexpr int kMaxEnds = 32;  // tested per cell: more never meet in a pattern
 
 Points2 withoutRepeated(const Points2& points, bool closed) {
     Points2 kept(points.rows(), 2);
@@ -53,7 +53,7 @@ public:
                 }
                 std::vector<std::size_t>& ends = cell->second;
                 int looked = 0;
-                for (std::size_t k = ends.size(); k-- > 0 && looked < kMostEnds;) {
+                for (std::size_t k = ends.size(); k-- > 0 && looked < kMaxEnds;) {
                     const std::size_t end = ends[k];
                     if (isTaken[end / 2] != 0) {
                         ends[k] = ends.back();

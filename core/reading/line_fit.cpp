@@ -21,8 +21,8 @@ using geometry::CentredPlaces, geometry::NearestOnLine;
 
 constexpr int kRoughPoints = 128;
 constexpr int kFinePoints = 400;
-constexpr int kMostFitPoints = 20000;
-constexpr int kMostRounds = 40;
+constexpr int kMaxFitPoints = 20000;
+constexpr int kMaxFitRounds = 40;
 constexpr double kSettled = 1e-7;       // mm, change of the mean per round
 constexpr double kMirrorShare = 0.8;    // a mirrored fit must be better by this factor
 constexpr double kMirrorLength = 0.05;  // and by this distance, mm
@@ -114,7 +114,7 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
     const Points2 points = pointsToTry(line);
     const NearestOnLine onLine(line);
     LineFit fit{other, mirrored, std::numeric_limits<double>::infinity(), 0};
-    for (int round = 0; round < kMostRounds; ++round) {
+    for (int round = 0; round < kMaxFitRounds; ++round) {
         const NearPairs pairs(onLine, points, NearestOnLine(other), pointsToTry(other));
         const Eigen::VectorXd distances = pairs.distances();
         const double mean = distances.mean();
@@ -134,7 +134,7 @@ LineFit settledFit(const Points2& line, Points2 other, bool mirrored) {
 
 /// Resamples lines with an implausible number of points.
 Points2 fewerPoints(const Points2& closed) {
-    return closed.rows() > kMostFitPoints ? evenPoints(closed, kMostFitPoints) : closed;
+    return closed.rows() > kMaxFitPoints ? evenPoints(closed, kMaxFitPoints) : closed;
 }
 
 }  // namespace

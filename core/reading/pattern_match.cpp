@@ -20,15 +20,15 @@ constexpr Word<MatchedBy> kMatchedByWords[] = {
 
 /// Shapes do not match if their lengths, or the roots of their areas, differ by more than this
 /// factor.
-constexpr double kMostRatio = 1.5;
+constexpr double kMaxRatio = 1.5;
 /// Largest rough distance of matching shapes, as a fraction of the root of the area.
-constexpr double kMostApart = 0.25;
+constexpr double kMaxMatchApart = 0.25;
 /// A rival's distance is at most this factor times the match's distance plus this many mm.
 constexpr double kRivalShare = 1.25, kRivalLength = 1;
 /// A mirrored pair must be closer than an unmirrored one by this distance, mm.
 constexpr double kForMirrored = 0.5;
 /// Larger files are not matched by shape: patterns have up to a few hundred pieces.
-constexpr std::size_t kMostCandidates = 1000;
+constexpr std::size_t kMaxMatchCandidates = 1000;
 
 class PatternMatcher {
 public:
@@ -112,8 +112,8 @@ private:
         const double lengths = geometry::perimeterOf(a) / geometry::perimeterOf(b);
         const double areas =
             std::sqrt(std::abs(geometry::signedAreaOf(a) / geometry::signedAreaOf(b)));
-        return lengths < kMostRatio && lengths > 1 / kMostRatio && areas < kMostRatio &&
-               areas > 1 / kMostRatio;
+        return lengths < kMaxRatio && lengths > 1 / kMaxRatio && areas < kMaxRatio &&
+               areas > 1 / kMaxRatio;
     }
 
     /// The line whose shape is compared.
@@ -122,7 +122,7 @@ private:
     }
 
     void pairByShape() {
-        if (freeInFile_.size() > kMostCandidates) {
+        if (freeInFile_.size() > kMaxMatchCandidates) {
             return;
         }
         std::vector<Candidate> candidates;
@@ -138,7 +138,7 @@ private:
                              image = roughDistance(line, geometry::antiClockwise(otherLine), true);
                 const bool mirrored = image + kForMirrored < plain;
                 const double distance = mirrored ? image : plain;
-                if (distance < kMostApart * std::sqrt(std::abs(geometry::signedAreaOf(line)))) {
+                if (distance < kMaxMatchApart * std::sqrt(std::abs(geometry::signedAreaOf(line)))) {
                     candidates.push_back({distance, mirrored, k, f});
                 }
             }

@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFineness = 0.005;     // of curves, mm
-constexpr double kFarthest = 1e7;       // of a point, mm
-constexpr double kMostPerCurve = 4096;  // points
+constexpr double kFineness = 0.005;    // of curves, mm
+constexpr double kFarthest = 1e7;      // of a point, mm
+constexpr double kMaxPerCurve = 4096;  // points
 
 /// Draws the commands of a path one by one.
 class PathBuilder {
@@ -50,7 +50,7 @@ public:
             isBroken_ = true;
             return;
         }
-        const int steps = static_cast<int>(std::clamp(count, 1.0, kMostPerCurve));
+        const int steps = static_cast<int>(std::clamp(count, 1.0, kMaxPerCurve));
         for (int k = 1; k < steps && most_ > 0; ++k) {
             const double t = static_cast<double>(k) / steps, s = 1 - t;
             push(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d);

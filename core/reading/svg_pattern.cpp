@@ -16,11 +16,11 @@ namespace {
 constexpr std::string_view kPiecePrefix = "piece-";
 constexpr double kMillimetresPerPixel = 25.4 / 96;
 constexpr double kClosedNear = 0.01;  // mm, between the ends of a closed line
-constexpr double kLeastArea = 100;    // mm2: smaller lines are marks
+constexpr double kMinArea = 100;      // mm2: smaller lines are marks
 /// An inner line that fills more of a piece than this is its seam line, not a hole.
 constexpr double kSeamLineShare = 0.3;
-constexpr std::size_t kMostOuterLines = 2000;  // of a drawing
-constexpr double kMostSteps = 5e8;             // limit on containment tests
+constexpr std::size_t kMaxOuterLines = 2000;  // of a drawing
+constexpr double kMaxSvgSteps = 5e8;          // limit on containment tests
 
 bool isClosedLine(const SvgLine& line) {
     const Eigen::Index last = line.points.rows() - 1;
@@ -97,7 +97,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
         if (isClosedLine(line) && line.text.empty() && line.layer != "check") {
             Points2 points = closedPoints(line);
             const double area = geometry::signedAreaOf(points);
-            if (area > kLeastArea) {
+            if (area > kMinArea) {
                 closed.push_back({std::move(points), &line, area});
             }
         }
@@ -110,7 +110,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
         const auto box = geometry::boxAround(line.points);
         FilePiece* outer = nullptr;
         bool isThere = false;  // duplicate of a line, as of a fill and its stroke
-        for (std::size_t k = 0; k < pieces.size() && steps < kMostSteps && !outer; ++k) {
+        for (std::size_t k = 0; k < pieces.size() && steps < kMaxSvgSteps && !outer; ++k) {
             ++steps;
             if (!boxes[k].contains(box)) {
                 continue;
@@ -128,7 +128,7 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
             outer->sew = line.points;
         } else if (outer) {
             outer->holes.emplace_back(line.points.colwise().reverse());
-        } else if (pieces.size() < kMostOuterLines) {
+        } else if (pieces.size() < kMaxOuterLines) {
             FilePiece& piece = pieces.emplace_back();
             piece.cut = line.points;
             piece.id = readableName(line.line->id);

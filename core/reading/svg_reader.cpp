@@ -18,7 +18,7 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t kMostSvgPoints = 20'000'000;
+constexpr std::size_t kMaxSvgPoints = 20'000'000;
 constexpr std::size_t kDeepestSvg = 256;      // nesting of groups
 constexpr std::size_t kLongestSvgName = 500;  // of a group: each line in it has a copy
 
@@ -303,7 +303,7 @@ private:
     }
 
     ReadSvg found_;
-    std::size_t most_ = kMostSvgPoints;
+    std::size_t most_ = kMaxSvgPoints;
     std::map<std::string, SvgLook, std::less<>> classes_;
 };
 

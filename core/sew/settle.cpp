@@ -16,8 +16,8 @@ namespace {
 constexpr double kSufficientDecrease = 1e-4;
 constexpr int kMaxHalvings = 12;
 constexpr double kFirstCaution = 1;
-constexpr double kLeastCaution = 1e-6;
-constexpr double kMostCaution = 1e4;
+constexpr double kMinCaution = 1e-6;
+constexpr double kMaxCaution = 1e4;
 constexpr double kBolder = 0.2;  // factor on the caution after a step that kept its promise
 constexpr double kTimider = 10;  // and after one that was cut
 constexpr double kKept = 0.5;    // share of the predicted decrease
@@ -95,11 +95,11 @@ public:
                 return {};
             }
             if (P->size() == 0 || !take(*P, g)) {
-                if (caution_ >= kMostCaution) {
+                if (caution_ >= kMaxCaution) {
                     keep();
                     return {};
                 }
-                caution_ = std::min(kTimider * caution_, kMostCaution);
+                caution_ = std::min(kTimider * caution_, kMaxCaution);
             }
             if (options.watch) {
                 options.watch(point_.X);
@@ -132,7 +132,7 @@ private:
             layout_ = forces_.layout();
         }
         if (const auto done = factor_.refactorise(H); !done) {
-            if (done.error().code == ErrorCode::FactorisationFailed && caution_ < kMostCaution) {
+            if (done.error().code == ErrorCode::FactorisationFailed && caution_ < kMaxCaution) {
                 return Points3(0, 3);
             }
             return done.error();
@@ -160,9 +160,9 @@ private:
             const double hidden = kRounding * (point_.scale + next.scale);
             if (fall >= -kSufficientDecrease * t * slope - hidden) {
                 if (k == 0 && fall >= -kKept * t * slope / 2 - hidden) {
-                    caution_ = std::max(kBolder * caution_, kLeastCaution);
+                    caution_ = std::max(kBolder * caution_, kMinCaution);
                 } else if (k > 1) {
-                    caution_ = std::min(kTimider * caution_, kMostCaution);
+                    caution_ = std::min(kTimider * caution_, kMaxCaution);
                 }
                 point_ = std::move(next);
                 return true;

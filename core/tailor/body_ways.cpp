@@ -13,7 +13,7 @@ namespace {
 
 /// Width of the smoothing of normals, mm, so that folds do not count; largest number of rounds.
 constexpr double kSmoothing = 25;
-constexpr int kMostRounds = 400;
+constexpr int kMaxSmoothingRounds = 400;
 /// Cost per length along the silhouette; 1 more where the cloth faces ahead or back.
 constexpr double kSilhouette = 0.15;
 
@@ -39,8 +39,8 @@ Points3 smoothNormals(const SurfaceLinks& links, double usualEdge, const Progres
         degree[edges(e, 0)] += 1;
         degree[edges(e, 1)] += 1;
     }
-    const double wide = kSmoothing / std::max(usualEdge, kSmoothing / kMostRounds);
-    const int rounds = std::clamp(static_cast<int>(wide * wide), 1, kMostRounds);
+    const double wide = kSmoothing / std::max(usualEdge, kSmoothing / kMaxSmoothingRounds);
+    const int rounds = std::clamp(static_cast<int>(wide * wide), 1, kMaxSmoothingRounds);
     for (int round = 0; round < rounds && !progress.isCancelled(); ++round) {
         normals.rowwise().normalize();
         Points3 sum = normals;

@@ -7,7 +7,7 @@ namespace toile {
 namespace {
 
 /// Largest share of borders among the edges inside a piece. More are no seams.
-constexpr double kMostBorders = 0.2;
+constexpr double kMaxFileBorders = 0.2;
 
 bool differs(const std::vector<int>& ofFace, int f, int g) {
     return !ofFace.empty() &&
@@ -39,7 +39,8 @@ std::vector<char> fileBorders(const Piece& piece, const PolygonSoup& soup) {
         isBorder[static_cast<std::size_t>(e)] = isOther ? 1 : 0;
         borders += isOther ? 1 : 0;
     }
-    return borders > 0 && static_cast<double>(borders) < kMostBorders * static_cast<double>(inner)
+    return borders > 0 &&
+                   static_cast<double>(borders) < kMaxFileBorders * static_cast<double>(inner)
                ? isBorder
                : std::vector<char>{};
 }

@@ -25,9 +25,9 @@ constexpr double kEvenSpread = 0.03;
 constexpr double kUsualQuantile = 0.9;
 /// Worth of a flat line, and the limit of a bend in `bendsOf`.
 constexpr double kFlatWorth = 0.3;
-constexpr double kMostBends = 3;
+constexpr double kMaxBends = 3;
 /// Bends below this, radians, count as rounding in the mesh's medians.
-constexpr double kLeastFold = 0.01, kLeastDefect = 1e-3;
+constexpr double kMinFold = 0.01, kMinDefect = 1e-3;
 /// Likeliness of file borders: authors of meshes rarely put them where no seam is.
 constexpr double kBorder = 0.95;
 /// From this number of medians a bend counts.
@@ -115,16 +115,16 @@ std::vector<double> bendsOf(const SurfaceLinks& links) {
             some.push_back(defect[v]);
         }
     }
-    const double deviation = std::max(kToDeviation * quantileOf(some, 0.5), kLeastDefect);
+    const double deviation = std::max(kToDeviation * quantileOf(some, 0.5), kMinDefect);
     some.clear();
     std::vector<double> fold(static_cast<std::size_t>(links.edgeCount()), 0);
     for (int e = 0; e < links.edgeCount(); ++e) {
         fold[e] = links.foldAngle(e);
         some.push_back(fold[e]);
     }
-    const double usualFold = std::max(quantileOf(some, 0.5), kLeastFold);
+    const double usualFold = std::max(quantileOf(some, 0.5), kMinFold);
     const auto bend = [](double value, double usual) {
-        return std::min(value / (kUnusual * usual), kMostBends);
+        return std::min(value / (kUnusual * usual), kMaxBends);
     };
     for (int e = 0; e < links.edgeCount(); ++e) {
         const auto ends = links.table().edges.row(e);

@@ -12,7 +12,7 @@ namespace toile {
 namespace {
 
 /// Limit of |log|: length factors beyond e^3 are not distinguished.
-constexpr double kMostLog = 3;
+constexpr double kMaxLog = 3;
 /// A vertex with a smaller coupling to others is ignored.
 constexpr double kLoose = 1e-9;
 /// On garments an isometric map needs about this share of a conformal map's strain.
@@ -109,7 +109,7 @@ std::optional<FlatScale> StrainModel::solve(std::vector<char> parted) {
     strains.reserve(areas_.size());
     for (int v = 0; v < system.size; ++v) {
         const auto at = static_cast<std::size_t>(v);
-        const double log = std::clamp(scale.log[v], -kMostLog, kMostLog);
+        const double log = std::clamp(scale.log[v], -kMaxLog, kMaxLog);
         strains.emplace_back(kIsometricPart * std::expm1(-log), areas_[at]);
         for (int p = laplacian_.columnStart[v]; p < laplacian_.columnStart[v + 1]; ++p) {
             const int other = laplacian_.row[p];

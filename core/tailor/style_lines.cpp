@@ -19,7 +19,7 @@ constexpr double kKnownPart = 0.4, kByKnown = 20;
 constexpr double kLikelyLead = 0.7, kShortLead = 40;
 /// If more than this share of all edges looks like seams, as on a lathed mesh, only borders of the
 /// file count.
-constexpr double kMostSeams = 0.05;
+constexpr double kMaxSeams = 0.05;
 /// Share of its mirror image that must be on other likely lines.
 constexpr double kMirroredPart = 0.7;
 
@@ -96,7 +96,7 @@ public:
                 edges += isBorder(line) ? 0 : lines_.ways[line].size() - 1;
             }
         }
-        if (static_cast<double>(edges) > kMostSeams * static_cast<double>(lines_.lineOf.size())) {
+        if (static_cast<double>(edges) > kMaxSeams * static_cast<double>(lines_.lineOf.size())) {
             std::erase_if(order, [this](std::size_t line) { return !isBorder(line); });
         }
         std::ranges::stable_sort(order, std::ranges::greater{}, [this](std::size_t line) {

@@ -23,7 +23,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kLineReach = 7, kPointReach = 8;  // pixels
-constexpr std::size_t kLeastClosed = 3;            // points
+constexpr std::size_t kMinClosed = 3;              // points
 
 Eigen::Vector3d wornPlace(const Document& document, int piece, const SurfacePoint& at) {
     return positionOf(document.garment()->pieces[static_cast<std::size_t>(piece)]->mesh, at);
@@ -63,7 +63,7 @@ QString InternalLineTool::hint(ViewKind) const {
             "Click: begin a line · Click a line: select it · Drag a point: move it · Del: "
             "take the line away · Esc: back to selecting");
     }
-    return draft_.points().size() < kLeastClosed
+    return draft_.points().size() < kMinClosed
                ? tr("Click: next point · Double click or Enter: end the line · Backspace: take the "
                     "last point back · Esc: throw the line away")
                : tr("Click: next point · Click the first point: close the line · Double click or "
@@ -219,7 +219,7 @@ void InternalLineTool::click(ToolView& view, const Pointer& pointer) {
         if (selected_) {
             return;
         }
-    } else if (draft_.points().size() >= kLeastClosed) {
+    } else if (draft_.points().size() >= kMinClosed) {
         const auto place = placeAt(view, pointer);
         if (place && place->on == ClothPoint::On::Own && place->own == 0) {
             make(true);

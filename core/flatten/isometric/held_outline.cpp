@@ -21,7 +21,7 @@ constexpr int kMaxStages = 20;
 constexpr int kStepsForRoom = 3;
 /// Minimum share of its area that a triangle keeps on a straightened outline. A smaller triangle
 /// looks like a line and dominates the energy.
-constexpr double kLeastKept = 1e-3;
+constexpr double kMinKept = 1e-3;
 
 /// All loops: the outline fixed where it is in Q, rims with the lengths that they have in `rims`.
 EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
@@ -90,7 +90,7 @@ std::optional<Error> blockedBy(const Piece& piece, const Points2& Q, const Point
     for (int f = 0; f < piece.mesh.F.rows(); ++f) {
         const auto corner = piece.mesh.F.row(f);
         const bool isHeld = onOutline[corner[0]] + onOutline[corner[1]] + onOutline[corner[2]] == 3;
-        if (isHeld && before[f] > 0 && !(after[f] > kLeastKept * before[f])) {
+        if (isHeld && before[f] > 0 && !(after[f] > kMinKept * before[f])) {
             return Error{ErrorCode::OutlineNotHeld, subjectOf(piece),
                          blockedAt(piece, f, after[f] < 0)};
         }
