@@ -376,7 +376,7 @@ private slots:
         QTest::keyClick(&warp, Qt::Key_Up);
         QCOMPARE(*stated().warp, 1350.0);
         type("0.5");  // less than any cloth
-        QCOMPARE(*stated().warp, kLeastStretch);
+        QCOMPARE(*stated().warp, kMinStretch);
         QVERIFY2(warp.text().startsWith("1 "), qPrintable(warp.text()));
         type("");
         QVERIFY(!stated().warp);
@@ -515,7 +515,7 @@ private slots:
             edge.selectAll();
             QTest::keyClicks(&edge, "0.1 mm");
             QTest::keyClick(&edge, Qt::Key_Return);
-            QCOMPARE(proof().plan().settings.edge, kLeastProofEdge);
+            QCOMPARE(proof().plan().settings.edge, kMinProofEdge);
             QVERIFY2(!edge.text().contains("0.1"), qPrintable(edge.text()));
         }
     }

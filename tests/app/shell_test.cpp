@@ -529,8 +529,8 @@ private slots:
         QVERIFY(clauses[2].keys.isEmpty());
         HintLabel label;
         label.setHint("Click: select · Drag: turn · Wheel: zoom · Esc: select nothing");
-        QCOMPARE(label.fitting(10000), HintLabel::kMostShown);
-        std::size_t before = HintLabel::kMostShown;
+        QCOMPARE(label.fitting(10000), HintLabel::kMaxHintsShown);
+        std::size_t before = HintLabel::kMaxHintsShown;
         for (int width = 600; width > 0; width -= 5) {
             QVERIFY(label.fitting(width) <= before);
             before = label.fitting(width);

@@ -17,7 +17,7 @@ namespace {
 using Ends = std::pair<int, int>;
 
 /// What is left of twice the smaller area, at least; and the cosine of the bend, at most.
-constexpr double kLeastArea = 0.3, kNearlyFlat = 0.9;
+constexpr double kMinArea = 0.3, kNearlyFlat = 0.9;
 
 bool staysFlat(const MeshArrays& mesh, int a, int b, int c, int d) {
     const auto at = [&mesh](int v) -> Eigen::Vector3d { return mesh.V.row(v); };
@@ -26,7 +26,7 @@ bool staysFlat(const MeshArrays& mesh, int a, int b, int c, int d) {
     };
     const Eigen::Vector3d above = twice(a, b, c), below = twice(b, a, d);
     const Eigen::Vector3d normal = (above + below).normalized();
-    const double least = kLeastArea * std::min(above.norm(), below.norm());
+    const double least = kMinArea * std::min(above.norm(), below.norm());
     return twice(a, d, c).dot(normal) > least && twice(b, c, d).dot(normal) > least &&
            above.normalized().dot(below.normalized()) > kNearlyFlat;
 }

@@ -134,8 +134,13 @@ TEST_P(DesignedGarment, IsInNoDoubt) {
     const auto file = test::dataFile(GetParam());
     TOILE_NEEDS_SHARED(file);
     const auto run = test::toileRun({"flatten", file.string(), "--fail-on", "doubt"});
-    EXPECT_EQ(run.err.find("toile: doubt:"), std::string::npos) << run.err;
-    EXPECT_EQ(run.status, 0) << run.err;
+    // Two of the four panels of this file are wound the other way round.
+    const bool isMixed = file.filename() == "skirt_clo.obj";
+    const auto doubt = run.err.find("toile: doubt:");
+    EXPECT_EQ(doubt != std::string::npos, isMixed) << run.err;
+    EXPECT_EQ(run.err.find("toile: doubt:", doubt + 1), std::string::npos) << run.err;
+    EXPECT_EQ(run.err.find("faces of the garment look inwards") != std::string::npos, isMixed);
+    EXPECT_EQ(run.status, isMixed ? 1 : 0) << run.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Slow, DesignedGarment,

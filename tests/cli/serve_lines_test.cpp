@@ -66,7 +66,7 @@ TEST(ServeLines, EachGetsOneAnswerInOrder) {
     for (int i = 0; i < 200; ++i) {
         asked += ServedJson{{"id", i}, {"do", i % 2 ? "close" : "flatten"}}.dump() + "\n";
     }
-    asked += "no JSON\n" + std::string(app::kMostServeLine + 1, 'x') + "\n\n";
+    asked += "no JSON\n" + std::string(app::kMaxServeLine + 1, 'x') + "\n\n";
     asked += R"({"id":"last","do":"close"})";  // without an end
     std::istringstream in(asked);
     std::ostringstream out;

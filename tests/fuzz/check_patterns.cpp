@@ -15,9 +15,9 @@
 namespace toile::fuzz {
 namespace {
 
-constexpr std::size_t kMostPatternBytes = 16 * 1024;
+constexpr std::size_t kMaxPatternBytes = 16 * 1024;
 /// Beyond, lines are not compared: a fuzzer wants many runs.
-constexpr Eigen::Index kMostComparedPoints = 500;
+constexpr Eigen::Index kMaxComparedPoints = 500;
 constexpr auto kPatternName = "fuzz";
 
 /// All that a reader found, one after the other: equal where two readings are.
@@ -192,7 +192,7 @@ Pattern twoPieces() {
 
 std::string brokenByMatch(const PatternFile& file) {
     for (const FilePiece& piece : file.pieces) {
-        if (piece.cut.rows() + piece.sew.rows() > kMostComparedPoints) {
+        if (piece.cut.rows() + piece.sew.rows() > kMaxComparedPoints) {
             return "";
         }
     }
@@ -220,7 +220,7 @@ std::string brokenByMatch(const PatternFile& file) {
 }
 
 std::string whatBreaksInPattern(const std::string& bytes, PatternFileKind kind) {
-    if (bytes.size() > kMostPatternBytes) {
+    if (bytes.size() > kMaxPatternBytes) {
         return "";
     }
     const auto read = [&] { return readPattern(bytes, kind, kPatternName); };
@@ -241,7 +241,7 @@ std::string whatBreaksInPattern(const std::string& bytes, PatternFileKind kind) 
 template <class Read>
 std::string whatBreaksReadBack(const std::string& bytes, const Read& reader) {
     const auto read = [&] { return reader(bytes); };
-    return bytes.size() > kMostPatternBytes ? "" : brokenByReading(read(), read, false);
+    return bytes.size() > kMaxPatternBytes ? "" : brokenByReading(read(), read, false);
 }
 
 std::string brokenByIndices(const Result<MeshFile>& file) {

@@ -17,7 +17,7 @@ constexpr int kMaxPreparedFaces = 400;
 constexpr std::size_t kMaxPreparedBytes = 16 * 1024;
 constexpr std::size_t kPreparationBytes = 6;
 /// The file's size in its shortest triangles: a fuzzer wants many runs.
-constexpr double kMostEdges = 24;
+constexpr double kMaxEdges = 24;
 
 /// Corners whose positions are no numbers.
 std::ptrdiff_t strayCorners(const PolygonSoup& soup) {
@@ -95,7 +95,7 @@ Preparation preparationOf(const std::string& bytes, double size) {
     preparing.scan.largestHole = length(3, 4);
     preparing.scan.smoothing = length(4, 0.1);
     preparing.weldDistance = length(4, 0.1);
-    preparing.scan.edgeLength = byte(5) < 64 ? 0 : std::max(length(5, 0.5), size / kMostEdges);
+    preparing.scan.edgeLength = byte(5) < 64 ? 0 : std::max(length(5, 0.5), size / kMaxEdges);
     return preparing;
 }
 

@@ -236,7 +236,7 @@ TEST_F(AssimpReader, AGltfMayNameButFilesInItsFolder) {
     }
     // Together they are bounded, and none is read for nothing.
     folder_.write("a.bin", "a");
-    std::filesystem::resize_file(folder_.write("b.bin", "b"), io::kMostBufferBytes);
+    std::filesystem::resize_file(folder_.write("b.bin", "b"), io::kMaxBufferBytes);
     const auto tooLong = readWithBuffers(buffer("a.bin") + ", " + buffer("b.bin"));
     ASSERT_FALSE(tooLong);
     EXPECT_NE(sentence(tooLong.error()).find("2 GiB"), std::string::npos);

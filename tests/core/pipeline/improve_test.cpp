@@ -141,7 +141,7 @@ TEST(ImprovePattern, EndsWhereARoundGainsLittle) {
     EXPECT_EQ(improved->ended, ImproveEnd::LittleGain);
     EXPECT_LT(improved->rounds.size(), 12U);
     EXPECT_GE(improved->rounds.back().gain, 0);
-    EXPECT_LT(improved->rounds.back().gain, kLeastGain);
+    EXPECT_LT(improved->rounds.back().gain, kMinGain);
     EXPECT_GT(improved->gain(), 0);
 }
 

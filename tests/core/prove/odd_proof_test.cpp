@@ -209,7 +209,7 @@ TEST(OddProof, EdgesThatMakeTooManyTrianglesAreRefused) {
     const PieceResults results = flatResults(garment);
     const LaidOutPattern laid = inRows(garment, results);
     ProofOrder order;
-    order.settings.edge = kLeastProofEdge;
+    order.settings.edge = kMinProofEdge;
     const auto proof = proofOf(ExportSource(garment, results, laid), order, {});
     ASSERT_FALSE(proof);
     EXPECT_EQ(proof.error().code, ErrorCode::OutOfMemory);

@@ -33,7 +33,7 @@ std::optional<std::string> inflated(std::string_view packed) {
     std::array<Bytef, 16384> chunk{}, given{};
     std::size_t used = 0;
     int state = Z_OK;
-    while (state == Z_OK && out.size() <= PdfDocument::kMostUnpacked) {
+    while (state == Z_OK && out.size() <= PdfDocument::kMaxUnpacked) {
         if (stream.avail_in == 0) {
             const std::size_t more = std::min(given.size(), packed.size() - used);
             std::memcpy(given.data(), packed.data() + used, more);
@@ -48,7 +48,7 @@ std::optional<std::string> inflated(std::string_view packed) {
                    chunk.end() - static_cast<std::ptrdiff_t>(stream.avail_out));
     }
     inflateEnd(&stream);
-    return state == Z_STREAM_END && out.size() <= PdfDocument::kMostUnpacked
+    return state == Z_STREAM_END && out.size() <= PdfDocument::kMaxUnpacked
                ? std::optional(std::move(out))
                : std::nullopt;
 }
@@ -123,7 +123,7 @@ Result<PdfDocument::Object> PdfDocument::object(double number) const {
     }
     auto value = lexer.next();
     lexed_ += lexer.at() - at->second;
-    if (!value || lexed_ > kMostUnpacked) {
+    if (!value || lexed_ > kMaxUnpacked) {
         return malformedPdf("object " + std::to_string(at->first) +
                             (value ? " is too much" : " is cut short"));
     }

@@ -27,10 +27,10 @@ public:
     Result<PdfValue> resolved(const PdfValue& value) const;
     /// The value of a key, resolved. Errors: MalformedFile where there is none.
     Result<PdfValue> entry(const PdfValue& dictionary, std::string_view key) const;
-    /// The bytes of a stream, unpacked: at most kMostUnpacked. Errors: MalformedFile.
+    /// The bytes of a stream, unpacked: at most kMaxUnpacked. Errors: MalformedFile.
     Result<std::string> stream(const PdfValue& reference) const;
 
-    static constexpr std::size_t kMostUnpacked = std::size_t{1} << 26;
+    static constexpr std::size_t kMaxUnpacked = std::size_t{1} << 26;
 
 private:
     struct Object {

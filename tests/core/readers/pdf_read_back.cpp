@@ -21,7 +21,7 @@ constexpr double kBoxWithin = 1e-3;     // points
 constexpr double kSquareWithin = 1e-3;  // mm
 constexpr double kShownWithin = 1e-2;   // points
 constexpr double kLookedAtEvery = 5;    // mm along the lines
-constexpr double kMostOfPage = 14400;   // points
+constexpr double kMaxOfPage = 14400;    // points
 
 /// Width and height of a paper, mm; 0: as long as need be.
 struct ExpectedPaper {
@@ -56,7 +56,7 @@ ExpectedPaper expected(Paper paper) {
 }
 
 bool isSide(double points, double millimetres) {
-    return millimetres == 0 ? points > 0 && points <= kMostOfPage + kBoxWithin
+    return millimetres == 0 ? points > 0 && points <= kMaxOfPage + kBoxWithin
                             : std::abs(points - kUnit * millimetres) <= kBoxWithin;
 }
 

@@ -13,9 +13,9 @@ namespace {
 
 using Kind = PdfValue::Kind;
 
-constexpr std::size_t kMostPages = 20000;
+constexpr std::size_t kMaxPages = 20000;
 /// Of all that a file shows, bytes: ours have some megabytes.
-constexpr std::size_t kMostContent = std::size_t{1} << 27;
+constexpr std::size_t kMaxContent = std::size_t{1} << 27;
 constexpr double kLongestSide = 1e9;  // of a page, points
 
 /// Pages, layers and content of a document.
@@ -37,7 +37,7 @@ public:
         }
         const auto kids = document_.entry(*root, "Kids");
         const auto count = document_.entry(*root, "Count");
-        if (!kids || !count || kids->items.size() > kMostPages ||
+        if (!kids || !count || kids->items.size() > kMaxPages ||
             count->number != static_cast<double>(kids->items.size())) {
             return malformedPdf("the pages are not counted");
         }
@@ -110,7 +110,7 @@ private:
             return content.error();
         }
         length_ += content->size();
-        if (length_ > kMostContent) {
+        if (length_ > kMaxContent) {
             return malformedPdf("its pages are too long");
         }
         return readPdfContent(*content, *keys);

@@ -15,12 +15,12 @@ using Eigen::Vector2d;
 using Kind = PdfValue::Kind;
 using PageMatrix = Eigen::Matrix<double, 2, 3>;
 
-constexpr std::size_t kMostSaved = 64, kMostMarked = 64, kMostOperands = 64;
+constexpr std::size_t kMaxSaved = 64, kMaxMarked = 64, kMaxOperands = 64;
 /// Of a stream: ours have some ten thousand points.
-constexpr std::size_t kMostPoints = std::size_t{1} << 23;
-constexpr double kSampledWithin = 1e-3, kMostSamples = 4096;
+constexpr std::size_t kMaxPagePoints = std::size_t{1} << 23;
+constexpr double kSampledWithin = 1e-3, kMaxSamples = 4096;
 constexpr double kFarthestOnPage = 1e9;  // of a point
-constexpr std::size_t kLongestId = 1000, kMostForms = 100000;
+constexpr std::size_t kLongestId = 1000, kMaxForms = 100000;
 
 const std::map<std::string, LayerKind, std::less<>>& kindsOfLayers() {
     static const std::map<std::string, LayerKind, std::less<>> kNamed{
@@ -52,7 +52,7 @@ struct PathPoints {
         const Vector2d a = points.back();
         const double bend = std::max((a - 2 * b + c).norm(), (b - 2 * c + d).norm());
         const double steps =
-            std::clamp(std::ceil(std::sqrt(0.75 * bend / kSampledWithin)), 1.0, kMostSamples);
+            std::clamp(std::ceil(std::sqrt(0.75 * bend / kSampledWithin)), 1.0, kMaxSamples);
         for (int k = 1; k < steps; ++k) {
             const double t = k / steps, s = 1 - t;
             points.emplace_back(s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c +
@@ -90,7 +90,7 @@ public:
         while (std::optional<PdfValue> value = lexer.next()) {
             if (value->kind != Kind::Word) {
                 operands_.push_back(std::move(*value));
-                if (operands_.size() > kMostOperands) {
+                if (operands_.size() > kMaxOperands) {
                     return malformedPdf("a content stream has too many operands");
                 }
                 continue;
@@ -153,7 +153,7 @@ private:
         }
         if (word == "Do") {
             if (operands_.size() != 1 || operands_[0].kind != Kind::Name ||
-                operands_[0].text.size() > kLongestId || shown_.forms.size() >= kMostForms) {
+                operands_[0].text.size() > kLongestId || shown_.forms.size() >= kMaxForms) {
                 return false;
             }
             shown_.forms.push_back({operands_[0].text, {state_.matrix, state_.clip}});
@@ -185,7 +185,7 @@ private:
             }
             box.closed = true;
             points_ += box.points.size();
-            return points_ <= kMostPoints;
+            return points_ <= kMaxPagePoints;
         }
         if (!takes(word == "c" ? 6 : 2) || (word != "m" && paths_.empty())) {
             return false;
@@ -206,7 +206,7 @@ private:
             path.curveTo(point(0), point(2), point(4));
             points_ += path.points.size() - before;
         }
-        return points_ <= kMostPoints;
+        return points_ <= kMaxPagePoints;
     }
 
     bool close() {
@@ -220,7 +220,7 @@ private:
     bool changeState(const std::string& word) {
         if (word == "q") {
             saved_.push_back(state_);
-            return saved_.size() <= kMostSaved;
+            return saved_.size() <= kMaxSaved;
         }
         if (word == "Q") {
             if (saved_.empty()) {
@@ -249,7 +249,7 @@ private:
             return true;
         }
         if (operands_.size() != 2 || operands_[0].kind != Kind::Name ||
-            marked_.size() >= kMostMarked) {
+            marked_.size() >= kMaxMarked) {
             return false;
         }
         Marked next = marked_.empty() ? Marked{} : marked_.back();
@@ -301,7 +301,7 @@ private:
         if (!marked_.back().piece.empty()) {
             shown_.pieces.insert(marked_.back().piece);
         }
-        return points_ <= kMostPoints;
+        return points_ <= kMaxPagePoints;
     }
 
     const std::map<std::string, std::string>& layers_;

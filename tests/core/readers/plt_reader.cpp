@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnitsPerMillimetre = 40;
 constexpr double kFarthestUnit = 1e9;  // beyond: no plot
-constexpr int kMostPens = 256;
+constexpr int kMaxPens = 256;
 constexpr char kLabelEnd = '\x03', kEscape = '\x1b';
 
 bool isPltLetter(char c) {
@@ -65,7 +65,7 @@ private:
             isScaled_ = number().has_value();
         } else if (name == "SP") {
             finish();
-            pen_ = static_cast<int>(std::clamp(number().value_or(0), 0.0, kMostPens - 1.0));
+            pen_ = static_cast<int>(std::clamp(number().value_or(0), 0.0, kMaxPens - 1.0));
         } else if (name == "PU" || name == "PD" || name == "PA" || name == "PR") {
             move(name);
         }
