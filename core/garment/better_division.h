@@ -4,18 +4,10 @@
 #include <optional>
 
 #include "core/base/progress.h"
-#include "core/garment/split.h"
+#include "core/garment/records.h"
+#include "core/io/soup.h"
 
 namespace toile {
-
-/// Number of pieces of a division, and how many of them can lie flat without cuts.
-struct DivisionCount {
-    SplitMode mode = SplitMode::Components;
-    int pieces = 0;
-    int flat = 0;
-
-    bool operator==(const DivisionCount&) const = default;
-};
 
 /// The division of the file with the largest share of pieces that can lie flat, if that share is
 /// larger than the present one, and with more pieces; of equal shares the one with fewer pieces.

@@ -11,22 +11,9 @@
 #include "core/cut/auto_cut.h"
 #include "core/cut/user_cuts.h"
 #include "core/garment/piece.h"
+#include "core/garment/records.h"
 
 namespace toile {
-
-enum class CutAuthor { User, Automatic };
-
-/// A cut made in a piece.
-struct AppliedCut {
-    std::string name;  ///< the user's name; "front, automatic cut 1"
-    CutAuthor author = CutAuthor::User;
-    UserCut::Kind kind = UserCut::Kind::Path;
-    std::string piece;  ///< the piece that it opened, by the name before the cut
-    double length = 0;  ///< mm, of the opened line
-    CutId id{};
-    Wording evidence{};                     ///< of a cut proposed by Toile: its reasons
-    std::vector<Eigen::Vector3d> points{};  ///< its line in the piece that it opened, mm
-};
 
 /// A cut proposed by Toile, with its reasons.
 struct ProposedCut {
@@ -53,18 +40,6 @@ struct CutProposer {
     std::function<std::vector<int>(const Piece&, const Progress&)> partCrossing{};
     int way = 1;              ///< identifies this kind of proposals
     bool isForDisks = false;  ///< called for pieces that can lie flat, too
-};
-
-/// The record of cutting one piece.
-struct CutRecord {
-    std::shared_ptr<const Piece> whole;
-    std::vector<UserCut> asked;
-    bool automatic = false;
-    int proposer = 0;         ///< its `way`; 0: no proposals were asked for
-    bool namesPiece = false;  ///< proposed cuts are called by their piece, too
-    Pieces pieces{};
-    std::vector<AppliedCut> cuts{};
-    Problems problems{};
 };
 
 /// Pieces after cutting, with records.

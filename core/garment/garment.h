@@ -9,12 +9,9 @@
 
 #include "core/base/error.h"
 #include "core/base/units.h"
-#include "core/garment/better_division.h"
-#include "core/garment/cut_pieces.h"
-#include "core/garment/join_pieces.h"
 #include "core/garment/piece.h"
+#include "core/garment/records.h"
 #include "core/garment/seam.h"
-#include "core/garment/split.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
 #include "core/prepare/orientation.h"

@@ -9,15 +9,9 @@
 #include "core/base/progress.h"
 #include "core/cut/user_cuts.h"
 #include "core/garment/piece.h"
+#include "core/garment/records.h"
 
 namespace toile {
-
-/// A removed seam.
-struct AppliedJoin {
-    std::string name;   ///< the user's name
-    std::string piece;  ///< the result: "front + back", or the one piece on both sides
-    double length = 0;  ///< mm, of the closed line
-};
 
 /// Pieces after joining, with records.
 struct JoinedPieces {

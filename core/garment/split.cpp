@@ -14,12 +14,6 @@
 namespace toile {
 namespace {
 
-constexpr Word<SplitMode> kModes[] = {
-    {SplitMode::Auto, "auto"},           {SplitMode::Components, "components"},
-    {SplitMode::Objects, "objects"},     {SplitMode::Groups, "groups"},
-    {SplitMode::Materials, "materials"}, {SplitMode::Uv, "uv"},
-    {SplitMode::Seams, "seams"}};
-
 /// The names by which a mode separates faces: their objects, groups or materials; null if it uses
 /// none.
 const std::vector<int>* classesOf(SplitMode mode, const PolygonSoup& soup) {
@@ -156,14 +150,6 @@ SplitChoice chooseSplit(SplitMode wanted, const PolygonSoup& soup, const Triangu
     }
     return {SplitMode::Components,
             worded("connected parts, as the file names no objects or groups")};
-}
-
-std::string_view name(SplitMode mode) {
-    return wordOf(kModes, mode);
-}
-
-std::optional<SplitMode> parseSplitMode(std::string_view text) {
-    return parseWord(kModes, text);
 }
 
 std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulation& triangles) {

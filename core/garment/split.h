@@ -2,32 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/garment/records.h"
 #include "core/io/soup.h"
 #include "core/io/triangulate.h"
 
 namespace toile {
-
-/// How a file is divided into pieces. In every mode a piece is connected: a class with several
-/// components gives several pieces.
-enum class SplitMode {
-    Auto,        ///< by the file's contents; `SplitChoice::reason` explains it
-    Components,  ///< connected by shared vertices
-    Objects,     ///< OBJ `o`
-    Groups,      ///< OBJ `g`
-    Materials,   ///< OBJ `usemtl`
-    Uv,          ///< islands of the UV map, by shared `vt` index, never by position
-    Seams,       ///< only along the user's cuts: like components, ignoring names
-};
-
-/// A mode other than Auto, and why it was chosen if the user stated none.
-struct SplitChoice {
-    SplitMode mode = SplitMode::Components;
-    Wording reason;  ///< for display; empty if the mode was stated
-};
 
 /// The mode to use. For Auto: UV islands if they are nearly isometric and disks (then they are the
 /// garment's own flat panels, as CLO and Marvelous Designer write them), else objects, else groups,
@@ -62,9 +43,5 @@ struct UvScale {
 inline constexpr double kIsometricBand = 0.15;
 
 std::optional<UvScale> measureUvScale(const PolygonSoup& soup, const Triangulation& triangles);
-
-/// "auto", "components", ...: the words of the command line.
-std::string_view name(SplitMode mode);
-std::optional<SplitMode> parseSplitMode(std::string_view text);
 
 }  // namespace toile
