@@ -8,9 +8,9 @@
 #include "app/document/document.h"
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
-#include "core/garment/opening_cuts.h"
+#include "core/assemble/opening_cuts.h"
 #include "core/pipeline/solve_advice.h"
-#include "core/project/left_out.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
 

@@ -11,7 +11,7 @@
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/text/error_text.h"
-#include "core/garment/identify.h"
+#include "core/assemble/identify.h"
 
 namespace toile::app {
 

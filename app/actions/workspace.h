@@ -14,8 +14,8 @@
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/reference_finder.h"
-#include "core/export/drawing.h"
-#include "core/export/formats.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/formats.h"
 
 namespace toile::app {
 

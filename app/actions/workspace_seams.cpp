@@ -8,13 +8,12 @@
 #include "app/document/names.h"
 #include "app/jobs/job.h"
 #include "app/text/error_text.h"
+#include "core/assemble/file_space.h"
+#include "core/assemble/opening_cuts.h"
 #include "core/base/file.h"
 #include "core/cut/loop_around.h"
-#include "core/garment/file_space.h"
-#include "core/garment/opening_cuts.h"
-#include "core/pattern/dart_division.h"
+#include "core/pattern/dart_places.h"
 #include "core/pattern/mirrored_edit.h"
-#include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile::app {

@@ -25,7 +25,7 @@
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/base/version.h"
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 // The parser and its refusals. CLI11 takes seconds to compile: only this and what is compiled with
 // it (CMakeLists.txt) include it.

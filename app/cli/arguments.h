@@ -10,7 +10,7 @@
 #include "app/cli/marker_arguments.h"
 #include "app/document/view_state.h"
 #include "core/base/units.h"
-#include "core/export/export_options.h"
+#include "core/formats/export_options.h"
 #include "core/garment/fabric.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project.h"

@@ -30,8 +30,8 @@
 #include "core/base/file.h"
 #include "core/base/json_fields.h"
 #include "core/base/text.h"
-#include "core/export/export_file.h"
-#include "core/export/json.h"
+#include "core/formats/export_file.h"
+#include "core/formats/json.h"
 
 namespace toile::app {
 namespace {

@@ -11,8 +11,8 @@
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
 #include "app/cli/typed_words.h"
-#include "core/base/content_hash.h"
 #include "core/base/file.h"
+#include "core/base/id.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 

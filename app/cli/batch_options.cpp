@@ -5,7 +5,7 @@
 
 #include "app/cli/batch_arguments.h"
 #include "app/cli/choice_options.h"
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 namespace toile::app {
 namespace {

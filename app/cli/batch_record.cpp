@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "app/cli/batch_list.h"
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "core/base/version.h"
 #include "core/diagnose/doubt.h"
-#include "core/export/json.h"
-#include "core/export/report_tables.h"
+#include "core/formats/json.h"
+#include "core/formats/tables/report_tables.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::app {

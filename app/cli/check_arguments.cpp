@@ -9,7 +9,7 @@
 
 #include "app/cli/proof_picture.h"
 #include "core/base/text.h"
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 namespace toile::app {
 namespace {

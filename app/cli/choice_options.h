@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/text.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 // For the sources of this folder that add options, which are compiled together: CLI11 takes
 // seconds.

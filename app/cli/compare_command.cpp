@@ -9,7 +9,7 @@
 #include "app/cli/proof_order.h"
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
-#include "core/export/comparison_writer.h"
+#include "core/formats/tables/comparison_writer.h"
 #include "core/pipeline/pipeline.h"
 #include "core/prove/proof.h"
 

@@ -8,11 +8,11 @@
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/export/pattern_match_writer.h"
-#include "core/export/writers.h"
+#include "core/formats/read_pattern.h"
+#include "core/formats/tables/pattern_match.h"
+#include "core/formats/tables/pattern_match_writer.h"
+#include "core/formats/writers.h"
 #include "core/pipeline/pipeline.h"
-#include "core/reading/pattern_match.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 namespace {

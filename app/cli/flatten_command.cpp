@@ -11,7 +11,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/diagnose/doubt.h"
-#include "core/export/report_tables.h"
+#include "core/formats/tables/report_tables.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 #include "core/symmetry/symmetry.h"

@@ -6,8 +6,8 @@
 
 #include "app/cli/choice_options.h"
 #include "app/cli/reading_options.h"
-#include "core/export/formats.h"
 #include "core/flatten/base/flat_piece.h"
+#include "core/formats/formats.h"
 
 namespace toile::app {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/io/soup.h"
-#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
+#include "core/project/piece_settings.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/cli/refusal.h"
-#include "core/export/report_tables.h"
+#include "core/formats/pattern_file.h"
+#include "core/formats/tables/report_tables.h"
 #include "core/pipeline/pipeline.h"
-#include "core/reading/pattern_file.h"
 
 namespace toile::app {
 

@@ -11,7 +11,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/reading_options.h"
 #include "core/base/units.h"
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 #include "core/garment/fabric.h"
 
 namespace toile::app {

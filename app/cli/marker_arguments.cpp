@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/export/formats.h"
-#include "core/export/marker_drawing.h"
+#include "core/formats/drawing/marker_drawing.h"
+#include "core/formats/formats.h"
 #include "core/garment/fabric.h"
 
 namespace toile::app {

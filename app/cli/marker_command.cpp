@@ -11,15 +11,14 @@
 #include "app/cli/marker_interruptible.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/base/text.h"
-#include "core/base/unique_names.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
-#include "core/export/marker_drawing.h"
-#include "core/export/marker_report.h"
+#include "core/formats/drawing/marker_drawing.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
+#include "core/formats/hide_file.h"
+#include "core/formats/tables/marker_report.h"
 #include "core/marker/cloth_marker.h"
-#include "core/reading/hide_file.h"
 
 namespace toile::app {
 namespace {

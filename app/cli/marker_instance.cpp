@@ -9,11 +9,10 @@
 #include "app/cli/input.h"
 #include "app/cli/marker_interruptible.h"
 #include "core/base/file.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/base/text.h"
 #include "core/nest/instance_file.h"
 #include "core/nest/nest.h"
-#include "core/nest/nest_writer.h"
 
 namespace toile::app {
 

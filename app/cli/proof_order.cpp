@@ -9,8 +9,8 @@
 
 #include "app/cli/arguments.h"
 #include "core/base/characters.h"
+#include "core/formats/read_pattern.h"
 #include "core/prove/body_file.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 namespace {

@@ -16,7 +16,7 @@
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/base/text.h"
 #include "core/pipeline/improve.h"
 #include "core/prove/proof.h"

@@ -6,7 +6,7 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/typed_words.h"
-#include "core/export/json.h"
+#include "core/formats/json.h"
 
 namespace toile::app {
 

@@ -6,7 +6,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "core/base/place_words.h"
+#include "core/base/error.h"
+#include "core/base/wording.h"
 
 namespace toile::app {
 

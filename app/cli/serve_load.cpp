@@ -6,8 +6,8 @@
 #include "app/cli/input.h"
 #include "app/cli/serve_state.h"
 #include "app/cli/typed_words.h"
-#include "core/export/json.h"
-#include "core/export/writers.h"
+#include "core/formats/json.h"
+#include "core/formats/writers.h"
 #include "core/project/piece_names.h"
 
 namespace toile::app {

@@ -10,9 +10,9 @@
 #include "app/cli/typed_words.h"
 #include "app/cli/write_patterns.h"
 #include "core/base/file.h"
-#include "core/export/json.h"
-#include "core/export/report_tables.h"
-#include "core/export/writers.h"
+#include "core/formats/json.h"
+#include "core/formats/tables/report_tables.h"
+#include "core/formats/writers.h"
 #include "core/project/piece_names.h"
 
 namespace toile::app {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/export/json.h"
-#include "core/export/writers.h"
+#include "core/formats/json.h"
+#include "core/formats/writers.h"
 #include "core/quality/metric_tensor.h"
 
 namespace toile::app {

@@ -8,7 +8,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/serve_query.h"
 #include "app/cli/serve_session.h"
-#include "core/export/export_file.h"
+#include "core/formats/export_file.h"
 #include "core/pipeline/garment_flattener.h"
 
 namespace toile::app {

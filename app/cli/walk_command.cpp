@@ -7,8 +7,7 @@
 #include "app/cli/input.h"
 #include "core/base/characters.h"
 #include "core/base/text.h"
-#include "core/export/report_tables.h"
-#include "core/export/seam_walk_writer.h"
+#include "core/formats/tables/report_tables.h"
 #include "core/pattern/walk.h"
 
 namespace toile::app {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <ostream>
 
-#include "core/export/drawing_notes.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
 
 namespace toile::app {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/refusal.h"
-#include "core/export/export_source.h"
+#include "core/formats/export_source.h"
 
 namespace toile::app {
 

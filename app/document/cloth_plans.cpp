@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 
 namespace toile::app {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
 #include "core/pattern/mirrored_edit.h"
 
 namespace toile::app {

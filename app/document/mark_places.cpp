@@ -6,8 +6,8 @@
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "core/base/characters.h"
-#include "core/pattern/grain_line.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile::app {
 

@@ -10,8 +10,8 @@
 #include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
 #include "core/project/layer_materials.h"
-#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/reading/pattern_match.h"
+#include "core/formats/tables/pattern_match.h"
 
 namespace toile::app {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile::app {
 

@@ -6,7 +6,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "core/export/drawing.h"
+#include "core/formats/drawing/drawing.h"
 
 namespace toile::app {
 

@@ -21,8 +21,8 @@
 #include "app/export/option_form.h"
 #include "app/export/piece_choice.h"
 #include "app/text/error_text.h"
-#include "core/export/drawing_notes.h"
-#include "core/export/pdf_writer.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/pdf/pdf_writer.h"
 
 namespace toile::app {
 

@@ -5,7 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 class QCheckBox;
 class QLabel;

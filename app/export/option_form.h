@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 class QFormLayout;
 

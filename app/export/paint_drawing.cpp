@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/export/text_outlines.h"
+#include "core/formats/drawing/text_outlines.h"
 #include "core/pattern/label.h"
 
 namespace toile::app {

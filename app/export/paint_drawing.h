@@ -6,8 +6,8 @@
 #include <string>
 
 #include "core/base/result.h"
-#include "core/export/drawing.h"
-#include "core/export/formats.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/formats.h"
 
 class QPainter;
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/export/printed_pattern.h"
-#include "core/export/export_options.h"
+#include "core/formats/export_options.h"
 
 class QLabel;
 class QPushButton;

@@ -15,9 +15,9 @@
 
 #include "app/export/paint_drawing.h"
 #include "core/base/characters.h"
-#include "core/export/pdf_writer.h"
-#include "core/export/sheet_drawing.h"
-#include "core/export/sheets.h"
+#include "core/formats/drawing/sheet_drawing.h"
+#include "core/formats/pdf/pdf_writer.h"
+#include "core/formats/pdf/sheets.h"
 
 namespace toile::app {
 namespace {

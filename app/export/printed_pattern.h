@@ -13,10 +13,10 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/export/drawing.h"
-#include "core/export/export_options.h"
-#include "core/export/pdf_pages.h"
-#include "core/export/sheet_canvas.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/drawing/sheet_drawing.h"
+#include "core/formats/export_options.h"
+#include "core/formats/pdf/pdf_pages.h"
 
 class QPainter;
 class QPrinter;

@@ -11,7 +11,7 @@
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/project/layer_materials.h"
-#include "core/project/left_out.h"
+#include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
 
 namespace toile::app {

@@ -12,7 +12,7 @@
 #include "app/document/document_state.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/project/carry_settings.h"
+#include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
 
 namespace toile {

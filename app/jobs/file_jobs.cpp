@@ -11,9 +11,9 @@
 #include "app/jobs/derivation.h"
 #include "app/jobs/lay_reference.h"
 #include "app/jobs/pattern_now.h"
-#include "core/base/content_hash.h"
 #include "core/base/file.h"
-#include "core/export/export_file.h"
+#include "core/base/id.h"
+#include "core/formats/export_file.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {

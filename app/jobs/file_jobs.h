@@ -12,9 +12,9 @@
 
 #include "app/document/document_state.h"
 #include "app/jobs/job.h"
-#include "core/export/drawing.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
 #include "core/project/project.h"
 
 namespace toile::app {

@@ -5,8 +5,8 @@
 
 #include "app/document/document.h"
 #include "app/render/reference_lines.h"
+#include "core/formats/read_pattern.h"
 #include "core/pattern/pattern.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::app {
 

@@ -7,8 +7,8 @@
 #include "app/base/text.h"
 #include "app/jobs/pattern_now.h"
 #include "app/text/error_text.h"
-#include "core/export/export_file.h"
-#include "core/export/marker_drawing.h"
+#include "core/formats/drawing/marker_drawing.h"
+#include "core/formats/export_file.h"
 
 namespace toile::app {
 

@@ -14,10 +14,10 @@
 #include "app/base/worker.h"
 #include "app/jobs/job.h"
 #include "core/base/error.h"
-#include "core/export/export_options.h"
-#include "core/export/export_source.h"
+#include "core/formats/export_options.h"
+#include "core/formats/export_source.h"
 #include "core/marker/cloth_marker.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 
 namespace toile {
 struct Exported;

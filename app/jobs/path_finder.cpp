@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
 #include "core/cut/user_cuts.h"
 

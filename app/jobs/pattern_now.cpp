@@ -7,8 +7,8 @@
 #include "app/jobs/derivation.h"
 #include "app/text/error_text.h"
 #include "core/pipeline/garment_flattener.h"
-#include "core/project/left_out.h"
 #include "core/project/piece_names.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
 

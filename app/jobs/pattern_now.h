@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "app/document/document_state.h"
-#include "core/export/export_source.h"
+#include "core/formats/export_source.h"
 
 namespace toile::app {
 

@@ -27,10 +27,10 @@
 #include "app/text/figures.h"
 #include "app/widgets/field_keys.h"
 #include "app/widgets/scrolled.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
-#include "core/export/marker_drawing.h"
-#include "core/reading/hide_file.h"
+#include "core/formats/drawing/marker_drawing.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
+#include "core/formats/hide_file.h"
 
 namespace toile::app {
 

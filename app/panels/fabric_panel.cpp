@@ -24,7 +24,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
-#include "core/layout/cloth_need.h"
+#include "core/layout/arrange.h"
 #include "core/project/place_pieces.h"
 
 namespace toile::app {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/panels/unprepared_scan.h"
-#include "core/garment/opening_cuts.h"
+#include "core/assemble/opening_cuts.h"
 
 namespace toile::app {
 namespace {

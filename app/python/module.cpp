@@ -19,7 +19,7 @@
 #include "app/python/raised.h"
 #include "app/python/running_calls.h"
 #include "core/base/version.h"
-#include "core/io/soup_of_arrays.h"
+#include "core/io/soup_builder.h"
 #include "core/project/piece_names.h"
 
 namespace toile::python {

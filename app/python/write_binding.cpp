@@ -11,8 +11,8 @@
 #include "app/python/interruptible_call.h"
 #include "app/python/option_words.h"
 #include "app/python/raised.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
 #include "core/garment/fabric.h"
 
 namespace toile::python {

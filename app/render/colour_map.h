@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "core/quality/strain_bounds.h"
+#include "core/quality/piece_quality.h"
 
 namespace toile::app {
 

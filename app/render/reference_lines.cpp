@@ -2,7 +2,7 @@
 #include "app/render/reference_lines.h"
 
 #include "app/document/reference.h"
-#include "core/reading/pattern_match.h"
+#include "core/formats/tables/pattern_match.h"
 
 namespace toile::app {
 

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QObject>
 
-#include "core/base/length_text.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/words.h"
-#include "core/export/format_options.h"
+#include "core/base/wording.h"
+#include "core/formats/format_options.h"
 
 namespace toile::app {
 

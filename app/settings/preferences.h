@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "app/settings/choices.h"
-#include "core/export/export_options.h"
+#include "core/formats/export_options.h"
 
 class QSettings;
 

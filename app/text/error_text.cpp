@@ -8,7 +8,7 @@
 #include "app/base/text.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
-#include "core/export/read_back.h"
+#include "core/formats/read_back.h"
 #include "core/garment/piece.h"
 #include "core/pattern/piece_marks.h"
 

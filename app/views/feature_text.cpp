@@ -10,7 +10,7 @@
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
 #include "app/views/sewn_run.h"
-#include "core/project/left_out.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
 

@@ -16,7 +16,7 @@
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/views/tool.h"
-#include "core/pattern/grain_line.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile::app {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/views/rolled_piece.h"
 #include "app/views/ruler.h"
 #include "app/views/tool.h"
-#include "core/project/left_out.h"
+#include "core/project/piece_settings.h"
 
 namespace toile::app {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/text/figures.h"
 #include "app/views/tool.h"
 #include "app/views/view_text.h"
-#include "core/geometry/nearest_on_line.h"
 #include "core/geometry/polygon.h"
+#include "core/geometry/segment.h"
 
 namespace toile::app {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/render/camera.h"
 #include "app/render/scene.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/roll.h"
+#include "core/pattern/walk.h"
 
 class QPainter;
 class QPointF;

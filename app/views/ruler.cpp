@@ -14,7 +14,7 @@
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/views/tool.h"
-#include "core/base/length_text.h"
+#include "core/base/units.h"
 
 namespace toile::app {
 

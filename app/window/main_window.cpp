@@ -32,7 +32,7 @@
 #include "app/window/window_dialogs.h"
 #include "app/window/window_menus.h"
 #include "app/window/window_status.h"
-#include "core/reading/read_pattern.h"
+#include "core/formats/read_pattern.h"
 
 namespace toile::app {
 namespace {

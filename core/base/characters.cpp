@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 namespace {

@@ -16,7 +16,7 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 
 namespace toile {
 namespace fs = std::filesystem;

@@ -9,6 +9,15 @@
 
 namespace toile {
 
+/// XXH64 of the bytes, seed 0, as its published specification defines it: detects changes of
+/// a file at the speed of memory. No protection against forgery. Pure; linear.
+std::uint64_t contentHash(std::string_view bytes);
+
+/// "xxh64:ef46db3751d8e999": the kind and 16 hexadecimal digits.
+std::string hashText(std::uint64_t hash);
+/// Parses such a text; nothing if it has another form.
+std::optional<std::uint64_t> parseHash(std::string_view text);
+
 /// Identifies a thing among all of its kind in a document, through undo, saving, loading and
 /// reading again: it is derived from the thing's origin, never from its name or its position in a
 /// list. Zero means none.

@@ -13,7 +13,7 @@
 
 #include "core/base/result.h"
 #include "core/base/units.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 

@@ -3,8 +3,20 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 
 namespace toile {
+
+/// Wall-clock seconds since its construction.
+class Stopwatch {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 /// Connects a long call with its caller: the worker reports, any thread may read the fraction or
 /// cancel. Cancelling is sticky; the call then returns `ErrorCode::Cancelled` at its next check

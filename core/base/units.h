@@ -49,8 +49,44 @@ std::string unitText(const FileUnit& unit);
 /// Parses such a text: "cm", "12.1866 mm", "0.5in"; nothing if it has another form.
 std::optional<FileUnit> parseFileUnit(std::string_view text);
 
+inline constexpr double kPointsPerMillimetre = 72 / 25.4;  ///< of print and PDF
+
 inline constexpr double kPi = std::numbers::pi;
 /// One degree, in radians.
 inline constexpr double kDegree = kPi / 180;
+
+/// Lengths and angles as text for people. All functions are pure; text is UTF-8.
+
+/// How lengths are written.
+struct LengthFormat {
+    LengthUnit unit = LengthUnit::Millimetre;
+    /// Inches in fractions of this: 8, 16, 32; 0: decimals. Ignored for other units.
+    int denominator = 0;
+    /// The user's decimal separator: "." or ",".
+    std::string decimalMark = ".";
+
+    bool operator==(const LengthFormat&) const = default;
+};
+
+/// Decimals that show a tenth of a millimetre in this unit, or come closest: 1 for mm, 2 for cm, 4
+/// for m, 2 for inches.
+int lengthDecimals(LengthUnit unit);
+
+/// Without the unit: "314.2", "31.42", "12 3/8", "-3/8", "0". Fractions are rounded to the nearest
+/// and reduced; a value that rounds to zero has no sign. Not finite: "–".
+std::string lengthNumber(double millimetres, const LengthFormat& format);
+/// With the unit: "314.2 mm", "12 3/8 in".
+std::string lengthText(double millimetres, const LengthFormat& format);
+
+/// Parses a length typed by a person, in millimetres; nothing if it is not a length. Sums and
+/// differences of lengths, each with its own unit or the format's, times or divided by plain
+/// numbers: "31,4 cm", "12 3/8\"", "12⅜ in", "1/2", "2 * 45 mm + 1 in". Both decimal marks are
+/// accepted; no mark groups thousands.
+std::optional<double> parseLength(std::string_view text, const LengthFormat& format);
+
+/// "12.5°": degrees with up to `decimals` decimals, no trailing zeros.
+std::string angleText(double radians, int decimals, std::string_view decimalMark);
+/// "45", "12,5°", "-30 deg", "90 - 12.5": sums of degrees, in radians; else nothing.
+std::optional<double> parseAngle(std::string_view text);
 
 }  // namespace toile

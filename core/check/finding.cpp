@@ -10,10 +10,10 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 #include "core/check/ready_to_cut.h"
 #include "core/diagnose/doubt.h"
-#include "core/export/json.h"
+#include "core/formats/json.h"
 
 namespace toile {
 namespace {

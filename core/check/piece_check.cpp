@@ -13,7 +13,7 @@
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
 #include "core/quality/outline_crossings.h"
-#include "core/quality/strain_bounds.h"
+#include "core/quality/piece_quality.h"
 
 namespace toile {
 namespace {

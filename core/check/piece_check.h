@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "core/check/finding.h"
-#include "core/check/readiness.h"
+#include "core/check/ready_to_cut.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/piece.h"

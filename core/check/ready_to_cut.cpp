@@ -3,26 +3,200 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <Eigen/Geometry>
 
+#include "core/assemble/identify.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/base/wording.h"
 #include "core/check/piece_check.h"
-#include "core/check/proof_check.h"
 #include "core/diagnose/doubt.h"
-#include "core/garment/identify.h"
 #include "core/layout/arrange.h"
-#include "core/layout/cloth_need.h"
-#include "core/layout/sheet_overlaps.h"
+#include "core/layout/free_place.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/trueing.h"
 #include "core/project/piece_names.h"
 #include "core/project/place_pieces.h"
+#include "core/prove/proof.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile {
 namespace {
+
+constexpr Word<Verdict> kVerdicts[] = {{Verdict::NotFlattened, "not-flattened"},
+                                       {Verdict::Faults, "faults"},
+                                       {Verdict::Doubts, "doubts"},
+                                       {Verdict::Ready, "ready"}};
+
+}  // namespace
+
+int Readiness::count(Severity severity) const {
+    return static_cast<int>(std::ranges::count(findings, severity, &Finding::severity));
+}
+
+Verdict Readiness::verdict() const {
+    const bool isFlattened = std::ranges::none_of(findings, [](const Finding& finding) -> bool {
+        return finding.kind == FindingKind::NotFlattened;
+    });
+    return !isFlattened                 ? Verdict::NotFlattened
+           : count(Severity::Fault) > 0 ? Verdict::Faults
+           : count(Severity::Doubt) > 0 ? Verdict::Doubts
+                                        : Verdict::Ready;
+}
+
+std::string_view name(Verdict verdict) {
+    return wordOf(kVerdicts, verdict);
+}
+
+std::string verdictText(const Readiness& readiness) {
+    const int faults = readiness.count(Severity::Fault), doubts = readiness.count(Severity::Doubt);
+    switch (readiness.verdict()) {
+        case Verdict::NotFlattened:
+            return "Not flattened yet";
+        case Verdict::Faults:
+            return counted(faults, "fault") + (doubts > 0 ? ", " + counted(doubts, "doubt") : "");
+        case Verdict::Doubts:
+            return "No faults, " + counted(doubts, "doubt");
+        case Verdict::Ready:
+            break;
+    }
+    return "Ready to cut";
+}
+
+void FindingList::add(Finding finding, double badness) {
+    found_.push_back({std::move(finding), badness});
+}
+
+void FindingList::add(const Error& error, std::vector<int> pieces) {
+    Finding finding;
+    finding.severity = isNote(error.code) ? Severity::Note : Severity::Fault;
+    finding.subject = error.subject;
+    finding.pieces = std::move(pieces);
+    finding.error = error;
+    add(std::move(finding));
+}
+
+Readiness FindingList::inOrder() {
+    std::ranges::stable_sort(found_, [](const Rated& a, const Rated& b) -> bool {
+        return std::tuple(a.finding.severity, a.finding.kind, -a.badness) <
+               std::tuple(b.finding.severity, b.finding.kind, -b.badness);
+    });
+    Readiness readiness;
+    for (Rated& rated : found_) {
+        readiness.findings.push_back(std::move(rated.finding));
+    }
+    found_.clear();
+    return readiness;
+}
+
+namespace {
+
+/// The piece's flat result; null if it has none or one of another shape.
+const PieceResult* flatResult(const CutPlan& plan, int piece) {
+    const auto i = static_cast<std::size_t>(piece);
+    const PieceResult* result =
+        piece >= 0 && i < plan.results.size() ? plan.results[i].get() : nullptr;
+    return result && result->flat && result->piece == plan.garment->pieces[i] ? result : nullptr;
+}
+
+Severity severityOf(ProofFaultKind kind) {
+    // A method with a free outline changes both sides alike, so the seam can still be sewn.
+    return kind == ProofFaultKind::LengthDiffers ? Severity::Doubt : Severity::Fault;
+}
+
+/// Whether another finding already reports it.
+bool isToldElsewhere(const CutPlan& plan, const ProofFault& fault) {
+    if (fault.kind == ProofFaultKind::NotThere) {
+        return std::ranges::none_of(fault.pieces, [&](int piece) {
+            const PieceResult* result = flatResult(plan, piece);
+            return result && !(result->quality && result->quality->outlineCrossings > 0);
+        });
+    }
+    const auto& seams = plan.garment->seams.seams;
+    const auto seam = static_cast<std::size_t>(fault.seam);
+    if (fault.kind != ProofFaultKind::SeamSlips || fault.seam < 0 || seam >= seams.size() ||
+        !flatResult(plan, seams[seam].left.piece) || !flatResult(plan, seams[seam].right.piece)) {
+        return false;
+    }
+    const SeamFit fit = seamFit(seams[seam], measured(*plan.garment, plan.results, fault.seam));
+    return fit == SeamFit::Nearly || fit == SeamFit::Differs;
+}
+
+void checkFaults(const CutPlan& plan, FindingList& found) {
+    for (const ProofFault& fault : plan.proof->faults) {
+        if (isToldElsewhere(plan, fault)) {
+            continue;
+        }
+        Finding finding;
+        finding.kind = FindingKind::ProofFault;
+        finding.severity = severityOf(fault.kind);
+        finding.subject = fault.subject;
+        finding.pieces = fault.pieces;
+        finding.seam = fault.seam;
+        finding.reason = fault.told;
+        if (fault.amount > 0) {
+            finding.figures = {{fault.amount, Figure::Unit::Length}};
+        }
+        found.add(std::move(finding), fault.amount);
+    }
+}
+
+/// A gap measured before the cloth came to rest may be far too small.
+void checkRest(FindingList& found) {
+    Finding finding;
+    finding.kind = FindingKind::ProofFault;
+    finding.severity = Severity::Doubt;
+    finding.reason =
+        worded("sewn back, the cloth has not come to rest, so that the gap says little");
+    found.add(std::move(finding));
+}
+
+void checkGap(const CutPlan& plan, FindingList& found) {
+    const Proof& proof = *plan.proof;
+    if (!proof.hasSettled) {
+        checkRest(found);
+        return;
+    }
+    if (!(proof.gap.mean >= kDoubtfulGap)) {
+        return;
+    }
+    const auto meanOf = [](const ProvenPiece& piece) {
+        return piece.isSewn() ? piece.gapFigures.mean : -1;
+    };
+    const auto farthest = std::ranges::max_element(proof.pieces, {}, meanOf);
+    const auto index = static_cast<std::size_t>(farthest - proof.pieces.begin());
+    const Piece& piece = *plan.garment->pieces[index];
+    Finding finding;
+    finding.kind = FindingKind::SewnGap;
+    finding.severity = Severity::Doubt;
+    finding.subject = subjectOf(piece);
+    finding.pieces = {static_cast<int>(index)};
+    finding.figures = {{proof.gap.mean, Figure::Unit::Length},
+                       {proof.gap.most95, Figure::Unit::Length},
+                       {farthest->gapFigures.mean, Figure::Unit::Length}};
+    const int vertex = farthest->gapFigures.place;
+    const PieceResult* result = flatResult(plan, static_cast<int>(index));
+    if (result && vertex >= 0 && vertex < piece.mesh.V.rows()) {
+        finding.place = placeAtVertex(piece, result->flat->Q, vertex);
+    }
+    found.add(std::move(finding), proof.gap.mean);
+}
+
+/// Adds the findings of the proof (the pattern sewn back together): a doubtful mean gap, and faults
+/// found before sewing. A seam that slips is reported once, by its lengths (`SeamLengths`). A piece
+/// that is not flat, or crosses itself, has its own finding. Adds nothing if the plan has no proof,
+/// or one with another number of pieces. Precondition: there is a garment. Cost: that of measuring
+/// the seams that slip. Pure.
+void checkProof(const CutPlan& plan, FindingList& found) {
+    if (plan.proof && !plan.proof->pieces.empty() &&
+        plan.proof->pieces.size() == plan.garment->pieces.size()) {
+        checkFaults(plan, found);
+        checkGap(plan, found);
+    }
+}
 
 Figure length(double millimetres) {
     return {millimetres, Figure::Unit::Length};

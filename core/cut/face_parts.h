@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 
 namespace toile {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/cut/ring_width.h"
+#include "core/cut/loop_around.h"
 
 namespace toile {
 namespace {

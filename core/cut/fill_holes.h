@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 
 namespace toile {
 

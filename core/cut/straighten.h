@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/cut/fill_holes.h"
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 
 namespace toile {
 

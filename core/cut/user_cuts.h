@@ -9,7 +9,7 @@
 #include "core/base/id.h"
 #include "core/base/result.h"
 #include "core/cut/cut_along.h"
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
 
 namespace toile {

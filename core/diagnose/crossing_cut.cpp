@@ -3,20 +3,154 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <queue>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/base/text.h"
-#include "core/diagnose/interior_paths.h"
 #include "core/garment/piece.h"
+#include "core/geometry/buckets.h"
 #include "core/quality/measures.h"
 
 namespace toile {
 namespace {
+
+/// A path from loop vertex `from` to loop vertex `to` of the outline, with the piece's vertices.
+struct InteriorPath {
+    int from, to;  ///< indices into Piece::boundary
+    std::vector<int> vertices;
+    double length;  ///< mm
+};
+
+/// Shortest paths along edges through the inside of a piece: they touch the outline only at their
+/// ends, and never a hole's rim. Keeps a reference to the piece. Use from one thread at a time:
+/// searches share their workspace.
+class InteriorPaths {
+public:
+    /// Cost: linear.
+    explicit InteriorPaths(const Piece& piece);
+
+    /// For each reachable target, in order: the path from the nearest source. Ties between paths
+    /// are decided by index.
+    /// @param sources, targets  indices into Piece::boundary
+    /// @param longest           mm: longer paths are left out; the others do not depend on it
+    /// Cost: O(m log m) for the m edges within `longest` of the sources, and the targets.
+    std::vector<InteriorPath> find(const std::vector<int>& sources, const std::vector<int>& targets,
+                                   double longest = std::numeric_limits<double>::infinity());
+
+    /// Whether the last find() may have left out longer paths.
+    bool hasLeftOut() const { return hasLeftOut_; }
+
+private:
+    void search(const std::vector<int>& sources, double longest);
+
+    const Piece& piece_;
+    std::vector<int> loopIndex_;      ///< per vertex; -1 inside
+    std::vector<bool> isHoleRim_;     ///< per vertex
+    geometry::Buckets<> neighbours_;  ///< per vertex: along interior edges
+    // Between two searches: infinite, -1, empty.
+    std::vector<double> distance_;
+    std::vector<int> parent_;
+    std::vector<int> reached_;
+    bool hasLeftOut_ = false;
+};
+
+
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+
+InteriorPaths::InteriorPaths(const Piece& piece)
+    : piece_(piece),
+      loopIndex_(static_cast<std::size_t>(piece.mesh.V.rows()), -1),
+      isHoleRim_(loopIndex_.size(), false),
+      neighbours_(static_cast<int>(loopIndex_.size()),
+                  [&table = piece.table](auto add) {
+                      for (int e = 0; e < table.edges.rows(); ++e) {
+                          if (!table.isBorder(e)) {
+                              add(table.edges(e, 0), table.edges(e, 1));
+                              add(table.edges(e, 1), table.edges(e, 0));
+                          }
+                      }
+                  }),
+      distance_(loopIndex_.size(), kFar),
+      parent_(loopIndex_.size(), -1) {
+    for (std::size_t i = 0; i < piece.boundary.size(); ++i) {
+        loopIndex_[piece.boundary[i]] = static_cast<int>(i);
+    }
+    for (const auto& hole : piece.holes) {
+        for (const int v : hole) {
+            isHoleRim_[v] = true;
+        }
+    }
+}
+
+void InteriorPaths::search(const std::vector<int>& sources, double longest) {
+    const Points3& V = piece_.mesh.V;
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    for (const int i : sources) {
+        distance_[piece_.boundary[i]] = 0;
+        reached_.push_back(piece_.boundary[i]);
+        queue.emplace(0, piece_.boundary[i]);
+    }
+    while (!queue.empty()) {
+        const auto [reached, v] = queue.top();
+        queue.pop();
+        const bool isEnd = loopIndex_[v] >= 0 && reached > 0;
+        if (reached > distance_[v] || isEnd || isHoleRim_[v]) {
+            continue;
+        }
+        for (const int w : neighbours_[v]) {
+            const double there = reached + (V.row(v) - V.row(w)).norm();
+            if (there < distance_[w] && there > longest) {
+                hasLeftOut_ = true;
+            } else if (there < distance_[w]) {
+                if (distance_[w] == kFar) {
+                    reached_.push_back(w);
+                }
+                distance_[w] = there;
+                parent_[w] = v;
+                queue.emplace(there, w);
+            }
+        }
+    }
+}
+
+std::vector<InteriorPath> InteriorPaths::find(const std::vector<int>& sources,
+                                              const std::vector<int>& targets, double longest) {
+    hasLeftOut_ = false;
+    search(sources, longest);
+    std::vector<InteriorPath> paths;
+    for (const int i : targets) {
+        const int end = piece_.boundary[i];
+        if (parent_[end] < 0) {
+            continue;  // a source, or unreachable
+        }
+        InteriorPath path{-1, i, {}, distance_[end]};
+        for (int v = end; v >= 0; v = parent_[v]) {
+            path.vertices.push_back(v);
+        }
+        std::reverse(path.vertices.begin(), path.vertices.end());
+        path.from = loopIndex_[path.vertices.front()];
+        paths.push_back(std::move(path));
+    }
+    for (const int v : reached_) {
+        distance_[v] = kFar;
+        parent_[v] = -1;
+    }
+    reached_.clear();
+    return paths;
+}
+
 
 /// Largest number of crossings examined; of more, evenly chosen ones represent the others.
 constexpr std::size_t kMaxCrossings = 256;

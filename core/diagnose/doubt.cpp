@@ -10,10 +10,10 @@
 #include <set>
 #include <utility>
 
+#include "core/assemble/identify.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/garment/identify.h"
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
 

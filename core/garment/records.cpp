@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/garment/records.h"
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 namespace {

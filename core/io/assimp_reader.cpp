@@ -27,7 +27,6 @@
 #include "core/io/child_process.h"
 #include "core/io/gltf_buffers.h"
 #include "core/io/soup_builder.h"
-#include "core/io/soup_bytes.h"
 #include "core/io/zip_reader.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/text.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 namespace {

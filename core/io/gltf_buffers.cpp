@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "core/base/characters.h"
-#include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
 #include "core/base/json_fields.h"

@@ -1,15 +1,311 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/io/ply_header.h"
+#include "core/base/result.h"
+#include "core/base/wording.h"
+#include "core/io/byte_order.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
+#include "core/io/text_cursor.h"
+
+namespace toile::io {
+namespace {
+
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+
+enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+
+struct PlyProperty {
+    std::string name;
+    PlyType type;
+    std::optional<PlyType> countType;  ///< set if it is a list
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<PlyProperty> properties;
+};
+
+/// The contents that a PLY file declares.
+struct PlyHeader {
+    PlyFormat format = PlyFormat::Ascii;
+    std::vector<PlyElement> elements;
+    std::size_t bodyOffset = 0;  ///< of the first byte after the header
+    int bodyLine = 1;            ///< line number there
+};
+
+/// The body of a PLY file as consecutive numbers, as text or as bytes; both classes have the same
+/// interface. Every type's values are exact in a double.
+
+class PlyTextNumbers {
+public:
+    PlyTextNumbers(std::string_view bytes, const PlyHeader& header)
+        : cursor_(bytes.substr(header.bodyOffset)),
+          bodyOffset_(header.bodyOffset),
+          bodyLine_(header.bodyLine) {}
+
+    /// The next number; NaN for a word that is not a number. False at the end of the file.
+    bool next(PlyType, double& value) {
+        cursor_.skipSpace();
+        first_ = bodyOffset_ + cursor_.offset();
+        if (cursor_.atEnd()) {
+            return false;
+        }
+        if (!cursor_.readDouble(value)) {
+            value = std::numeric_limits<double>::quiet_NaN();
+            unreadable_ = cursor_.token();
+        }
+        return true;
+    }
+
+    /// Position of the last number for messages: its line, from 1.
+    int place(std::size_t) const { return bodyLine_ + cursor_.line() - 1; }
+
+    /// Offset in the file of the last number's first byte, and of the byte after it.
+    std::size_t first() const { return first_; }
+
+    std::size_t last() const { return bodyOffset_ + cursor_.offset(); }
+
+    /// The last word that was not a number; empty if there was none since the last call.
+    std::string_view takeUnreadable() { return std::exchange(unreadable_, {}); }
+
+private:
+    TextCursor cursor_;
+    std::size_t bodyOffset_;
+    int bodyLine_;
+    std::size_t first_ = 0;
+    std::string_view unreadable_;
+};
+
+constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};  // in the order of the types
+
+/// Bytes of a number in a binary file: 1, 2, 4 or 8.
+std::size_t sizeOf(PlyType type) {
+    return kSizes[static_cast<std::size_t>(type)];
+}
+
+class PlyByteNumbers {
+public:
+    PlyByteNumbers(std::string_view bytes, const PlyHeader& header)
+        : bytes_(bytes.substr(header.bodyOffset)),
+          order_(header.format == PlyFormat::BigEndian ? std::endian::big : std::endian::little) {}
+
+    bool next(PlyType type, double& value) {
+        const std::size_t size = sizeOf(type);
+        if (bytes_.size() < size) {
+            return false;
+        }
+        value = number(type);
+        bytes_.remove_prefix(size);
+        return true;
+    }
+
+    /// Position of the last number for messages: its record, from 1.
+    int place(std::size_t record) const { return static_cast<int>(record) + 1; }
+
+    /// Numbers in bytes have no text.
+    std::size_t first() const { return 0; }
+
+    std::size_t last() const { return 0; }
+
+    std::string_view takeUnreadable() { return {}; }
+
+private:
+    double number(PlyType type) const {
+        const char* at = bytes_.data();
+        switch (type) {
+            case PlyType::Int8:
+                return readBytes<std::int8_t>(at, order_);
+            case PlyType::UInt8:
+                return readBytes<std::uint8_t>(at, order_);
+            case PlyType::Int16:
+                return readBytes<std::int16_t>(at, order_);
+            case PlyType::UInt16:
+                return readBytes<std::uint16_t>(at, order_);
+            case PlyType::Int32:
+                return readBytes<std::int32_t>(at, order_);
+            case PlyType::UInt32:
+                return readBytes<std::uint32_t>(at, order_);
+            case PlyType::Float32:
+                return static_cast<double>(readBytes<float>(at, order_));
+            case PlyType::Float64:
+                return readBytes<double>(at, order_);
+        }
+        return 0;
+    }
+
+    std::string_view bytes_;
+    std::endian order_;
+};
+
+constexpr Word<PlyType> kTypes[] = {
+    {PlyType::Int8, "char"},      {PlyType::Int8, "int8"},       {PlyType::UInt8, "uchar"},
+    {PlyType::UInt8, "uint8"},    {PlyType::Int16, "short"},     {PlyType::Int16, "int16"},
+    {PlyType::UInt16, "ushort"},  {PlyType::UInt16, "uint16"},   {PlyType::Int32, "int"},
+    {PlyType::Int32, "int32"},    {PlyType::UInt32, "uint"},     {PlyType::UInt32, "uint32"},
+    {PlyType::Float32, "float"},  {PlyType::Float32, "float32"}, {PlyType::Float64, "double"},
+    {PlyType::Float64, "float64"}};
+constexpr Word<PlyFormat> kFormats[] = {{PlyFormat::Ascii, "ascii"},
+                                        {PlyFormat::LittleEndian, "binary_little_endian"},
+                                        {PlyFormat::BigEndian, "binary_big_endian"}};
+
+bool isWhole(PlyType type) {
+    return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+class HeaderReader {
+public:
+    HeaderReader(std::string_view bytes, const std::string& name)
+        : bytes_(bytes), name_(name), cursor_(bytes) {}
+
+    Result<PlyHeader> read() {
+        if (word() != "ply") {
+            return malformed("the file does not begin with \"ply\"");
+        }
+        bool hasFormat = false;
+        for (cursor_.nextLine(); !cursor_.atEnd(); cursor_.nextLine()) {
+            const std::string_view keyword = word();
+            if (keyword == "end_header") {
+                if (!hasFormat) {
+                    return malformed("the header names no format");
+                }
+                return finish();
+            }
+            Result<void> line;
+            if (keyword == "format") {
+                line = readFormat();
+                hasFormat = true;
+            } else if (keyword == "element") {
+                line = readElement();
+            } else if (keyword == "property") {
+                line = readProperty();
+            } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+                line = malformed("an unknown keyword in the header");
+            }
+            if (!line) {
+                return line.error();
+            }
+        }
+        return malformed("the header has no end");
+    }
+
+private:
+    std::string_view word() {
+        cursor_.skipBlanks();
+        return cursor_.token();
+    }
+
+    Result<void> readFormat() {
+        const auto format = parseWord(kFormats, word());
+        if (!format) {
+            return malformed("an unknown format");
+        }
+        header_.format = *format;
+        return {};
+    }
+
+    Result<void> readElement() {
+        PlyElement element;
+        element.name = word();
+        const std::string_view count = word();
+        const char* end = count.data() + count.size();
+        const auto [last, status] = std::from_chars(count.data(), end, element.count);
+        if (count.empty() || status != std::errc() || last != end) {
+            return malformed("an element without a count");
+        }
+        header_.elements.push_back(std::move(element));
+        return {};
+    }
+
+    Result<void> readProperty() {
+        std::optional<PlyType> countType;
+        std::string_view type = word();
+        if (type == "list") {
+            countType = parseWord(kTypes, word());
+            if (!countType || !isWhole(*countType)) {
+                return malformed("a list whose count has no whole type");
+            }
+            type = word();
+        }
+        const std::optional<PlyType> known = parseWord(kTypes, type);
+        const std::string_view name = word();
+        if (!known || name.empty() || header_.elements.empty()) {
+            return malformed("a property that cannot be read");
+        }
+        header_.elements.back().properties.push_back({std::string(name), *known, countType});
+        return {};
+    }
+
+    Result<PlyHeader> finish() {
+        skipLastLineEnd();
+        header_.bodyOffset = cursor_.offset();
+        header_.bodyLine = cursor_.line();
+        for (const PlyElement& element : header_.elements) {
+            const std::size_t least = leastBytes(element);
+            if (least > 0 && element.count > (cursor_.bytesLeft() + 1) / least) {
+                return malformed("the header promises " + std::to_string(element.count) + " x \"" +
+                                 element.name + "\", " + std::to_string(cursor_.bytesLeft()) +
+                                 " bytes follow");
+            }
+        }
+        return std::move(header_);
+    }
+
+    /// If lines end in CR alone, a byte 10 after the last one is data.
+    void skipLastLineEnd() {
+        const std::size_t firstEnd = bytes_.find_first_of("\r\n");
+        const bool crAlone =
+            bytes_[firstEnd] == '\r' && bytes_.substr(firstEnd + 1, 1) != std::string_view("\n");
+        if (crAlone && cursor_.at('\r')) {
+            cursor_.skip('\r');
+        } else {
+            cursor_.nextLine();
+        }
+    }
+
+    /// Minimum size of one record: the bytes of its numbers, or a digit and a blank for each.
+    std::size_t leastBytes(const PlyElement& element) const {
+        std::size_t bytes = 0;
+        for (const PlyProperty& property : element.properties) {
+            bytes += header_.format == PlyFormat::Ascii
+                         ? 2
+                         : sizeOf(property.countType.value_or(property.type));
+        }
+        return bytes;
+    }
+
+    Error malformed(const std::string& what) const {
+        return {ErrorCode::MalformedFile, Subject::file(name_),
+                "line " + std::to_string(cursor_.line()) + ": " + what};
+    }
+
+    std::string_view bytes_;
+    const std::string& name_;
+    TextCursor cursor_;
+    PlyHeader header_;
+};
+
+/// Reads the header. Every count is limited to the bytes after the header, so that callers can
+/// reserve memory for it. `name` is the file, for messages.
+/// Errors: MalformedFile, with the line.
+Result<PlyHeader> readPlyHeader(std::string_view bytes, const std::string& name) {
+    return HeaderReader(bytes, name).read();
+}
+
+}  // namespace
+
+}  // namespace toile::io
 
 namespace toile {
 namespace {

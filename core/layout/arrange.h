@@ -2,10 +2,13 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include "core/layout/marker.h"
 
 namespace toile {
 
@@ -26,5 +29,24 @@ enum class Direction { Across, Upwards };
 /// boxes do not move.
 std::vector<Eigen::Vector2d> distributionMoves(std::span<const Eigen::AlignedBox2d> boxes,
                                                Direction direction);
+
+/// Amount of one cloth needed for one of each piece in their current layout, warp upwards.
+struct ClothNeed {
+    std::string material;  ///< what these pieces are cut from; empty: the garment's own fabric
+    double length = 0;     ///< along the warp, mm
+    double across = 0;     ///< mm
+    double width = 0;      ///< of the cloth (Fabric::width), mm
+
+    bool fits() const { return across <= width; }
+    bool operator==(const ClothNeed&) const = default;
+};
+
+/// One for each cloth that drawn pieces are cut from, the garment's own first, then by name;
+/// includes allowances, if any. Cost: linear. Pure.
+/// @param laid  with the `Cutting` of each piece and the materials
+std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own);
+
+/// "1072 mm of cloth 1400 mm wide", "the pieces lie 1500 mm wide, wider than the cloth: 1400 mm".
+std::string sentence(const ClothNeed& need);
 
 }  // namespace toile

@@ -7,7 +7,6 @@
 
 #include "core/base/wording.h"
 #include "core/marker/cloth_marker.h"
-#include "core/marker/cloth_parts.h"
 #include "core/marker/laid_pieces.h"
 #include "core/marker/stripes.h"
 

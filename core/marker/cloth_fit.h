@@ -7,7 +7,7 @@
 
 #include "core/base/progress.h"
 #include "core/garment/fabric.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {

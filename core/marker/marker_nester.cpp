@@ -11,7 +11,6 @@
 
 #include "core/geometry/polygon.h"
 #include "core/marker/cloth_marker.h"
-#include "core/marker/cloth_parts.h"
 #include "core/marker/laid_pieces.h"
 #include "core/marker/stripes.h"
 #include "core/nest/item_rings.h"

@@ -5,8 +5,9 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/place_words.h"
+#include "core/base/error.h"
 #include "core/base/tolerances.h"
+#include "core/base/wording.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/mesh/repair.h"

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/place_words.h"
+#include "core/base/error.h"
 #include "core/base/statistics.h"
+#include "core/base/wording.h"
 #include "core/geometry/point_index.h"
 
 namespace toile {

@@ -20,4 +20,12 @@ Result<NestInstance> parseNestInstance(std::string_view text, const std::string&
 /// Errors: also FileUnreadable.
 Result<NestInstance> readNestInstance(const std::filesystem::path& path);
 
+/// A nest as JSON: its measures and the placement of each copy, angles in degrees. Without times,
+/// so that the same nest gives the same bytes.
+std::string nestReport(const NestInstance& instance, const NestOptions& options,
+                       const NestResult& result);
+
+/// A picture of the nest as SVG, in mm: the strip along x, one colour per item.
+std::string nestPicture(const NestInstance& instance, const NestResult& result);
+
 }  // namespace toile

@@ -2,8 +2,13 @@
 #include "core/nest/problem.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <utility>
 
+#include "core/base/units.h"
+#include "core/nest/item_rings.h"
 #include "core/nest/rules.h"
 
 namespace toile::nest {
@@ -65,6 +70,304 @@ bool isValid(const Problem& problem, const std::vector<Pose>& poses, double leng
         }
     }
     return true;
+}
+
+}  // namespace toile::nest
+
+namespace toile {
+namespace {
+
+constexpr const char* kTooWide =
+    translatable("it does not fit across a strip of %1 mm at any angle that it may have");
+constexpr const char* kTooLong =
+    translatable("it is longer than the cloth anywhere, at any angle that it may have");
+
+constexpr const char* kNoStrip = translatable("width, gap and border leave no strip");
+constexpr const char* kTooManyCopies =
+    translatable("more than %1 copies are not laid at once: lay several markers, or fewer copies");
+constexpr const char* kKeptOutside =
+    translatable("it is kept where it lies, which is outside the cloth");
+constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+constexpr int kMaxCopiesOfProblem = 4000;
+constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
+
+}  // namespace
+
+std::optional<Error> wrongCopies(const std::string& name, std::int64_t copies) {
+    return copies > kMaxCopiesOfProblem
+               ? std::optional(Error{ErrorCode::MalformedFile, Subject::file(name),
+                                     worded(kTooManyCopies, {figure(kMaxCopiesOfProblem, 0)})})
+               : std::nullopt;
+}
+
+}  // namespace toile
+
+namespace toile::nest {
+namespace {
+
+using geometry::Polygon;
+
+Rings mirrored(const Rings& rings) {
+    Rings turned = rings;
+    for (Polygon& ring : turned) {
+        ring.col(0) *= -1;
+        ring = Polygon(ring.colwise().reverse());
+    }
+    return turned;
+}
+
+constexpr double kBetweenSteps = 0.01;  // of the diameter: largest difference of sides
+
+/// The smallest box sides over a variant's further rotations, sampled in steps.
+struct LeastSides {
+    double along = HUGE_VAL, across = HUGE_VAL;
+};
+LeastSides leastSides(const Shape& shape, double tolerance) {
+    constexpr int kSteps = 180;
+    LeastSides least;
+    Shape turned;
+    const double most = std::min(tolerance, kPi);
+    for (int k = -kSteps; k <= kSteps; k += tolerance > 0 ? 1 : 2 * kSteps) {
+        const double angle = tolerance > 0 ? most * k / kSteps : 0;
+        turn(shape, angle, turned);
+        least.along = std::min(least.along, turned.box.right - turned.box.left);
+        least.across = std::min(least.across, turned.box.top - turned.box.bottom);
+    }
+    return least;
+}
+
+/// Whether a variant without further rotation fits in an empty strip.
+bool hasPlace(const Problem& problem, const Item& item, const Variant& variant) {
+    Item alone;
+    alone.lattice = item.lattice;
+    alone.touchesEdge = item.touchesEdge;
+    alone.variants = {variant};
+    Pose pose;
+    return moveInside(problem, alone, variant.shape, HUGE_VAL, pose);
+}
+
+Shape shapeOfItem(const Item& item, bool isMirrored, bool isBareToo) {
+    Shape shape = makeShape(isMirrored ? mirrored(item.grown) : item.grown);
+    if (isBareToo) {
+        shape.bare.push_back(makeShape(isMirrored ? mirrored(item.bare) : item.bare));
+    }
+    return shape;
+}
+
+/// The variants of an item that fit the strip; slow because of their circles.
+/// @param bare, grown  its rings, and its rings offset by half the gap
+/// @param isBareToo  also prepare the shapes without the gap
+/// Errors: PageTooSmall naming an item that fits at none of its angles.
+Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare, Rings grown,
+                      bool isBareToo) {
+    Item item;
+    item.bare = std::move(bare);
+    item.grown = std::move(grown);
+    item.isFixed = asked.fixed.has_value();
+    item.touchesEdge = asked.touchesEdge;
+    item.tolerance = asked.fixed || asked.touchesEdge ? 0 : std::min(asked.tolerance, kPi);
+    item.lattice = asked.fixed ? std::nullopt : asked.lattice;
+    item.leastExtent = HUGE_VAL;
+    bool fitsAcross = false;
+    for (const bool isMirrored : {false, true}) {
+        if (asked.fixed ? asked.fixed->mirrored != isMirrored : isMirrored && !asked.mayMirror) {
+            continue;
+        }
+        Shape& shape = item.unturned[isMirrored ? 1 : 0];
+        shape = shapeOfItem(item, isMirrored, isBareToo);
+        for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
+            Variant variant{angle, isMirrored, {}};
+            turn(shape, angle, variant.shape);
+            const NestItem lain{{}, item.bare};
+            variant.rest = -placedRings(lain, {0, angle, isMirrored, 0, 0})[0].col(1).minCoeff();
+            const LeastSides sides = leastSides(variant.shape, item.tolerance);
+            const double width = item.touchesEdge
+                                     ? problem.high - (variant.rest + variant.shape.box.bottom)
+                                     : problem.width();
+            if (!item.isFixed && !(sides.across <= width)) {
+                continue;
+            }
+            fitsAcross = true;
+            if (item.isFixed || item.tolerance > 0 || hasPlace(problem, item, variant)) {
+                const double between =
+                    item.tolerance > 0 ? kBetweenSteps * variant.shape.diameter : 0;
+                item.leastExtent = std::min(item.leastExtent, sides.along - between);
+                item.variants.push_back(std::move(variant));
+            }
+        }
+    }
+    if (item.variants.empty()) {
+        return Error{
+            ErrorCode::PageTooSmall, Subject::piece(asked.name),
+            fitsAcross ? Wording(worded(kTooLong)) : worded(kTooWide, {figure(problem.cloth, 1)})};
+    }
+    return item;
+}
+
+/// For the copy added last: it lies outside, or on another fixed one.
+std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
+    const auto askedOf = [&](std::size_t copy) -> const NestItem& {
+        return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
+    };
+    const std::size_t last = problem.copies.size() - 1;
+    const Pose& pose = problem.copies[last].start;
+    const Rings own = ringsAt(problem, last, pose);
+    if (!keepsRules(problem, problem.itemOf(last), pose, own[0], HUGE_VAL)) {
+        return wrongItem(askedOf(last), kKeptOutside);
+    }
+    if (const Obstacle* under = obstacleUnder(problem, last, pose)) {
+        return wrongItem(askedOf(last), worded(kKeptOnOther, {under->name}));
+    }
+    for (std::size_t copy = 0; copy < last; ++copy) {
+        if (problem.itemOf(copy).isFixed &&
+            doOverlap(own, ringsAt(problem, copy, problem.copies[copy].start))) {
+            return wrongItem(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
+        }
+    }
+    return std::nullopt;
+}
+
+double areaOf(const Rings& rings) {
+    double area = 0;
+    for (const Polygon& ring : rings) {
+        area += geometry::signedAreaOf(ring);
+    }
+    return area;
+}
+
+/// The end of shapes that fill the stretches from the first on, with this total length.
+double endOfArea(const Problem& problem, double length) {
+    for (const Stretch& stretch : problem.stretches) {
+        if (length <= stretch.to - stretch.from) {
+            return stretch.from + length;
+        }
+        length -= stretch.to - stretch.from;
+    }
+    return problem.stretches.back().to;
+}
+
+/// The stretches that the bands leave free.
+std::optional<Error> addStretches(Problem& problem, const NestInstance& instance) {
+    auto bands = instance.bands;
+    if (!std::ranges::all_of(bands, [](const NestBand& band) {
+            return std::abs(band.from) <= kMaxSize && band.to >= band.from;
+        })) {
+        return Error{ErrorCode::MalformedFile, Subject::file(instance.name), kNoBand};
+    }
+    std::ranges::sort(bands, {}, &NestBand::from);
+    double from = 0;
+    const auto add = [&](double end) {
+        if (const Stretch stretch{from + problem.low, end - problem.low};
+            stretch.from < stretch.to) {
+            problem.stretches.push_back(stretch);
+        }
+    };
+    for (const NestBand& band : bands) {
+        if (band.from > from) {
+            add(band.from);
+        }
+        from = std::max(from, band.to);
+    }
+    add(HUGE_VAL);
+    if (problem.stretches.empty()) {
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance, double border) {
+    for (const NestObstacle& asked : instance.obstacles) {
+        const Subject subject = Subject::piece(asked.name);
+        const auto rings = usableRings(subject, asked.rings);
+        if (!rings) {
+            return rings.error();
+        }
+        auto grown = grownRings(subject, *rings, asked.apart.value_or(border));
+        if (!grown) {
+            return grown.error();
+        }
+        Obstacle obstacle{asked.name, std::move(*grown), {}, {}};
+        obstacle.shape = makeShape(obstacle.rings);
+        obstacle.isFor.assign(instance.items.size(), asked.items.empty());
+        for (const int item : asked.items) {
+            if (item >= 0 && item < static_cast<int>(obstacle.isFor.size())) {
+                obstacle.isFor[static_cast<std::size_t>(item)] = true;
+            }
+        }
+        problem.obstacles.push_back(std::move(obstacle));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& options,
+                            const Progress& progress) {
+    Problem problem;
+    problem.cloth = instance.width;
+    problem.low = options.border - options.gap / 2;
+    problem.high = instance.width - problem.low;
+    if (!(instance.width > 0 && instance.width <= kMaxSize && options.gap >= 0 &&
+          options.border >= 0 && options.gap <= kMaxSize && problem.width() > 0)) {
+        return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
+    }
+    std::int64_t copies = 0;
+    for (const NestItem& asked : instance.items) {
+        copies += std::max(asked.demand, 0);
+    }
+    if (auto fault = wrongCopies(instance.name, copies)) {
+        return *std::move(fault);
+    }
+    if (auto fault = addStretches(problem, instance)) {
+        return *std::move(fault);
+    }
+    if (auto fault = addObstacles(problem, instance, options.border)) {
+        return *std::move(fault);
+    }
+    const bool isBareToo = options.gap > 0 && !problem.obstacles.empty();
+    double grownArea = 0, lowest = problem.low;
+    for (std::size_t i = 0; i < instance.items.size(); ++i) {
+        const NestItem& asked = instance.items[i];
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        if (asked.demand == 0) {
+            problem.items.emplace_back();
+            continue;
+        }
+        const auto rings = usableRings(asked);
+        if (!rings) {
+            return rings.error();
+        }
+        auto grown = grownRings(Subject::piece(asked.name), *rings, options.gap / 2);
+        if (!grown) {
+            return grown.error();
+        }
+        auto item = makeItem(problem, asked, *rings, std::move(*grown), isBareToo);
+        if (!item) {
+            return item.error();
+        }
+        problem.area += areaOf(item->bare) * asked.demand;
+        grownArea += areaOf(item->grown) * asked.demand;
+        Copy copy{static_cast<int>(i)};
+        for (const Variant& variant : item->variants) {
+            const double least = variant.rest + variant.shape.box.bottom;
+            lowest = item->touchesEdge ? std::min(lowest, least) : lowest;
+        }
+        if (asked.fixed) {
+            copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
+            item->leastExtent = copy.start.x + item->variants[0].shape.box.right - problem.low;
+        }
+        problem.leastLength = std::max(problem.leastLength, item->leastExtent);
+        problem.items.push_back(std::move(*item));
+        problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
+        if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
+            return *std::move(fault);
+        }
+    }
+    problem.leastLength = std::max(problem.low + problem.leastLength,
+                                   endOfArea(problem, grownArea / (problem.high - lowest)));
+    return problem;
 }
 
 }  // namespace toile::nest

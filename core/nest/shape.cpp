@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/segment.h"
-#include "core/nest/simplify.h"
+#include "core/nest/item_rings.h"
 
 namespace toile::nest {
 namespace {

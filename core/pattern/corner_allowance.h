@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 

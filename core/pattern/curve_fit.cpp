@@ -9,9 +9,123 @@
 #include <Eigen/LU>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/fine_polyline.h"
 
 namespace toile {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kLengthParts = 8;
+// Gauss' rule with five nodes, on [-1, 1].
+constexpr double kPlaces[] = {0, 0.5384693101056831, 0.9061798459386640};
+constexpr double kWeights[] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+
+}  // namespace
+
+Vector2d CubicCurve::at(double t) const {
+    const double s = 1 - t;
+    return s * s * s * start + 3 * s * s * t * startHandle + 3 * s * t * t * endHandle +
+           t * t * t * end;
+}
+
+Vector2d CubicCurve::derivative(double t) const {
+    const double s = 1 - t;
+    return 3 * (s * s * (startHandle - start) + 2 * s * t * (endHandle - startHandle) +
+                t * t * (end - endHandle));
+}
+
+CubicCurve straightCurve(const Vector2d& start, const Vector2d& end) {
+    return {start, start + (end - start) / 3, end + (start - end) / 3, end, true};
+}
+
+double curveLength(const CubicCurve& curve) {
+    if (curve.isLine) {
+        return (curve.end - curve.start).norm();
+    }
+    const double half = 0.5 / kLengthParts;
+    double length = 0;
+    for (int part = 0; part < kLengthParts; ++part) {
+        const double middle = (2 * part + 1) * half;
+        length += half * kWeights[0] * curve.derivative(middle).norm();
+        for (const int k : {1, 2}) {
+            length += half * kWeights[k] *
+                      (curve.derivative(middle - half * kPlaces[k]).norm() +
+                       curve.derivative(middle + half * kPlaces[k]).norm());
+        }
+    }
+    return length;
+}
+
+double curveLength(const std::vector<CubicCurve>& chain) {
+    double length = 0;
+    for (const CubicCurve& curve : chain) {
+        length += curveLength(curve);
+    }
+    return length;
+}
+
+Points2 sampled(const std::vector<CubicCurve>& chain, int perCurve) {
+    assert(perCurve > 0);
+    if (chain.empty()) {
+        return Points2(0, 2);
+    }
+    Points2 points(static_cast<Eigen::Index>(chain.size()) * perCurve + 1, 2);
+    Eigen::Index row = 0;
+    for (const CubicCurve& curve : chain) {
+        for (int k = 0; k < perCurve; ++k) {
+            points.row(row++) = curve.at(static_cast<double>(k) / perCurve);
+        }
+    }
+    points.row(row) = chain.back().end;
+    return points;
+}
+
+FinePolyline::FinePolyline(const Points2& points, double length)
+    : points_(points), turns_(static_cast<std::size_t>(points.rows()), 0), reached_{0} {
+    assert(count() >= 2);
+    for (int k = 0; k + 1 < count(); ++k) {
+        const Eigen::Vector2d step = point(k + 1) - point(k);
+        if (k > 0) {
+            const Eigen::Vector2d before = point(k) - point(k - 1);
+            turns_[k] = geometry::turnBetween(before, step);
+            directions_.push_back(directions_.back() + turns_[k]);
+        } else {
+            directions_.push_back(std::atan2(step.y(), step.x()));
+        }
+        steps_.push_back(step.norm());
+        reached_.push_back(reached_.back() + steps_.back());
+    }
+    const double scale = length / reached_.back();
+    for (double& reached : reached_) {
+        reached *= scale;
+    }
+    for (int k = 0; k < count(); ++k) {
+        const double angle = isInside(k) ? directionAt(k) : directionAtEnd(k);
+        tangents_.emplace_back(std::cos(angle), std::sin(angle));
+    }
+}
+
+double FinePolyline::directionAt(int k) const {
+    return (directions_[k - 1] * steps_[k] + directions_[k] * steps_[k - 1]) /
+           (steps_[k] + steps_[k - 1]);
+}
+
+double FinePolyline::directionAtEnd(int k) const {
+    const int side = k == 0 ? 1 : -1;
+    const int step = k == 0 ? 0 : k - 1;
+    const double near = isInside(k + side) ? curvature(k + side) : 0;
+    const double change = isInside(k + 2 * side) ? curvature(k + 2 * side) - near : 0;
+    // Half a step from the end, with the curvature at the middle of that half.
+    return directions_[step] - side * 0.5 * steps_[step] * (near - 0.75 * change);
+}
+
+double FinePolyline::sag(int step) const {
+    const double before = turns_[step > 0 ? step : std::min(1, count() - 1)];
+    const double after = turns_[step + 2 < count() ? step + 1 : step];
+    const double turn = std::min(std::abs(before), std::abs(after));
+    return before * after > 0 ? turn * steps_[step] / 8 : 0;
+}
+
 namespace {
 
 using Eigen::Vector2d;

@@ -4,10 +4,145 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cut/surface_paths.h"
+#include "core/geometry/line.h"
+#include "core/geometry/segment.h"
 #include "core/pattern/outline_reference.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile {
+namespace {
+
+constexpr double kCutAtTip = 0.01;  // mm: a cut starts there
+constexpr double kAhead = 1e-6;     // mm: excludes edges at the tip itself
+
+/// First intersection of a ray with a closed line.
+struct RayHit {
+    double way = 0;  ///< mm; 0: none
+    int edge = -1;
+    double share = 0;
+};
+
+RayHit firstHit(const Eigen::RowVector2d& from, const Eigen::RowVector2d& along,
+                const Points2& line) {
+    RayHit first;
+    for (Eigen::Index k = 0; k < line.rows(); ++k) {
+        const Eigen::RowVector2d a = line.row(k);
+        const Eigen::RowVector2d edge = line.row((k + 1) % line.rows()) - a;
+        const double across = geometry::cross(along, edge);
+        if (across == 0) {
+            continue;
+        }
+        const double way = geometry::cross(a - from, edge) / across;
+        const double share = geometry::cross(a - from, along) / across;
+        if (way > kAhead && share >= 0 && share <= 1 && (first.edge < 0 || way < first.way)) {
+            first = {way, static_cast<int>(k), share};
+        }
+    }
+    return first;
+}
+
+bool isOnRim(const SurfaceLinks& links, const SurfacePoint& point) {
+    const Carrier on = links.carrierOf(point);
+    return on.kind == Carrier::Kind::Vertex
+               ? !links.isInner(on.index)
+               : links.facesOf(on).size() == 1 && on.kind == Carrier::Kind::Edge;
+}
+
+/// The ends of a cut inside the piece that it is made in.
+std::vector<Eigen::Vector3d> tipsOf(const SurfaceLinks& links, const NearestSurface& nearest,
+                                    const UserCut& cut) {
+    std::vector<Eigen::Vector3d> tips;
+    const auto points = pointsOfCut(links, nearest, cut);
+    if (points && cut.kind != UserCut::Kind::Loop) {
+        for (const SurfacePoint& end : {points->front(), points->back()}) {
+            if (!isOnRim(links, end)) {
+                tips.push_back(positionOf(links.mesh(), end));
+            }
+        }
+    }
+    return tips;
+}
+
+/// The path among a piece's cuts that starts at a tip of one of these darts.
+std::optional<CutId> cutFromTip(const CutRecord& record, const std::vector<CutId>& darts) {
+    const SurfaceLinks links(record.whole->mesh, record.whole->table);
+    const NearestSurface nearest(record.whole->mesh);
+    for (const UserCut& dart : record.asked) {
+        if (std::ranges::find(darts, dart.id) == darts.end()) {
+            continue;
+        }
+        for (const Eigen::Vector3d& tip : tipsOf(links, nearest, dart)) {
+            // If two start there, the later one continues the dart.
+            const auto found = std::ranges::find_if(
+                record.asked.rbegin(), record.asked.rend(), [&](const UserCut& cut) {
+                    return cut.kind == UserCut::Kind::Path && cut.id != dart.id &&
+                           !cut.points.empty() && (cut.points.front() - tip).norm() < kCutAtTip;
+                });
+            if (found != record.asked.rend()) {
+                return found->id;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults& results,
+                                     int seam) {
+    const auto dart = dartPlace(garment, seam);
+    const auto p = static_cast<std::size_t>(dart ? dart->piece : 0);
+    if (!dart || p >= results.size() || !results[p] || !results[p]->flat ||
+        results[p]->piece != garment.pieces[p]) {
+        return std::nullopt;
+    }
+    const Piece& piece = *garment.pieces[p];
+    const auto outline =
+        geometry::Line::closed(results[p]->flat->Q(piece.boundary, Eigen::all), outlineArc(piece));
+    const Eigen::RowVector2d tip = outline.pointAt(dart->tip);
+    const Eigen::RowVector2d mouth =
+        0.5 * (outline.pointAt(dart->from) + outline.pointAt(dart->to));
+    const Eigen::RowVector2d along = (tip - mouth).normalized();
+    const RayHit hit = firstHit(tip, along, outline.points());
+    if (hit.edge < 0) {
+        return std::nullopt;
+    }
+    for (const auto& hole : piece.holes) {
+        const RayHit rim = firstHit(tip, along, results[p]->flat->Q(hole, Eigen::all));
+        if (rim.edge >= 0 && rim.way < hit.way) {
+            return std::nullopt;
+        }
+    }
+    const auto placeOf = [&](int edge, double share) -> Eigen::Vector3d {
+        const auto k = static_cast<std::size_t>(edge);
+        return (1 - share) * piece.mesh.V.row(piece.boundary[k]) +
+               share * piece.mesh.V.row(piece.boundary[(k + 1) % piece.boundary.size()]);
+    };
+    const int atTip = outline.edgeAt(dart->tip + kAhead / 2);
+    const double past = outline.wrap(dart->tip) - outline.arc()[static_cast<std::size_t>(atTip)];
+    const double length = outline.arc()[static_cast<std::size_t>(atTip) + 1] -
+                          outline.arc()[static_cast<std::size_t>(atTip)];
+    UserCut cut;
+    cut.points = {placeOf(atTip, std::clamp(past / length, 0.0, 1.0)),
+                  placeOf(hit.edge, hit.share)};
+    return cut;
+}
+
+std::optional<CutId> cutBeyondTip(const Garment& garment, int index) {
+    const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
+    for (const CutRecord& record : garment.cutRecords) {
+        const bool isHere = record.asked.size() > 1 &&
+                            std::ranges::any_of(record.asked, [&seam](const UserCut& cut) {
+                                return std::ranges::find(seam.cuts, cut.id) != seam.cuts.end();
+                            });
+        if (const auto found = isHere ? cutFromTip(record, seam.cuts) : std::nullopt) {
+            return found;
+        }
+    }
+    return std::nullopt;
+}
+
 namespace {
 
 constexpr double kOneTip = 0.01;  // mm: between the end of one side and the start of the other

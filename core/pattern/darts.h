@@ -7,8 +7,8 @@
 #include <Eigen/Core>
 
 #include "core/mesh/mesh_arrays.h"
-#include "core/pattern/grain_line.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile {
 

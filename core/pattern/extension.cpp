@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/allowance.h"
+#include "core/pattern/piece_allowance.h"
 
 namespace toile {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/pattern/capped_outline.h"
+#include "core/pattern/piece_allowance.h"
 
 namespace toile {
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/flatten/base/piece_result.h"
-#include "core/pattern/grain_line.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile {
 

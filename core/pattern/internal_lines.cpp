@@ -2,20 +2,161 @@
 #include "core/pattern/internal_lines.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "core/assemble/file_space.h"
 #include "core/cut/surface_paths.h"
-#include "core/garment/file_space.h"
+#include "core/cut/surface_point.h"
 #include "core/geometry/buckets.h"
-#include "core/pattern/face_spans.h"
+#include "core/geometry/segment.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 namespace {
+
+/// Straight lines over triangles, in the plane or in space.
+
+/// Weights closer than this are equal: some nanometres in large triangles.
+inline constexpr double kSameWeight = 1e-6;
+
+/// The part of a straight line that lies in a triangle.
+struct FaceSpan {
+    int face = -1;
+    double from = 0, to = 1;     ///< shares of the line
+    Eigen::Vector3d start, end;  ///< barycentric, of the whole line's ends
+
+    SurfacePoint at(double share) const;
+};
+
+/// A weight this little below zero is still in the triangle, and shares this near are equal.
+constexpr double kOutside = 1e-9, kSameShare = 1e-9;
+
+SurfacePoint FaceSpan::at(double share) const {
+    const Eigen::Vector3d weights = ((1 - share) * start + share * end).cwiseMax(0.0);
+    return {face, weights / weights.sum()};
+}
+
+/// @param start  @param end  barycentric weights of the line's ends in the triangle's plane
+/// @return nothing if the line passes the triangle, or only touches it
+std::optional<FaceSpan> spanIn(int face, const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
+    FaceSpan span{face, 0, 1, start, end};
+    for (int k = 0; k < 3; ++k) {
+        const double before = start[k] + kOutside, after = end[k] + kOutside;
+        if (before < 0 && after < 0) {
+            return std::nullopt;
+        }
+        if (before < 0) {
+            span.from = std::max(span.from, before / (before - after));
+        } else if (after < 0) {
+            span.to = std::min(span.to, before / (before - after));
+        }
+    }
+    // The comparison is also false for NaN.
+    return span.to - span.from > kSameShare ? std::optional(span) : std::nullopt;
+}
+
+/// The parts of a line in a flat piece.
+/// @param Q  vertices, #V x 2  Cost: linear in the faces. Pure.
+std::vector<FaceSpan> flatSpans(const Points2& Q, const Triangles& F, const Eigen::RowVector2d& a,
+                                const Eigen::RowVector2d& b) {
+    const Eigen::RowVector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
+    std::vector<FaceSpan> spans;
+    for (int f = 0; f < F.rows(); ++f) {
+        const Eigen::RowVector2d p = Q.row(F(f, 0)), q = Q.row(F(f, 1)), r = Q.row(F(f, 2));
+        if ((p.cwiseMin(q).cwiseMin(r).array() > high.array()).any() ||
+            (p.cwiseMax(q).cwiseMax(r).array() < low.array()).any()) {
+            continue;
+        }
+        const double area = geometry::cross(q - p, r - p);
+        const auto weights = [&](const Eigen::RowVector2d& x) -> Eigen::Vector3d {
+            return Eigen::Vector3d(geometry::cross(q - x, r - x), geometry::cross(r - x, p - x),
+                                   geometry::cross(p - x, q - x)) /
+                   area;
+        };
+        if (area != 0) {
+            if (const auto span = spanIn(f, weights(a), weights(b))) {
+                spans.push_back(*span);
+            }
+        }
+    }
+    return spans;
+}
+
+/// Barycentric weights of a point in space, projected to the plane of a triangle.
+/// @return nothing if it is farther from that plane than `reach`, or the triangle has no area
+std::optional<Eigen::Vector3d> weightsIn(const MeshArrays& mesh, int face,
+                                         const Eigen::Vector3d& point, double reach) {
+    const Eigen::Vector3d p = mesh.V.row(mesh.F(face, 0)), q = mesh.V.row(mesh.F(face, 1)),
+                          r = mesh.V.row(mesh.F(face, 2));
+    const Eigen::Vector3d normal = (q - p).cross(r - p);
+    const double square = normal.squaredNorm();
+    if (!(square > 0) || std::abs(normal.dot(point - p)) > reach * std::sqrt(square)) {
+        return std::nullopt;
+    }
+    const double ofQ = normal.dot((r - p).cross(p - point)) / square;
+    const double ofR = normal.dot((q - p).cross(point - p)) / square;
+    return Eigen::Vector3d(1 - ofQ - ofR, ofQ, ofR);
+}
+
+/// True if both are one point of the surface: at the same place of the same edge, or in one
+/// triangle. The two sides of a cut, which coincide in space, are two places.
+bool isOnePlace(const Triangles& F, const SurfacePoint& a, const SurfacePoint& b) {
+    if (a.face == b.face) {
+        return (a.barycentric - b.barycentric).cwiseAbs().maxCoeff() < kSameWeight;
+    }
+    double shared = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (F(a.face, i) == F(b.face, k)) {
+                if (std::abs(a.barycentric[i] - b.barycentric[k]) > kSameWeight) {
+                    return false;
+                }
+                shared += a.barycentric[i];
+            }
+        }
+    }
+    return shared > 1 - 2 * kSameWeight;
+}
+
+/// The straight path from a to b in the flat piece: points where it enters another triangle.
+/// Nothing if it leaves the cloth, or would cross a cut.
+/// Cost: linear in the faces, quadratic in those it crosses. Pure.
+std::optional<std::vector<SurfacePoint>> straightWay(const Points2& Q, const Triangles& F,
+                                                     const SurfacePoint& a, const SurfacePoint& b) {
+    const std::vector<FaceSpan> spans =
+        flatSpans(Q, F, flatPositionOf(Q, F, a), flatPositionOf(Q, F, b));
+    std::vector<SurfacePoint> way{a};
+    double at = 0;
+    while (at < 1 - kSameShare) {
+        const FaceSpan* next = nullptr;
+        for (const FaceSpan& span : spans) {
+            const bool goesOn = span.from <= at + kSameShare && span.to > at + kSameShare;
+            if (goesOn && (!next || span.to > next->to) && isOnePlace(F, way.back(), span.at(at))) {
+                next = &span;
+            }
+        }
+        if (!next) {
+            return std::nullopt;
+        }
+        at = next->to;
+        way.push_back(next->at(at));
+    }
+    if (!isOnePlace(F, way.back(), b)) {
+        return std::nullopt;
+    }
+    way.back() = b;
+    return way;
+}
 
 /// mm: between surfaces nearer to each other, the other points of the line decide.
 constexpr double kOneSurface = 1;

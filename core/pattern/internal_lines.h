@@ -5,9 +5,9 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/pattern/added_settings.h"
-#include "core/pattern/grain_line.h"
+#include "core/pattern/line_settings.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile {
 

@@ -2,16 +2,133 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
-#include "core/base/words.h"
+#include <Eigen/Core>
+
+#include "core/base/wording.h"
 #include "core/garment/seam.h"
-#include "core/pattern/added_settings.h"
 #include "core/pattern/corner_allowance.h"
-#include "core/pattern/notch_settings.h"
 
 namespace toile {
+
+/// Content of a drawing's layer; each writer defines its name and colour.
+enum class LayerKind { Cut, Sew, Notches, Internal, Marks, Grain, Text, Check };
+
+/// Every kind, in the order in which layers are written. Seam line, notches, internal lines and
+/// grain are left out if they are empty.
+inline constexpr std::array kLayerKinds{LayerKind::Cut,      LayerKind::Sew,   LayerKind::Notches,
+                                        LayerKind::Internal, LayerKind::Marks, LayerKind::Grain,
+                                        LayerKind::Text,     LayerKind::Check};
+
+/// The shape of a notch (notch_mark.h).
+enum class NotchForm { Slit, V, T, Castle };
+
+/// Their names in project files.
+inline constexpr Word<NotchForm> kNotchFormWords[] = {{NotchForm::Slit, "slit"},
+                                                      {NotchForm::V, "v"},
+                                                      {NotchForm::T, "t"},
+                                                      {NotchForm::Castle, "castle"}};
+
+/// Why a notch is where it is.
+enum class NotchReason {
+    SeamEnd,     ///< the seam ends where an outline runs on without a corner
+    SleeveHead,  ///< the same at the top of a sleeve
+    EaseStart,   ///< drawn ease starts or ends
+    Balance,     ///< divides a seam: its middle, quarters or thirds
+    ByHand,
+};
+
+inline constexpr Word<NotchReason> kNotchReasonWords[] = {{NotchReason::SeamEnd, "seam end"},
+                                                          {NotchReason::SleeveHead, "sleeve head"},
+                                                          {NotchReason::EaseStart, "ease"},
+                                                          {NotchReason::Balance, "balance"},
+                                                          {NotchReason::ByHand, "by hand"}};
+
+/// A notch that the user added or removed: a place on either line of a seam, as a share of it, so
+/// that it stays wherever the seam is cut. Dragging a notch removes and adds one.
+struct NotchSettings {
+    LineId line;
+    double at = 0;
+    bool reversed = false;       ///< on the side of the line that runs against it
+    bool isThere = true;         ///< false: the notch nearest to the place is removed
+    std::optional<int> count{};  ///< 1 or 2; empty: by convention (Notch::count)
+
+    bool operator==(const NotchSettings&) const = default;
+};
+
+/// Limits of the depth of notches, mm.
+inline constexpr double kMinNotchDepth = 1, kMaxNotchDepth = 30;
+
+/// All settings of notches.
+struct NotchRules {
+    bool automatic = true;  ///< false: only `notches`
+    NotchForm form = NotchForm::Slit;
+    double depth = 5;  ///< from the cutting line inwards, mm
+    std::vector<NotchSettings> notches{};
+
+    bool operator==(const NotchRules&) const = default;
+};
+
+/// User settings for additions to the outlines of a pattern. Like `SegmentSettings` they refer to
+/// stretches of rims and cuts, or to places on the garment, never to flat coordinates.
+
+/// The leg over which a closed dart is laid.
+enum class DartLay { First, Second };
+
+/// Their names in project files.
+inline constexpr Word<DartLay> kDartLayWords[] = {{DartLay::First, "first"},
+                                                  {DartLay::Second, "second"}};
+
+/// Settings of a dart.
+struct DartSettings {
+    SeamPlace seam;  ///< its two legs
+    /// Distance of the legs at the mouth, mm; empty: as the cloth lies flat.
+    std::optional<double> intake{};
+    std::optional<DartLay> lay{};  ///< none: by convention (`findDarts`)
+
+    bool operator==(const DartSettings&) const = default;
+
+    bool saysNothing() const { return !intake && !lay; }
+};
+
+/// Limits of an intake, mm.
+inline constexpr double kMinIntake = 0.1, kMaxIntake = 1000;
+
+/// A strip along the outline of one piece that is copied as a piece of its own: the facing of a
+/// neckline, the lining of a waistband.
+struct Facing {
+    std::string name{};                ///< empty: named after its piece
+    std::vector<LineStretch> edges{};  ///< of neighbouring segments, along the outline
+    double width = 50;                 ///< mm, from the outline inwards
+
+    bool operator==(const Facing&) const = default;
+};
+
+/// Limits of the width of facings and extensions, mm.
+inline constexpr double kMinStrip = 1, kMaxStrip = 1000;
+
+/// A line drawn within the cloth: style line, pocket place, quilting; a single point is a drill
+/// point.
+struct InternalLine {
+    std::string name{};
+    /// One or more, near the surface, in axes and unit of the garment's first file.
+    std::vector<Eigen::Vector3d> points{};
+    bool closed = false;  ///< leads back to the first of three or more points
+
+    bool operator==(const InternalLine&) const = default;
+};
+
+/// Texts on the labels of all pieces.
+struct LabelTexts {
+    std::string size{};
+    std::string date{};  ///< as it is printed
+
+    bool operator==(const LabelTexts&) const = default;
+};
 
 /// How outlines are made fair (fair_outline.h).
 struct Fairing {

@@ -8,7 +8,7 @@
 
 #include "core/geometry/line.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/pattern/notch_settings.h"
+#include "core/pattern/line_settings.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {

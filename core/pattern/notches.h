@@ -6,7 +6,7 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
-#include "core/pattern/notch_settings.h"
+#include "core/pattern/line_settings.h"
 #include "core/pattern/segments.h"
 #include "core/symmetry/symmetry.h"
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/base/unique_names.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/geometry/line.h"

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/corners.h"
 #include "core/pattern/curve_fit.h"
+#include "core/pattern/segments.h"
 
 namespace toile {
 namespace {

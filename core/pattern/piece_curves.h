@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/geometry/line.h"
-#include "core/pattern/cubic_curve.h"
+#include "core/pattern/curve_fit.h"
 #include "core/pattern/pattern.h"
 
 namespace toile {

@@ -7,12 +7,51 @@
 #include <Eigen/Dense>
 
 #include "core/base/units.h"
-#include "core/pattern/flat_reflection.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/quality/grain_cost.h"
 
 namespace toile {
+namespace {
+
+constexpr double kLongest = 300;      // mm
+constexpr double kShortestGrain = 5;  // mm: a shorter line is useless
+constexpr double kShare = 0.8;        // part of the free box that is drawn
+constexpr double kSlender = 10;       // ratio of length to width: room for the arrow head
+constexpr double kHead = 6;           // mm
+constexpr double kHeadShare = 0.15;   // of the line, at most
+constexpr double kHeadAngle = 0.35;   // radians to either side
+
+}  // namespace
+
+std::optional<Chord> grainLine(const FreeCloth& cloth, double angle) {
+    if (!std::isfinite(angle)) {
+        return std::nullopt;
+    }
+    const PoleSearch search{.tolerance = 0.02,
+                            .slack = 0.05,
+                            .enough = kLongest / kShare,
+                            .useful = kShortestGrain / kShare};
+    const auto pole = boxPole(cloth, {1, 1 / kSlender}, angle, coarserIfSmall(search, cloth));
+    const double length = pole ? std::min(kLongest, kShare * pole->room) : 0;
+    if (length < kShortestGrain) {
+        return std::nullopt;
+    }
+    const Eigen::Vector2d half = 0.5 * length * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+    return Chord{pole->place - half, pole->place + half};
+}
+
+Points2 arrowPath(const Chord& line) {
+    const Eigen::Vector2d way = line.to - line.from;
+    const double head = std::min(kHead, kHeadShare * way.norm());
+    const Eigen::Vector2d back = -head * way.normalized();
+    Points2 path(5, 2);
+    path << line.from.transpose(), line.to.transpose(),
+        (line.to + Eigen::Rotation2Dd(kHeadAngle) * back).transpose(), line.to.transpose(),
+        (line.to + Eigen::Rotation2Dd(-kHeadAngle) * back).transpose();
+    return path;
+}
+
 namespace {
 
 /// Mean slope, height per length along the cloth, below which a piece lies level.
@@ -23,7 +62,7 @@ constexpr double kCancelled = 0.35;
 /// share beyond the fabric's limits is below that part and smaller by the second.
 constexpr double kWorthTurning = 0.8, kWorthShare = 0.02;
 /// Shares that differ by less are equal.
-constexpr double kSameShare = 1e-9;
+constexpr double kEqualShares = 1e-9;
 
 /// Gradient of the height over a flat piece, mm per mm.
 struct Rise {
@@ -108,8 +147,9 @@ double leastStrained(const PieceResult& result, const Fabric& stated, double str
         const bool isWorthIt =
             share <= std::min(kWorthTurning * straightShare, straightShare - kWorthShare) ||
             (share <= straightShare && cost < kWorthTurning * straightCost);
-        const bool isBetter = share < bestShare - kSameShare ||
-                              (share <= bestShare + kSameShare && cost < kWorthTurning * bestCost);
+        const bool isBetter =
+            share < bestShare - kEqualShares ||
+            (share <= bestShare + kEqualShares && cost < kWorthTurning * bestCost);
         if (isWorthIt && isBetter) {  // of equal ones the first
             best = straight + turn;
             bestShare = share;

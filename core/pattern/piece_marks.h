@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/geometry/placement.h"
-#include "core/pattern/grain_line.h"
 #include "core/pattern/label.h"
 #include "core/pattern/pattern.h"
+#include "core/pattern/piece_grain.h"
 #include "core/pattern/seam_marks.h"
 
 namespace toile {

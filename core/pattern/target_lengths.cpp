@@ -7,7 +7,7 @@
 
 #include "core/seam/outline.h"
 #include "core/seam/seam_measure.h"
-#include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {

@@ -2,17 +2,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/assemble/cut_pieces.h"
+#include "core/assemble/file_space.h"
+#include "core/assemble/join_pieces.h"
 #include "core/diagnose/crossing_cut.h"
 #include "core/diagnose/doubt.h"
 #include "core/flatten/flatten.h"
-#include "core/garment/file_space.h"
 #include "core/garment/piece.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
-#include "core/seam/mirror_seams.h"
-#include "core/seam/seam_origin.h"
 #include "core/seam/seam_settings.h"
 #include "core/tailor/cut_advice.h"
 #include "core/tailor/file_borders.h"

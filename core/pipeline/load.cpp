@@ -7,19 +7,19 @@
 
 #include <Eigen/Geometry>
 
-#include "core/base/stopwatch.h"
+#include "core/assemble/better_division.h"
+#include "core/assemble/divide.h"
+#include "core/assemble/slits.h"
+#include "core/assemble/weld_soup.h"
+#include "core/base/progress.h"
 #include "core/base/text.h"
-#include "core/base/unique_names.h"
-#include "core/garment/divide.h"
-#include "core/garment/slits.h"
-#include "core/garment/weld_soup.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/reuse_pieces.h"
 #include "core/prepare/file_surface.h"
+#include "core/prepare/half.h"
 #include "core/prepare/orientation.h"
-#include "core/prepare/take_half.h"
 
 namespace toile {
 namespace {

@@ -16,8 +16,8 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/content_hash.h"
-#include "core/base/stopwatch.h"
+#include "core/base/id.h"
+#include "core/base/progress.h"
 #include "core/diagnose/crossing_cut.h"
 #include "core/flatten/base/outline_targets.h"
 #include "core/garment/piece.h"

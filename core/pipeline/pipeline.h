@@ -6,15 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "core/assemble/identify.h"
+#include "core/assemble/seams_file.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 #include "core/compare/comparison.h"
-#include "core/cut/seams_file.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
-#include "core/garment/identify.h"
 #include "core/layout/marker.h"
 #include "core/pattern/line_settings.h"
 #include "core/prepare/preparation.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/assemble/cut_pieces.h"
 #include "core/flatten/flatten.h"
-#include "core/garment/cut_pieces.h"
 #include "core/mesh/cotangents.h"
 #include "core/quality/piece_quality.h"
 

@@ -29,4 +29,21 @@ PolygonSoup withFaces(const PolygonSoup& soup, const std::vector<int>& faces);
 /// The soup with every face flipped: its corners in the opposite order. Cost: linear. Pure.
 PolygonSoup turnedOver(PolygonSoup soup);
 
+/// Removes faces that coincide with others, like those of double-sided meshes. Cost: n log n. Pure.
+FileSurface withoutDoubles(const FileSurface& file);
+
+/// The parts of a surface connected by vertices.
+struct SurfaceParts {
+    std::vector<int> of;         ///< per triangle, numbered by first triangle
+    std::vector<double> area{};  ///< per part, mm2
+    std::vector<char> isClosed{};
+    double total = 0;  ///< mm2
+
+    /// Share of the area in closed parts.
+    double closedShare() const;
+};
+
+/// @param mesh  mm  Cost: n log n. Pure.
+SurfaceParts partsOf(const MeshArrays& mesh);
+
 }  // namespace toile

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 
 namespace toile {
 

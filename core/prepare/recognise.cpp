@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/prepare/debris.h"
-#include "core/prepare/surface_parts.h"
+#include "core/prepare/file_surface.h"
 
 namespace toile {
 namespace {

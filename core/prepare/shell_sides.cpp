@@ -5,12 +5,246 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
 
-#include "core/prepare/shell_rims.h"
+#include "core/geometry/disjoint_sets.h"
+#include "core/mesh/edge_table.h"
 #include "core/prepare/two_sided.h"
 
 namespace toile::shell {
 namespace {
+
+/// 1 - cosine of the angle up to which two triangles are one surface, whatever is opposite: 40
+/// degrees, as a rim turns by 90.
+inline constexpr double kSmooth = 0.23;
+/// Two triangles that share an edge.
+struct Neighbours {
+    int a, b;
+    double bend;    ///< 1 - cosine of the angle between them
+    double length;  ///< of the edge, mm
+};
+
+
+/// If more than two meet, as at a seam of thick panels, none continues smoothly.
+constexpr double kManyMeet = 2;
+/// At most this many triangles at one edge are all neighbours; of more, those adjacent in the file.
+constexpr std::size_t kMaxAtEdge = 8;
+
+/// Maximum share of openings around both surfaces in the length of a shell's edges.
+constexpr double kMaxShared = 0.04;
+/// Maximum share of an island in a file's area to be taken for a mistake.
+constexpr double kIsland = 1e-3;
+/// Maximum width of a rim, in multiples of the thickness.
+constexpr double kWidestRim = 4;
+
+/// The edges at the end of one shell's surfaces, at a rim, at each other or open; lengths.
+struct Edging {
+    double all = 0;
+    double shared = 0;  ///< of openings that run along both surfaces
+
+    bool isShells() const { return shared <= kMaxShared * all; }
+};
+
+std::size_t numberOf(ShellSide side) {
+    return static_cast<std::size_t>(side);
+}
+
+/// The sides along each opening: open edges by their first vertex.
+struct Openings {
+    geometry::DisjointSets sets;
+    std::vector<std::array<bool, 4>> along;  ///< per root
+
+    bool areShared(int vertex) {
+        const auto& sides = along[sets.root(vertex)];
+        return sides[numberOf(ShellSide::Outer)] && sides[numberOf(ShellSide::Inner)];
+    }
+};
+
+Openings openingsOf(const EdgeTable& table, int vertexCount, const Sides& sides) {
+    Openings openings{geometry::DisjointSets(vertexCount), {}};
+    openings.along.resize(static_cast<std::size_t>(vertexCount));
+    const auto eachOpen = [&table](const auto& visit) {
+        for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+            if (table.isBorder(e)) {
+                visit(e);
+            }
+        }
+    };
+    eachOpen([&](auto e) { openings.sets.join(table.edges(e, 0), table.edges(e, 1)); });
+    eachOpen([&](auto e) {
+        const ShellSide side = sides.side[table.usesOf(e)[0] / 3];
+        openings.along[openings.sets.root(table.edges(e, 0))][numberOf(side)] = true;
+    });
+    return openings;
+}
+
+/// Reassigns small islands of one surface in the other, or of neither, to their surroundings.
+void takeOverIslands(const Surface& surface, const std::vector<Neighbours>& neighbours,
+                     TwoSided& sets, Sides& sides) {
+    const int count = static_cast<int>(sides.side.size());
+    geometry::DisjointSets islands(count);
+    for (const Neighbours& pair : neighbours) {
+        if (sides.side[pair.a] == sides.side[pair.b]) {
+            islands.join(pair.a, pair.b);
+        }
+    }
+    struct Island {
+        double area = 0, length = 0;
+        std::array<double, 4> beside{};  ///< lengths
+        std::array<int, 4> like{};       ///< one triangle there
+    };
+    std::vector<Island> all(static_cast<std::size_t>(count));
+    for (int t = 0; t < count; ++t) {
+        all[islands.root(t)].area += surface.area[t];
+    }
+    for (const Neighbours& pair : neighbours) {
+        for (const auto& [t, other] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
+            if (sides.side[t] != sides.side[other]) {
+                Island& island = all[islands.root(t)];
+                island.length += pair.length;
+                island.beside[numberOf(sides.side[other])] += pair.length;
+                island.like[numberOf(sides.side[other])] = other;
+            }
+        }
+    }
+    const std::vector<ShellSide> before = sides.side;
+    const double largest = kIsland * surface.area.sum();
+    for (int t = 0; t < count; ++t) {
+        const Island& island = all[islands.root(t)];
+        for (const ShellSide side : {ShellSide::Outer, ShellSide::Inner, ShellSide::Rim}) {
+            const double beside = island.beside[numberOf(side)];
+            const bool mayBe =
+                before[t] == ShellSide::Single || (isSide(before[t]) && side != ShellSide::Rim);
+            if (mayBe && island.area <= largest && beside > island.length / 2) {
+                const int like = island.like[numberOf(side)];
+                sides.side[t] = side;
+                sides.turned[t] = sides.turned[like];
+                sets.join(t, like, false);
+            }
+        }
+    }
+}
+
+
+/// All pairs that share an edge. Cost: linear.
+std::vector<Neighbours> neighboursOf(const Surface& surface, const EdgeTable& table) {
+    const MeshArrays& mesh = surface.mesh;
+    std::vector<Neighbours> all;
+    all.reserve(static_cast<std::size_t>(table.edges.rows()));
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        const auto uses = table.usesOf(e);
+        const double length =
+            (mesh.V.row(table.edges(e, 0)) - mesh.V.row(table.edges(e, 1))).norm();
+        for (std::size_t i = 0; i < uses.size(); ++i) {
+            const std::size_t last = uses.size() > kMaxAtEdge ? i + 2 : uses.size();
+            for (std::size_t j = i + 1; j < std::min(last, uses.size()); ++j) {
+                const int a = uses[i] / 3, b = uses[j] / 3;
+                const double sign = tailOf(mesh.F, uses[i]) == tailOf(mesh.F, uses[j]) ? -1 : 1;
+                const double cosine = sign * surface.normal.row(a).dot(surface.normal.row(b));
+                all.push_back({a, b, uses.size() == 2 ? 1 - cosine : kManyMeet, length});
+            }
+        }
+    }
+    return all;
+}
+
+/// Assigns each patch of single triangles to its surroundings: those it joins smoothly, or else all
+/// around; a narrow one between the two surfaces is a rim. Small islands of one surface in the
+/// other are reassigned to the other.
+/// @param thickness  of the cloth, mm   @param sets  are joined with the surroundings
+void fillIn(const Surface& surface, const Pairs& pairs, const std::vector<Neighbours>& neighbours,
+            double thickness, TwoSided& sets, Sides& sides) {
+    const int count = static_cast<int>(sides.side.size());
+    const auto isOpen = [&](int t) { return sides.side[t] == ShellSide::Single; };
+    geometry::DisjointSets patches(count);
+    for (const Neighbours& pair : neighbours) {
+        if (isOpen(pair.a) && isOpen(pair.b) && pairs.isRim[pair.a] == pairs.isRim[pair.b] &&
+            pair.bend <= kSmooth) {
+            patches.join(pair.a, pair.b);
+        }
+    }
+    struct Patch {
+        double area = 0, length = 0;
+        std::array<double, 2> smooth{}, around{};  ///< lengths along the outer and inner surface
+        std::array<int, 2> like{};                 ///< one triangle there
+    };
+    std::vector<Patch> all(static_cast<std::size_t>(count));
+    for (int t = 0; t < count; ++t) {
+        if (isOpen(t)) {
+            all[patches.root(t)].area += surface.area[t];
+        }
+    }
+    for (const Neighbours& pair : neighbours) {
+        if (isOpen(pair.a) == isOpen(pair.b)) {
+            continue;
+        }
+        const auto [open, done] =
+            isOpen(pair.a) ? std::pair(pair.a, pair.b) : std::pair(pair.b, pair.a);
+        Patch& patch = all[patches.root(open)];
+        const std::size_t side = sides.side[done] == ShellSide::Outer ? 0 : 1;
+        patch.length += pair.length;
+        patch.around[side] += pair.length;
+        patch.smooth[side] += pair.bend <= kSmooth ? pair.length : 0;
+        patch.like[side] = done;
+    }
+    for (int t = 0; t < count; ++t) {
+        if (!isOpen(t)) {
+            continue;
+        }
+        const Patch& patch = all[patches.root(t)];
+        const bool isSmooth = patch.smooth[0] + patch.smooth[1] > 0;
+        const auto& lengths = isSmooth ? patch.smooth : patch.around;
+        if (patch.length > 0 && (pairs.isRim[t] != 0 || (lengths[0] > 0 && lengths[1] > 0))) {
+            const bool isNarrow = patch.area <= kWidestRim / 2 * thickness * patch.length;
+            sides.side[t] = isNarrow ? ShellSide::Rim : ShellSide::Single;
+            if (isNarrow) {
+                sets.join(t, patch.like[patch.around[0] > 0 ? 0 : 1], false);
+            }
+        } else if (lengths[0] + lengths[1] > 0) {
+            const std::size_t side = lengths[0] > 0 ? 0 : 1;
+            sides.side[t] = side == 0 ? ShellSide::Outer : ShellSide::Inner;
+            sides.turned[t] = sides.turned[patch.like[side]];
+            sets.join(t, patch.like[side], false);
+        }
+    }
+    takeOverIslands(surface, neighbours, sets, sides);
+}
+
+/// Marks parts as single if their edges are not those of a shell: a folded sheet has openings along
+/// both of its layers.
+void dropFolded(const Surface& surface, const EdgeTable& table, TwoSided& sets, Sides& sides) {
+    const int count = static_cast<int>(sides.side.size());
+    const Points3& V = surface.mesh.V;
+    Openings openings = openingsOf(table, static_cast<int>(V.rows()), sides);
+    std::vector<Edging> edgings(static_cast<std::size_t>(count));
+    for (Eigen::Index e = 0; e < table.edges.rows(); ++e) {
+        const auto uses = table.usesOf(e);
+        const double length = (V.row(table.edges(e, 0)) - V.row(table.edges(e, 1))).norm();
+        std::array<bool, 4> has{};
+        for (const int use : uses) {
+            has[numberOf(sides.side[use / 3])] = true;
+        }
+        const bool isBetween = has[numberOf(ShellSide::Rim)] ||
+                               (has[numberOf(ShellSide::Outer)] && has[numberOf(ShellSide::Inner)]);
+        const bool isOpen = uses.size() == 1;
+        const bool isShared = isOpen && openings.areShared(table.edges(e, 0));
+        for (const int use : uses) {
+            if (isSide(sides.side[use / 3])) {
+                Edging& edging = edgings[sets.find(use / 3).root];
+                edging.all += isBetween || isOpen ? length : 0;
+                edging.shared += isShared ? length : 0;
+            }
+        }
+    }
+    for (int t = 0; t < count; ++t) {
+        if (!edgings[sets.find(t).root].isShells()) {
+            sides.side[t] = ShellSide::Single;
+            sides.turned[t] = 0;
+        }
+    }
+}
+
 
 /// Maximum share of a shell's area that is opposite itself.
 constexpr double kMaxConflicts = 0.05;

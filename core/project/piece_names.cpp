@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/characters.h"
-#include "core/base/unique_names.h"
+#include "core/base/text.h"
 
 namespace toile {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/id.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/garment.h"
 #include "core/geometry/placement.h"
 #include "core/pattern/pattern.h"
@@ -79,5 +80,45 @@ std::vector<int> coloursOf(const PieceLabels& labels, const Garment& garment);
 const std::string& nameOf(const PieceLabels& labels, const Piece& piece);
 /// The subject with the user's name if it is a piece that has one.
 Subject labelled(const PieceLabels& labels, Subject subject);
+
+/// The results with excluded pieces marked as not flat (`isLeftOut`), so that they are in no
+/// pattern, file or figure. A piece that is included again is null if it has no other result.
+/// @param results   one per piece of the garment, null if there is none
+/// @param settings  one per piece, or empty  Cost: negligible. Pure.
+PieceResults withoutLeftOut(PieceResults results, const Garment& garment,
+                            const std::vector<PieceSettings>& settings);
+
+/// The area of a piece in 3D, mm2, by which small parts such as buttons are recognised.
+double wornArea(const Piece& piece);
+
+/// What a piece takes over from the previous version of the garment.
+struct CarriedFrom {
+    int piece = -1;                 ///< index into the pieces before; -1: the piece is new
+    bool same = false;              ///< the very same piece, with the same flat coordinates
+    std::vector<Anchor> anchors{};  ///< empty if `same`
+    std::uint64_t flat = 0;         ///< flat points of the anchors, as in PieceSettings
+    PieceId partOf{};               ///< as in PieceSettings
+};
+
+/// At most so many anchors are stored for a piece that is to be flattened again.
+inline constexpr int kMaxAnchors = 128;
+
+/// The predecessor of each piece (`predecessors`); both parts of a cut piece have the whole one.
+/// @param settings, results  one per piece of `before`; results may be null or empty
+/// @return one per piece of `after`  Cost: linear in the meshes, and that of `predecessors`. Pure.
+std::vector<CarriedFrom> carriedFrom(const Garment& before,
+                                     const std::vector<PieceSettings>& settings,
+                                     const PieceResults& results, const Garment& after);
+
+/// Transfers settings to the pieces after an edit; new pieces get defaults. Placements are fitted
+/// once the pieces are flat (`anchoredSettings`).
+/// @param settings  one per piece before  Cost: negligible. Pure.
+std::vector<PieceSettings> carriedSettings(const std::vector<CarriedFrom>& from,
+                                           const std::vector<PieceSettings>& settings);
+
+/// The same for settings stored by id: a known piece keeps its settings.
+/// @param before  one per piece before
+void carrySettings(SettingsById& settings, const std::vector<PieceSettings>& before,
+                   const std::vector<CarriedFrom>& from, const Garment& after);
 
 }  // namespace toile

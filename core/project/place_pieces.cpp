@@ -13,7 +13,6 @@
 #include "core/layout/arrange.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
-#include "core/layout/sheet_overlaps.h"
 
 namespace toile {
 namespace {

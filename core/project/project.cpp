@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/garment/identify.h"
+#include "core/assemble/identify.h"
 #include "core/project/rigid_motion.h"
 
 namespace toile {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/garment/fabric.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
 #include "core/prove/proof_settings.h"

@@ -3,13 +3,11 @@
 
 #include <utility>
 
-#include "core/base/content_hash.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/project/project_fields.h"
-#include "core/project/proof_fields.h"
 
 namespace toile {
 namespace {

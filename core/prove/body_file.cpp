@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/garment/weld_soup.h"
+#include "core/assemble/weld_soup.h"
 #include "core/io/conventions.h"
 #include "core/io/soup.h"
 #include "core/io/triangulate.h"

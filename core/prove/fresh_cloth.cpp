@@ -11,9 +11,9 @@
 #include "core/geometry/polygon.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/cotangents.h"
-#include "core/prove/fault_words.h"
 #include "core/prove/fresh_mesh.h"
 #include "core/prove/pattern_faults.h"
+#include "core/prove/proof_words.h"
 #include "core/prove/stations.h"
 #include "core/quality/measures.h"
 

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <utility>
 
-#include "core/geometry/nearest_on_line.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
 #include "core/geometry/segment_pairs.h"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
-#include "core/geometry/likeness.h"
-#include "core/pattern/corners.h"
+#include "core/geometry/placement.h"
+#include "core/pattern/segments.h"
 
 namespace toile::prove {
 namespace {

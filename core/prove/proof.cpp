@@ -5,11 +5,11 @@
 #include <cmath>
 #include <thread>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/prove/design_surface.h"
-#include "core/prove/fault_words.h"
 #include "core/prove/fresh_cloth.h"
-#include "core/prove/seam_strain.h"
+#include "core/prove/pattern_faults.h"
+#include "core/prove/proof_words.h"
 #include "core/sew/contact.h"
 
 namespace toile::prove {

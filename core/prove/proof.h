@@ -10,9 +10,9 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/wording.h"
-#include "core/export/export_source.h"
+#include "core/formats/export_source.h"
+#include "core/formats/pattern_file.h"
 #include "core/prove/proof_settings.h"
-#include "core/reading/pattern_file.h"
 #include "core/sew/gap.h"
 #include "core/sew/settle.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/units.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 #include "core/prove/fabric_stiffness.h"
 
 namespace toile {

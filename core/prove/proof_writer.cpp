@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "core/base/version.h"
-#include "core/export/json.h"
+#include "core/formats/json.h"
 #include "core/prove/proof.h"
 
 namespace toile {

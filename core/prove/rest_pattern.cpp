@@ -7,15 +7,15 @@
 #include <numbers>
 #include <utility>
 
-#include "core/export/apparel_dxf.h"
+#include "core/formats/dxf/apparel_dxf.h"
+#include "core/formats/read_pattern.h"
+#include "core/formats/tables/pattern_match.h"
 #include "core/garment/piece.h"
 #include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
-#include "core/pattern/corners.h"
-#include "core/prove/fault_words.h"
+#include "core/pattern/segments.h"
+#include "core/prove/proof_words.h"
 #include "core/quality/measures.h"
-#include "core/reading/pattern_match.h"
-#include "core/reading/read_pattern.h"
 
 namespace toile::prove {
 namespace {

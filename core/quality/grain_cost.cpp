@@ -12,7 +12,7 @@
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/measures.h"
 #include "core/quality/metric_tensor.h"
-#include "core/quality/strain_bounds.h"
+#include "core/quality/piece_quality.h"
 
 namespace toile {
 namespace {

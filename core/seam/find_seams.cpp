@@ -2,11 +2,16 @@
 #include "core/seam/find_seams.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "core/base/text.h"
 #include "core/seam/contacts.h"
 #include "core/seam/matched_interval.h"
-#include "core/seam/seam_origin.h"
+#include "core/seam/seam_measure.h"
+#include "core/seam/seam_settings.h"
 
 namespace toile {
 namespace {
@@ -146,6 +151,49 @@ SeamGraph findSeams(const Pieces& pieces, const SeamOptions& options, const Prog
     indexEdges(outlines, graph);
     progress.report(1);
     return graph;
+}
+
+namespace {
+
+constexpr const char* kMirrorSeam = "mirror seam";
+/// Largest distance of its points from the plane, mm: rounding.
+constexpr double kOffPlane = 1e-3;
+
+bool liesInMirror(const SeamSide& side, const Garment& garment) {
+    const Piece& piece = *garment.pieces[side.piece];
+    const SourceFile& file = *garment.files[piece.file];
+    if (!file.reading.half || !file.reading.half->isCompleted) {
+        return false;
+    }
+    const Points3 line = spaceLine(side, piece);
+    return std::ranges::all_of(line.rowwise(), [&](const auto& point) {
+        const Eigen::Vector3d inFile = asInFile(file.up, point).transpose();
+        return std::abs(file.reading.half->plane.signedDistance(inFile)) < kOffPlane;
+    });
+}
+
+}  // namespace
+
+void nameMirrorSeams(SeamGraph& seams, const Garment& garment) {
+    std::set<std::string> taken;
+    std::vector<Seam*> mirrored;
+    for (Seam& seam : seams.seams) {
+        const bool isMirrored = seam.kind == SeamKind::Seam && seam.cuts.empty() &&
+                                liesInMirror(seam.left, garment) &&
+                                liesInMirror(seam.right, garment);
+        if (isMirrored) {
+            mirrored.push_back(&seam);
+        } else {
+            taken.insert(seam.name);
+        }
+    }
+    int number = mirrored.size() > 1 ? 1 : 0;
+    for (Seam* seam : mirrored) {
+        do {
+            seam->name = kMirrorSeam + (number > 0 ? " " + std::to_string(number) : "");
+            ++number;
+        } while (!taken.insert(seam->name).second);
+    }
 }
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/garment/garment.h"
 #include "core/garment/piece.h"
 #include "core/garment/seam.h"
 
@@ -44,5 +45,11 @@ struct SeamOptions {
 /// @param progress  reported; after a cancel the result is invalid
 SeamGraph findSeams(const Pieces& pieces, const SeamOptions& options = {},
                     const Progress& progress = Progress());
+
+/// Names the seams along which a completed half meets its mirror image: "mirror seam", or "mirror
+/// seam 1", "mirror seam 2" in the order of the graph. Seams made by a cut keep their name. Names
+/// stay unique.
+/// @param seams  of the garment's pieces  Cost: the vertices of the seams. Pure.
+void nameMirrorSeams(SeamGraph& seams, const Garment& garment);
 
 }  // namespace toile

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/words.h"
+#include "core/base/wording.h"
 #include "core/geometry/line.h"
 #include "core/quality/measures.h"
 

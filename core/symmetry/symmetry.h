@@ -6,10 +6,9 @@
 
 #include "core/base/progress.h"
 #include "core/garment/garment.h"
-#include "core/symmetry/common_lengths.h"
-#include "core/symmetry/mirror_pieces.h"
 #include "core/symmetry/mirror_plane.h"
 #include "core/symmetry/mirror_segments.h"
+#include "core/symmetry/mirrored_pair.h"
 
 namespace toile {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/geometry/shortest_paths.h"
 #include "core/tailor/garment_body.h"
 

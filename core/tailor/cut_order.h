@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/base/progress.h"
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/cut/surface_point.h"
 #include "core/geometry/shortest_paths.h"
 #include "core/tailor/cut_advice.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tailor/file_borders.h"
 
-#include "core/garment/corner_uv.h"
+#include "core/assemble/corner_uv.h"
 
 namespace toile {
 namespace {

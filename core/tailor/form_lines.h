@@ -5,8 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/symmetry/mirror_plane.h"
+#include "core/tailor/seam_pull.h"
 
 namespace toile {
 
@@ -27,3 +28,16 @@ std::vector<FormLine> sectionsOf(const SurfaceLinks& links, const MirrorPlane& p
 double lengthOf(const std::vector<Eigen::Vector3d>& points, bool isRound);
 
 }  // namespace toile
+
+namespace toile::tailor {
+
+/// Lines of the mesh that look like seams and are not found yet, like princess lines, yokes, bands
+/// of necks and collars: long, likely, symmetric in the mirror plane, and extended to other lines
+/// or rims.
+/// @param known  ways of vertices
+/// Cost: a search for each end of each. Deterministic.
+std::vector<std::vector<int>> styleLines(const BodyWays& ways, const MeshLines& lines,
+                                         const SeamPull& pull,
+                                         const std::vector<std::vector<int>>& known);
+
+}  // namespace toile::tailor

@@ -13,12 +13,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/base/unique_names.h"
+#include "core/base/text.h"
 #include "core/cut/straighten.h"
 #include "core/cut/surface_paths.h"
 #include "core/geometry/segment.h"
 #include "core/tailor/body_ways.h"
-#include "core/tailor/marked_mesh.h"
 #include "core/tailor/mesh_lines.h"
 
 namespace toile::tailor {

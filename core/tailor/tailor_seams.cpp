@@ -13,8 +13,8 @@
 
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/segment.h"
+#include "core/tailor/form_lines.h"
 #include "core/tailor/seam_pull.h"
-#include "core/tailor/style_lines.h"
 #include "core/tailor/top_seams.h"
 
 namespace toile::tailor {

@@ -16,7 +16,7 @@
 #include "app/document/project_state.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
-#include "core/layout/sheet_overlaps.h"
+#include "core/layout/free_place.h"
 #include "core/project/project_file.h"
 #include "core/symmetry/symmetry.h"
 #include "tests/app/support/garments.h"

@@ -6,7 +6,7 @@
 #include "app/document/names.h"
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
-#include "core/export/drawing.h"
+#include "core/formats/drawing/drawing.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"

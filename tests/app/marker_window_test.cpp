@@ -18,7 +18,7 @@
 #include "app/marker/cloth_view.h"
 #include "app/settings/language.h"
 #include "app/widgets/number_edits.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"

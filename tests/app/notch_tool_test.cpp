@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "app/document/layout.h"
-#include "core/pattern/seam_places.h"
+#include "core/pattern/walk.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/tool_bench.h"
 

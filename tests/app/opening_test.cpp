@@ -20,7 +20,7 @@
 #include "app/widgets/number_edits.h"
 #include "app/window/window_busy.h"
 #include "app/window/window_centre.h"
-#include "core/project/left_out.h"
+#include "core/project/piece_settings.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"

@@ -15,8 +15,8 @@
 #include <cmath>
 
 #include "app/export/paint_drawing.h"
-#include "core/export/pdf_writer.h"
-#include "core/export/sheets.h"
+#include "core/formats/pdf/pdf_writer.h"
+#include "core/formats/pdf/sheets.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/app/support/run_test.h"
 

@@ -13,7 +13,7 @@
 #include "app/render/scene.h"
 #include "app/render/scene_builder.h"
 #include "app/widgets/banner.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"

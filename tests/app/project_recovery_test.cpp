@@ -14,7 +14,7 @@
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/base/json_fields.h"
-#include "core/marker/marker_plan.h"
+#include "core/marker/marker_settings.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/project_bench.h"

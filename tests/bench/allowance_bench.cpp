@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string>
 
-#include "core/base/stopwatch.h"
-#include "core/export/drawing.h"
-#include "core/pattern/allowance.h"
+#include "core/base/progress.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/pattern/piece_allowance.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"

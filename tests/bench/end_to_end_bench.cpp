@@ -5,7 +5,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "core/export/export_file.h"
+#include "core/formats/export_file.h"
 #include "core/linalg/sparse_cholesky.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/piece_quality.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"

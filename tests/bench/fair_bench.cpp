@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/geometry/segment.h"
-#include "core/pattern/fair_line.h"
+#include "core/pattern/fair_outline.h"
 #include "tests/bench/benchmarks.h"
 
 namespace toile::bench {

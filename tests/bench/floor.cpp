@@ -9,7 +9,7 @@
 #include <cholmod.h>
 #include <omp.h>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 
 #ifdef __ELF__
 // Present where OpenBLAS stands in for the BLAS; declared weak because it need not.

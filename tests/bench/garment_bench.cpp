@@ -2,7 +2,7 @@
 // A garment's pieces side by side: the same bytes on one thread and on two, in less time.
 #include <string>
 
-#include "core/export/writers.h"
+#include "core/formats/writers.h"
 #include "core/pipeline/garment_flattener.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/bench_pieces.h"

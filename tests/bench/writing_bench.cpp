@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/export/export_file.h"
+#include "core/formats/export_file.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"

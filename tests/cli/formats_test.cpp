@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/base/content_hash.h"
 #include "core/base/file.h"
+#include "core/base/id.h"
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/io/zip_archive.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/reading/read_pattern.h"
+#include "core/formats/read_pattern.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/shared_data.h"
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "core/assemble/cut_pieces.h"
 #include "core/base/file.h"
 #include "tests/cli/run_program.h"
 #include "tests/cli/serve_support.h"

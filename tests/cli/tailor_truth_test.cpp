@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/assemble/cut_pieces.h"
 #include "core/base/text.h"
 #include "core/geometry/segment.h"
 #include "core/pipeline/pipeline.h"

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "core/garment/divide.h"
+#include "core/assemble/divide.h"
 #include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 #include "tests/fuzz/check_garment.h"

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "core/export/drawing.h"
-#include "core/export/formats.h"
-#include "core/export/writers.h"
-#include "core/garment/divide.h"
+#include "core/assemble/cut_pieces.h"
+#include "core/assemble/divide.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/formats.h"
+#include "core/formats/writers.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/base/text.h"
+#include "core/formats/read_pattern.h"
+#include "core/formats/tables/pattern_match.h"
 #include "core/geometry/polygon.h"
-#include "core/reading/pattern_match.h"
-#include "core/reading/read_pattern.h"
 #include "tests/core/readers/mesh_file.h"
 #include "tests/core/readers/pdf_reader.h"
 #include "tests/core/readers/plt_reader.h"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/garment/divide.h"
-#include "core/garment/slits.h"
+#include "core/assemble/divide.h"
+#include "core/assemble/slits.h"
 #include "core/io/triangulate.h"
 #include "tests/core/io/soup_promises.h"
 

@@ -14,7 +14,7 @@
 #include "app/document/mirrored_edits.h"
 #include "app/render/render_style.h"
 #include "app/views/tools/tool_paint.h"
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/pattern.h"
 

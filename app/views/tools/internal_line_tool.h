@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/views/tools/path_tool.h"
-#include "core/pattern/added_settings.h"
+#include "core/pattern/line_settings.h"
 
 namespace toile {
 struct PieceInternal;

@@ -20,7 +20,7 @@
 #include "core/pattern/notch_mark.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/piece_allowance.h"
-#include "core/pattern/seam_places.h"
+#include "core/pattern/walk.h"
 
 namespace toile::app {
 

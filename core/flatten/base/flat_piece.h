@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/words.h"
+#include "core/base/wording.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/quality/outline_crossings.h"
 

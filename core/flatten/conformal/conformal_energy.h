@@ -8,7 +8,6 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
-#include "core/base/stopwatch.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/garment/piece.h"
 #include "core/linalg/sparse_cholesky.h"

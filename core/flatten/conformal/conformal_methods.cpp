@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/boundary/boundary_problem.h"
 #include "core/flatten/conformal/conformal_energy.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/interior.h"

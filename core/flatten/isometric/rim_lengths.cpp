@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric.h"

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/stopwatch.h"
+#include "core/base/progress.h"
 #include "core/flatten/boundary/boundary_problem.h"
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/directed_interior.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "core/seam/find_seams.h"
 
 namespace toile::test {

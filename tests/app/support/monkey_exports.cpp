@@ -2,7 +2,7 @@
 #include "app/base/text.h"
 #include "app/text/error_text.h"
 #include "app/window/main_window.h"
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 #include "tests/app/support/monkey.h"
 
 namespace toile::test {

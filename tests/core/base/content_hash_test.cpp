@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/content_hash.h"
-
 #include <set>
 
 #include <gtest/gtest.h>
+
+#include "core/base/id.h"
 
 namespace toile {
 namespace {

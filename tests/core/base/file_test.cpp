@@ -21,7 +21,7 @@
 #include <unistd.h>
 #endif
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {

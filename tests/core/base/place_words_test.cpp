@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/place_words.h"
-
 #include <limits>
 
 #include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/base/wording.h"
 
 namespace toile {
 namespace {

@@ -11,7 +11,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 #include "core/mesh/disk_check.h"
 
 namespace toile::test {

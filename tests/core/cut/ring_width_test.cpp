@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/ring_width.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "core/cut/fill_holes.h"
+#include "core/cut/loop_around.h"
 #include "tests/core/cut/auto_cut_checks.h"
 #include "tests/core/cut/cut_shapes.h"
 #include "tests/core/support/generator.h"

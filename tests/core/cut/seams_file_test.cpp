@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cut/seams_file.h"
+#include "core/assemble/seams_file.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/surface_links.h"
+#include "core/cut/surface_paths.h"
 
 namespace toile::test {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "core/io/gltf_buffers.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/io/soup_checks.h"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A mesh in memory gives the soup that a reader makes of the file with it.
-#include "core/io/soup_of_arrays.h"
-
 #include <limits>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "core/io/soup_builder.h"
 #include "tests/core/io/soup_checks.h"
 
 namespace toile::test {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "tests/core/io/soup_checks.h"
 #include "tests/core/io/zip_archive.h"
 #include "tests/core/support/temporary_folder.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layout/cloth_need.h"
-
 #include <optional>
 
 #include <gtest/gtest.h>
+
+#include "core/layout/arrange.h"
 
 namespace toile {
 namespace {

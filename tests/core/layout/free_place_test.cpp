@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/layout/sheet_overlaps.h"
-
 namespace toile {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
-#include "core/nest/nest_writer.h"
 #include "tests/core/nest/nest_shapes.h"
 #include "tests/core/support/shared_data.h"
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nest/simplify.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
 #include "core/geometry/segment.h"
+#include "core/nest/item_rings.h"
 #include "tests/core/nest/nest_shapes.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/pattern/allowance.h"
+#include "core/pattern/piece_allowance.h"
 
 namespace toile::test {
 

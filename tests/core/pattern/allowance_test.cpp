@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/allowance.h"
-
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
+#include "core/pattern/piece_allowance.h"
 #include "tests/core/pattern/allowance_shapes.h"
 
 namespace toile {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/cyclic_kkt.h"
-
 #include <cmath>
 #include <numbers>
 
@@ -8,6 +6,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "core/pattern/fair_solver.h"
 #include "tests/core/support/generator.h"
 
 namespace toile::fairing {

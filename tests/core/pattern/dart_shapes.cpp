@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/geometry/line.h"
-#include "core/pattern/corners.h"
+#include "core/pattern/segments.h"
 
 namespace toile::test {
 namespace {

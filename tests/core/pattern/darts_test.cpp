@@ -11,12 +11,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/seams_file.h"
+#include "core/assemble/seams_file.h"
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
-#include "core/pattern/allowance.h"
-#include "core/pattern/capped_outline.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/piece_allowance.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/outline_crossings.h"
 #include "tests/core/pattern/allowance_shapes.h"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/fair_line.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/fair_outline.h"
 #include "tests/core/pattern/fair_shapes.h"
 
 namespace toile {

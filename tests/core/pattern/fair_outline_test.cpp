@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pattern/corners.h"
+#include "core/pattern/segments.h"
 #include "core/quality/outline_crossings.h"
 
 namespace toile {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/pattern/fair_line.h"
+#include "core/pattern/fair_outline.h"
 
 namespace toile::test {
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/grain_line.h"
-
 #include <limits>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "core/export/writers.h"
-#include "tests/core/export/dxf_reader.h"
-#include "tests/core/export/export_fixtures.h"
+#include "core/formats/writers.h"
+#include "core/pattern/piece_grain.h"
+#include "tests/core/formats/dxf_reader.h"
+#include "tests/core/formats/export_fixtures.h"
 
 namespace toile {
 namespace {

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
-#include "core/export/writers.h"
+#include "core/formats/writers.h"
 #include "core/pattern/curve_fit.h"
 #include "core/pattern/piece_curves.h"
 #include "core/pipeline/pipeline.h"
-#include "tests/core/export/dxf_reader.h"
+#include "tests/core/formats/dxf_reader.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 

@@ -12,10 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/cut/surface_links.h"
+#include "core/assemble/file_space.h"
 #include "core/cut/surface_paths.h"
-#include "core/export/drawing.h"
-#include "core/garment/file_space.h"
+#include "core/formats/drawing/drawing.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shapes.h"

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/drawing.h"
-#include "tests/core/export/export_fixtures.h"
+#include "core/formats/drawing/drawing.h"
+#include "tests/core/formats/export_fixtures.h"
 
 namespace toile {
 namespace {

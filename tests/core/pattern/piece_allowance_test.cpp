@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/drawing.h"
+#include "core/formats/drawing/drawing.h"
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"

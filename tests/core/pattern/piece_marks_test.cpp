@@ -8,7 +8,7 @@
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"
-#include "tests/core/export/export_fixtures.h"
+#include "tests/core/formats/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
 
 namespace toile {

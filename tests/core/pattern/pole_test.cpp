@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
-#include "tests/core/export/export_fixtures.h"
+#include "tests/core/formats/export_fixtures.h"
 #include "tests/core/pattern/allowance_shapes.h"
 #include "tests/core/support/growth.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pattern/roll.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "core/pattern/walk.h"
 #include "tests/core/pattern/notched_garments.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shapes.h"

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/drawing.h"
-#include "core/export/writers.h"
-#include "tests/core/export/export_fixtures.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/writers.h"
+#include "tests/core/formats/export_fixtures.h"
 
 namespace toile {
 namespace {

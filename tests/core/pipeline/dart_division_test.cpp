@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Darts that go on as seams, through the whole pipeline.
-#include "core/pattern/dart_division.h"
-
 #include <gtest/gtest.h>
 
-#include "core/cut/seams_file.h"
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
+#include "core/assemble/seams_file.h"
 #include "core/pattern/dart_places.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/export_file.h"
+#include "core/formats/export_file.h"
 #include "core/pattern/pattern.h"
 #include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
-#include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 #include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"

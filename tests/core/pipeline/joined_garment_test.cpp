@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
 #include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
-#include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 #include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

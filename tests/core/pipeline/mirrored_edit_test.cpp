@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
 #include "core/pattern/fair_outline.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/pipeline/mirror_images.h"

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/export/writers.h"
 #include "core/flatten/base/outline_targets.h"
+#include "core/formats/writers.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/target_lengths.h"
 #include "core/pipeline/garment_flattener.h"

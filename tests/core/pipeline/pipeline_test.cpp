@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/export_file.h"
-#include "core/export/formats.h"
-#include "core/garment/slits.h"
+#include "core/assemble/slits.h"
+#include "core/formats/export_file.h"
+#include "core/formats/formats.h"
 #include "core/project/place_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/export/writers.h"
-#include "core/garment/identify.h"
+#include "core/assemble/identify.h"
+#include "core/formats/writers.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"

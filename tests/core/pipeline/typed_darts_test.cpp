@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/cut/seams_file.h"
-#include "core/export/writers.h"
+#include "core/assemble/seams_file.h"
+#include "core/formats/writers.h"
 #include "core/pattern/dart_places.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"

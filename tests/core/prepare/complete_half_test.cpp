@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/prepare/complete_half.h"
-
 #include <gtest/gtest.h>
 
 #include "core/prepare/file_surface.h"
+#include "core/prepare/half.h"
 #include "tests/core/prepare/scan_shapes.h"
 
 namespace toile {

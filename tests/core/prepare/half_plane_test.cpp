@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/prepare/half_plane.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "core/base/progress.h"
+#include "core/prepare/half.h"
 #include "tests/core/prepare/scan_shapes.h"
 #include "tests/core/support/half_shapes.h"
 #include "tests/core/support/shapes.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/prepare/hole_patches.h"
-
 #include <gtest/gtest.h>
 
+#include "core/prepare/holes.h"
 #include "tests/core/prepare/scan_shapes.h"
 
 namespace toile {

@@ -12,7 +12,7 @@
 
 #include "core/geometry/segment.h"
 #include "core/pipeline/pipeline.h"
-#include "core/project/carry_settings.h"
+#include "core/project/piece_settings.h"
 #include "core/project/project_file.h"
 #include "core/seam/seam_measure.h"
 #include "core/seam/seam_settings.h"

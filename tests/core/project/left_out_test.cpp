@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/left_out.h"
-
 #include <gtest/gtest.h>
 
 #include "core/pattern/pattern.h"
 #include "core/pipeline/garment_flattener.h"
+#include "core/project/piece_settings.h"
 #include "core/project/project_file.h"
 #include "tests/core/support/project_pieces.h"
 #include "tests/core/support/shapes.h"

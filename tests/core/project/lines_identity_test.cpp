@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/facings.h"
 #include "core/pattern/notches.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/seam_places.h"
 #include "core/pattern/segments.h"
+#include "core/pattern/walk.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/project_file.h"
 #include "core/seam/outline.h"

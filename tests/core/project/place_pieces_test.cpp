@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/layout/sheet_overlaps.h"
+#include "core/layout/free_place.h"
 #include "core/pipeline/pipeline.h"
-#include "core/project/carry_settings.h"
+#include "core/project/piece_settings.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

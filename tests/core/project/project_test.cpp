@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "core/io/soup.h"
 #include "tests/core/support/project_pieces.h"
 #include "tests/core/support/shapes.h"

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/prove/pattern_faults.h"
 #include "core/prove/proof.h"
-#include "core/prove/seam_strain.h"
 
 namespace toile {
 namespace {

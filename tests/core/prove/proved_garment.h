@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "core/export/apparel_dxf.h"
+#include "core/formats/dxf/apparel_dxf.h"
+#include "core/formats/read_pattern.h"
 #include "core/pipeline/pipeline.h"
 #include "core/prove/fresh_cloth.h"
-#include "core/reading/read_pattern.h"
 #include "core/sew/cloth.h"
 
 namespace toile::test {

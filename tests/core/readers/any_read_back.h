@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/formats.h"
+#include "core/formats/formats.h"
 
 namespace toile::test {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/reading/dxf_curve.h"
+#include "core/formats/dxf/dxf_curve.h"
 
 namespace toile {
 namespace {

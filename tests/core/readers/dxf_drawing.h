@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/formats/dxf/dxf_document.h"
 #include "core/mesh/mesh_arrays.h"
-#include "core/reading/dxf_document.h"
 
 namespace toile {
 

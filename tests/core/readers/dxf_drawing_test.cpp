@@ -7,7 +7,7 @@
 
 #include "core/base/file.h"
 #include "core/base/units.h"
-#include "core/reading/dxf_unit.h"
+#include "core/formats/dxf/dxf_document.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/formats.h"
-#include "core/export/obj_read_back.h"
+#include "core/formats/formats.h"
+#include "core/formats/mesh/obj_read_back.h"
 #include "tests/core/readers/mesh_file.h"
 
 namespace toile {

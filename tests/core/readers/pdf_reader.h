@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/result.h"
-#include "core/reading/read_drawing.h"
+#include "core/formats/read_back.h"
 
 namespace toile {
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/export/pdf_writer.h"
-#include "tests/core/export/export_fixtures.h"
+#include "core/formats/pdf/pdf_writer.h"
+#include "tests/core/formats/export_fixtures.h"
 #include "tests/core/readers/pdf_lexer.h"
 #include "tests/core/readers/pdf_shown.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/export/plotter_line.h"
+#include "core/formats/plot/plt_writer.h"
 
 namespace toile {
 namespace {

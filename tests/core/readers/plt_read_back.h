@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/export/drawing.h"
-#include "core/export/export_options.h"
-#include "core/export/read_back.h"
+#include "core/formats/drawing/drawing.h"
+#include "core/formats/export_options.h"
+#include "core/formats/read_back.h"
 #include "tests/core/readers/plt_reader.h"
 
 namespace toile {

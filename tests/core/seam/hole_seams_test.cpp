@@ -6,7 +6,7 @@
 
 #include "core/seam/find_seams.h"
 #include "core/seam/seam_measure.h"
-#include "core/seam/seam_origin.h"
+#include "core/seam/seam_settings.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shapes.h"
 

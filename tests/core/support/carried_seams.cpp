@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/cut/surface_links.h"
-#include "core/garment/file_space.h"
+#include "core/assemble/file_space.h"
+#include "core/cut/surface_paths.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::test {

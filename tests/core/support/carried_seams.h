@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "core/cut/seams_file.h"
+#include "core/assemble/seams_file.h"
 #include "core/garment/garment.h"
 
 namespace toile::test {

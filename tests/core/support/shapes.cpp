@@ -12,7 +12,7 @@
 
 #include <Eigen/SVD>
 
-#include "core/base/content_hash.h"
+#include "core/base/id.h"
 #include "core/geometry/disjoint_sets.h"
 
 namespace toile::test {

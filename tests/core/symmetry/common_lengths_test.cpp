@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/symmetry/common_lengths.h"
-
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "core/symmetry/mirror_pieces.h"
+#include "core/symmetry/mirror_segments.h"
+#include "core/symmetry/mirrored_pair.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/symmetry/mirror_pieces.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "core/symmetry/mirrored_pair.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/quality/measures.h"
-#include "core/symmetry/mirror_pieces.h"
+#include "core/symmetry/mirrored_pair.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/garment/cut_pieces.h"
+#include "core/assemble/cut_pieces.h"
 #include "core/geometry/segment.h"
 #include "core/tailor/tailor_cuts.h"
 #include "tests/core/tailor/worn_shapes.h"

@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/assemble/cut_pieces.h"
 #include "core/cut/surface_paths.h"
-#include "core/garment/cut_pieces.h"
 #include "core/geometry/segment.h"
 #include "core/pipeline/pipeline.h"
 #include "core/tailor/tailor_cuts.h"

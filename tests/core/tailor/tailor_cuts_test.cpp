@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/garment/cut_pieces.h"
+#include "core/assemble/cut_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/tailor/worn_shapes.h"
 
