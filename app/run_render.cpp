@@ -21,7 +21,7 @@
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"
 #include "core/base/file.h"
-#include "core/pipeline/garment_flattener.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 

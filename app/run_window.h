@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

@@ -9,8 +9,8 @@
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/assemble/opening_cuts.h"
-#include "core/pipeline/solve_advice.h"
 #include "core/project/piece_settings.h"
+#include "core/toile/solve_advice.h"
 
 namespace toile::app {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

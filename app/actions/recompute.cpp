@@ -6,7 +6,7 @@
 #include "app/document/disposal.h"
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
-#include "core/pipeline/garment_flattener.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 namespace {

@@ -12,9 +12,9 @@
 #include "core/base/units.h"
 #include "core/formats/export_options.h"
 #include "core/garment/fabric.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/project.h"
 #include "core/prove/proof_settings.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

@@ -126,9 +126,8 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
     }
     const Garment& garment = *read;
     const PieceResults results = flattened(arguments, garment, progress);
-    const LaidOutPattern laid = laidOut(arguments, garment, results);
-    const Fabric fabric = arguments.fabric.value_or(fabricPresets().front());
-    OrderedJson figures = figuresOf(garment, results, fabricsOf(laid.pattern, fabric));
+    const FinishedPattern made = finished(arguments, garment, results);
+    OrderedJson figures = figuresOf(garment, results, fabricsOf(made.laid.pattern, made.fabric));
     printProblems(garment, said);
     printFailures(results, said);
     addNotes(figures, said.str());
@@ -137,8 +136,7 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
     if (!isFlat) {  // no pattern; the report says why
         figures["status"] = kBatchFailed;
     }
-    const ExportSource source(garment, results, laid, arguments.exporting, {}, arguments.lines,
-                              fabric);
+    const ExportSource source = made.source(arguments.exporting);
     for (const std::string& format : formats) {
         if (!isFlat && format != "json") {
             continue;

@@ -36,7 +36,7 @@ void takeNote(int signal) {
     if (signal != SIGCHLD) {
         receivedSignal = signal;
     }
-    [[maybe_unused]] const auto written = write(signalPipe[1], "", 1);
+    [[maybe_unused]] const auto written = ::write(signalPipe[1], "", 1);
     errno = before;
 }
 
@@ -104,7 +104,7 @@ void BatchSignals::wait(double seconds) {
          milliseconds < 0 || milliseconds > kLongestPoll ? kLongestPoll
                                                          : static_cast<int>(milliseconds));
     char taken[64];
-    while (read(signalPipe[0], taken, sizeof taken) > 0) {
+    while (::read(signalPipe[0], taken, sizeof taken) > 0) {
     }
 }
 
@@ -155,12 +155,12 @@ ProcessEnd textOfOwnProcess(const std::function<std::string()>& work, const Proc
     const ProcessEnd end = inOwnProcess(
         [&] {
             const std::string found = work();
-            return write(ends[1], found.data(), found.size()) < 0 ? 1 : 0;
+            return ::write(ends[1], found.data(), found.size()) < 0 ? 1 : 0;
         },
         limits);
     close(ends[1]);
     char block[256];
-    for (ssize_t taken = 0; (taken = read(ends[0], block, sizeof block)) > 0;) {
+    for (ssize_t taken = 0; (taken = ::read(ends[0], block, sizeof block)) > 0;) {
         text.append(block, static_cast<std::size_t>(taken));
     }
     close(ends[0]);

@@ -11,38 +11,14 @@
 #include "core/base/characters.h"
 #include "core/check/finding.h"
 #include "core/check/ready_to_cut.h"
+#include "core/project/place_pieces.h"
 #include "core/project/project.h"
 #include "core/project/rigid_motion.h"
 #include "core/prove/proof.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {
-
-/// What is said of the pieces, for the flat coordinates they have now.
-std::vector<PieceSettings> settingsNow(const Arguments& arguments, const Garment& garment,
-                                       const PieceResults& results) {
-    std::vector<PieceSettings> settings = settingsOf(arguments, garment);
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        if (results[i]->flat) {
-            settings[i] = anchoredSettings(std::move(settings[i]), results[i]->flat->Q);
-        }
-    }
-    return settings;
-}
-
-/// The grain that was stated is set: where the project says none of a piece, by the rule.
-void setGrains(const Arguments& arguments, CutPlan& plan) {
-    std::vector<Fabric> fabrics;
-    for (const PieceSettings& said : plan.settings) {
-        fabrics.push_back(fabricOf(said.material, plan.materials, plan.fabric));
-    }
-    const auto grains =
-        grainsByRule(arguments, *plan.garment, plan.results, fabrics, plan.pattern->symmetry.get());
-    for (std::size_t p = 0; p < grains.size(); ++p) {
-        std::optional<double>& grain = plan.settings[p].grain;
-        grain = grain ? grain : grains[p];
-    }
-}
 
 /// A line for each finding; those that say the same of several pieces or seams share one.
 void printFindings(const Readiness& readiness, std::ostream& out) {
@@ -70,10 +46,9 @@ std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& p
         refuse(*refusal, err);
         return nullptr;
     }
-    const LaidOutPattern laid = laidOut(arguments, *plan.garment, plan.results);
-    const ExportSource source(*plan.garment, plan.results, laid, arguments.exporting, {},
-                              arguments.lines, plan.fabric);
-    const auto proof = proofOf(source, std::get<ProofOrder>(ordered), progress);
+    const FinishedPattern made = finished(arguments, *plan.garment, plan.results);
+    const auto proof =
+        proofOf(made.source(arguments.exporting), std::get<ProofOrder>(ordered), progress);
     if (!proof) {
         refuse(refusalOfProof(proof.error(), plan.results), err);
         return nullptr;
@@ -96,10 +71,20 @@ int runCheck(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     plan.results = flattened(arguments, *plan.garment, progress);
     plan.pattern = std::make_shared<const Pattern>(makePattern(
         *plan.garment, plan.results, plan.lines, symmetryOf(*plan.garment, plan.lines)));
-    plan.fabric = arguments.fabric.value_or(plan.fabric);
-    plan.settings = settingsNow(arguments, *plan.garment, plan.results);
-    plan.materials = materialsOf(arguments, plan.settings);
-    setGrains(arguments, plan);
+    const PatternOrder order = orderOf(arguments, *plan.garment);
+    plan.fabric = order.fabric;
+    plan.settings = settingsOf(order, *plan.garment);
+    for (std::size_t i = 0; i < plan.settings.size(); ++i) {
+        if (plan.results[i]->flat) {
+            plan.settings[i] =
+                anchoredSettings(std::move(plan.settings[i]), plan.results[i]->flat->Q);
+        }
+    }
+    plan.materials = materialsOf(order, plan.settings);
+    if (order.lines.grain) {
+        setGrains(plan.settings, *plan.garment, plan.results, plan.pattern->symmetry.get(),
+                  *order.lines.grain, plan.materials, plan.fabric);
+    }
     if (arguments.project) {
         plan.rules = clothRules(arguments.project->markers);
     }

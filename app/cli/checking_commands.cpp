@@ -11,7 +11,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/reading_options.h"
 #include "core/garment/fabric.h"
-#include "core/pipeline/improve.h"
+#include "core/toile/improve.h"
 
 namespace toile::app {
 namespace {

@@ -10,11 +10,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/proof_order.h"
 #include "app/cli/serve_command.h"
-#include "core/layout/marker.h"
 #include "core/linalg/blas_call.h"
-#include "core/pattern/piece_grain.h"
-#include "core/project/layer_materials.h"
-#include "core/project/place_pieces.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -180,74 +176,22 @@ std::optional<Error> refusalOfFiles(const Arguments& arguments) {
     return std::nullopt;
 }
 
-std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment) {
-    return arguments.project ? settingsFor(*arguments.project, garment) : usualSettings(garment);
-}
-
-MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSettings>& settings) {
+PatternOrder orderOf(const Arguments& arguments, const Garment& garment) {
+    PatternOrder order{.flattening = arguments.options,
+                       .lines = arguments.lines,
+                       .fabric = arguments.fabric.value_or(fabricPresets().front()),
+                       .byHalf = arguments.stated.byHalf,
+                       .threads = arguments.threads};
     if (arguments.project) {
-        return arguments.project->materials;
+        order.materials = arguments.project->materials;
+        order.pieces = settingsFor(*arguments.project, garment);
     }
-    std::vector<std::string> used;
-    used.reserve(settings.size());
-    for (const PieceSettings& piece : settings) {
-        used.push_back(piece.material);
-    }
-    return materialsInUse({}, used, arguments.fabric.value_or(fabricPresets().front()));
+    return order;
 }
 
-std::vector<std::optional<double>> grainsByRule(const Arguments& arguments, const Garment& garment,
-                                                const PieceResults& results,
-                                                const std::vector<Fabric>& fabrics,
-                                                const Symmetry* symmetry) {
-    return arguments.lines.grain
-               ? findGrains(garment, results, symmetry, *arguments.lines.grain, fabrics)
-               : std::vector<std::optional<double>>();
-}
-
-namespace {
-
-LaidOutPattern laidOutAsStated(const Arguments& arguments, const Garment& garment,
-                               const PieceResults& results) {
-    std::vector<PieceSettings> settings = settingsOf(arguments, garment);
-    Pattern pattern =
-        makePattern(garment, results, arguments.lines, symmetryOf(garment, arguments.lines));
-    pattern.materials = materialsOf(arguments, settings);
-    const Fabric own = arguments.fabric.value_or(fabricPresets().front());
-    if (arguments.project) {
-        settings = placedSettings(std::move(settings), results,
-                                  std::vector<std::optional<FlatMotion>>(results.size()), &pattern,
-                                  pattern.materials, own);
-    }
-    std::vector<std::optional<Placement>> placements;
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        settings[i].byHalf = settings[i].byHalf || arguments.stated.byHalf;
-        static_cast<Cutting&>(pattern.pieces[i]) = settings[i];
-        placements.push_back(settings[i].placement);
-    }
-    return laidOut(std::move(pattern), placements, own);
-}
-
-}  // namespace
-
-LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
-                       const PieceResults& results) {
-    LaidOutPattern laid = laidOutAsStated(arguments, garment, results);
-    if (arguments.lines.grain) {
-        const auto fabrics =
-            fabricsOf(laid.pattern, arguments.fabric.value_or(fabricPresets().front()));
-        const auto grains =
-            grainsByRule(arguments, garment, results, fabrics, laid.pattern.symmetry.get());
-        for (std::size_t p = 0; p < grains.size(); ++p) {
-            std::optional<double>& grain = laid.pattern.pieces[p].grain;
-            grain = grain ? grain : grains[p];
-        }
-        for (std::size_t k = 0; k < laid.pattern.facings.size(); ++k) {
-            const auto piece = static_cast<std::size_t>(laid.pattern.facings[k].piece);
-            laid.pattern.pieces[grains.size() + k].grain = laid.pattern.pieces[piece].grain;
-        }
-    }
-    return laid;
+FinishedPattern finished(const Arguments& arguments, const Garment& garment,
+                         const PieceResults& results) {
+    return makePattern(garment, results, orderOf(arguments, garment));
 }
 
 void printDifferences(const Arguments& arguments, const Garment& garment, std::ostream& err) {

@@ -7,9 +7,8 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/exit_status.h"
-#include "core/garment/fabric.h"
 #include "core/garment/garment.h"
-#include "core/symmetry/symmetry.h"
+#include "core/toile/toile.h"
 
 namespace toile::app {
 
@@ -46,22 +45,11 @@ Arguments withProjectOfFiles(const Arguments& arguments, std::ostream& err);
 /// FileUnwritable of those to write. What is not there is for who reads it to say.
 std::optional<Error> refusalOfFiles(const Arguments& arguments);
 
-/// What the project says of the pieces; as nobody had said anything without one.
-std::vector<PieceSettings> settingsOf(const Arguments& arguments, const Garment& garment);
-/// What pieces of such settings may be cut from beside the garment's fabric.
-MaterialList materialsOf(const Arguments& arguments, const std::vector<PieceSettings>& settings);
-
-/// How the grain runs by the rule that was stated, where nothing is said of a piece: one per piece,
-/// or empty where no rule was.
-/// @param fabrics  one per piece  @param symmetry  null: every piece is looked at alone
-std::vector<std::optional<double>> grainsByRule(const Arguments& arguments, const Garment& garment,
-                                                const PieceResults& results,
-                                                const std::vector<Fabric>& fabrics,
-                                                const Symmetry* symmetry);
-
-/// The pattern laid out, cut and called as the project says; in rows without a project.
-LaidOutPattern laidOut(const Arguments& arguments, const Garment& garment,
-                       const PieceResults& results);
+/// The pattern that the arguments and their project ask for.
+PatternOrder orderOf(const Arguments& arguments, const Garment& garment);
+/// The same, made.
+FinishedPattern finished(const Arguments& arguments, const Garment& garment,
+                         const PieceResults& results);
 
 /// Why a project among the inputs cannot be taken as it was typed, for the commands and the window:
 /// a Message; none where it can, or where there is no project.

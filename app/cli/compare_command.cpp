@@ -10,8 +10,8 @@
 #include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/formats/tables/comparison_writer.h"
-#include "core/pipeline/pipeline.h"
 #include "core/prove/proof.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {
@@ -52,10 +52,8 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
     exact.lines = {};
     bool failed = false;
     for (ComparedMethod& method : comparison.methods) {
-        const LaidOutPattern laid = laidOut(exact, garment, method.results);
-        const ExportSource source(garment, method.results, laid, {}, {}, {},
-                                  arguments.fabric.value_or(fabricPresets().front()));
-        const auto proof = proofOf(source, std::get<ProofOrder>(ordered),
+        const FinishedPattern made = finished(exact, garment, method.results);
+        const auto proof = proofOf(made.source(), std::get<ProofOrder>(ordered),
                                    Progress(progress, 1.0 / double(comparison.methods.size())));
         if (!proof) {
             err << "toile: " << name(method.method) << ": "

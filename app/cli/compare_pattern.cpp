@@ -12,7 +12,7 @@
 #include "core/formats/tables/pattern_match.h"
 #include "core/formats/tables/pattern_match_writer.h"
 #include "core/formats/writers.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {
@@ -114,8 +114,8 @@ int runComparePattern(const Arguments& arguments, std::ostream& out, std::ostrea
     }
     const PieceResults results =
         flattenGarment(*garment, chosenOptions(arguments), progress, 0, arguments.lines);
-    const LaidOutPattern laid = laidOut(arguments, *garment, results);
-    const Pattern& pattern = laid.wholePattern;
+    const FinishedPattern made = finished(arguments, *garment, results);
+    const Pattern& pattern = made.laid.wholePattern;
     const PatternMatch match = matchPatterns(pattern, *file);
     if (arguments.json) {
         out << writePatternMatch(pattern, *file, match);

@@ -12,9 +12,9 @@
 #include "core/base/text.h"
 #include "core/diagnose/doubt.h"
 #include "core/formats/tables/report_tables.h"
-#include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 #include "core/symmetry/symmetry.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {
@@ -113,10 +113,10 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     }
     printProblems(*garment, err);
     printFailures(results, err);
-    const LaidOutPattern laid = laidOut(arguments, *garment, results);
-    printUnequal(*garment, laid.pattern.symmetry.get(), out);
-    const Fabric fabric = arguments.fabric.value_or(fabricPresets().front());
-    const auto doubts = findDoubts(*garment, results, fabricsOf(laid.pattern, fabric));
+    const FinishedPattern made = finished(arguments, *garment, results);
+    const Pattern& pattern = made.laid.pattern;
+    printUnequal(*garment, pattern.symmetry.get(), out);
+    const auto doubts = findDoubts(*garment, results, fabricsOf(pattern, made.fabric));
     for (const Doubt& doubt : doubts) {
         err << "toile: " << (doubt.isFault ? "fault: " : "doubt: ") << sentence(doubt) << '\n';
     }
@@ -126,9 +126,7 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const bool isRefused =
         hasFaults(*garment, results, doubts) || (arguments.failOnDoubt && !doubts.empty());
     int status = lacksMemory ? kExitUnreadable : isRefused ? kExitSomeFailed : kExitDone;
-    const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
-                              fabric);
-    if (!writePatterns(arguments.outputs, source, out, err)) {
+    if (!writePatterns(arguments.outputs, made.source(arguments.exporting), out, err)) {
         status = kExitUnreadable;
     }
     out.flush();

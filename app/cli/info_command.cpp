@@ -21,10 +21,10 @@
 #include "core/garment/garment.h"
 #include "core/geometry/polygon.h"
 #include "core/io/assimp_reader.h"
-#include "core/pipeline/solve_advice.h"
 #include "core/project/layer_materials.h"
 #include "core/seam/seam_measure.h"
 #include "core/tailor/file_borders.h"
+#include "core/toile/solve_advice.h"
 
 namespace toile::app {
 namespace {

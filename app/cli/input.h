@@ -11,7 +11,7 @@
 #include "app/cli/refusal.h"
 #include "core/formats/pattern_file.h"
 #include "core/formats/tables/report_tables.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

@@ -53,16 +53,6 @@ MarkerPlan planOf(const Arguments& arguments, const std::string& material,
     return plan;
 }
 
-/// What is laid: with the grain and the materials of what is drawn.
-Pattern wholePatternOf(const LaidOutPattern& laid) {
-    Pattern whole = laid.wholePattern;
-    for (std::size_t p = 0; p < whole.pieces.size(); ++p) {
-        whole.pieces[p].grain = laid.pattern.pieces[p].grain;
-    }
-    whole.materials = laid.pattern.materials;
-    return whole;
-}
-
 /// With a first nest. Ctrl-C gives that up, where it ends a search only.
 Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
                            const std::string& material, const Fabric& fabric,
@@ -214,7 +204,7 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
     const PieceResults results = flattened(arguments, *garment, progress);
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
     status = printFailures(results, err) ? kExitSomeFailed : status;
-    const Pattern whole = wholePatternOf(laidOut(arguments, *garment, results));
+    const Pattern whole = finished(arguments, *garment, results).laid.wholePattern;
     std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, *said));
     if (typed.material) {
         if (std::ranges::find(materials, *typed.material) == materials.end()) {

@@ -18,8 +18,8 @@
 #include "core/base/file.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
-#include "core/pipeline/improve.h"
 #include "core/prove/proof.h"
+#include "core/toile/improve.h"
 
 namespace toile::app {
 namespace {
@@ -65,10 +65,7 @@ Result<Improved> improved(const Arguments& arguments, const Garment& garment,
                           std::ostream& out) {
     ImproveOrder order;
     order.proof = proof;
-    order.flattening = arguments.options;
-    order.lines = arguments.lines;
-    order.fabric = arguments.fabric.value_or(order.fabric);
-    order.layOut = [&](const PieceResults& of) { return laidOut(arguments, garment, of); };
+    order.pattern = orderOf(arguments, garment);
     order.rounds = arguments.prove.rounds;
     order.watch = [&out](const ImproveRound& round) { printRound(round, out); };
     auto made = improvePattern(garment, results, order, progress);
@@ -249,9 +246,8 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         results = std::move(made->results);
         best = std::move(made->proof);
     }
-    const LaidOutPattern laid = laidOut(arguments, *garment, results);
-    const ExportSource source(*garment, results, laid, arguments.exporting, {}, arguments.lines,
-                              arguments.fabric.value_or(fabricPresets().front()));
+    const FinishedPattern made = finished(arguments, *garment, results);
+    const ExportSource source = made.source(arguments.exporting);
     const auto proof =
         best ? Result<std::shared_ptr<const Proof>>(best) : proofOf(source, order, progress);
     interruptible.reset();  // from here on Ctrl-C ends the program

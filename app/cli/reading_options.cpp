@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/cli/choice_options.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {

@@ -80,7 +80,7 @@ ServeOutcome ServeSession::State::make(Asked next, ReadFiles files, Progress& pr
     made = std::move(*garmentMade);
     garment = next.arguments.project ? named(made, next.arguments.project->labels) : made;
     asked = std::move(next);
-    pattern = {};
+    pattern.reset();
     if (isOther) {
         flattener.reset();
     }

@@ -26,22 +26,19 @@ Arguments ServeSession::State::typedOfGarment(const char* command, const ServeRe
     return typedWords(command, files, request.args, taken);
 }
 
-std::variant<ServeSession::State::Pattern, Refusal> ServeSession::State::flat(bool settle,
-                                                                              Progress& progress) {
+std::variant<FinishedPattern, Refusal> ServeSession::State::flat(bool settle, Progress& progress) {
     const Arguments& said = asked->arguments;
     progress.start(1);
-    PieceResults found =
-        flattener.flatten(made, said.options, progress, 0, pattern.results, said.lines);
+    PieceResults found = flattener.flatten(made, said.options, progress, 0,
+                                           pattern ? pattern->results : PieceResults(), said.lines);
     if (settle) {
         found = flattener.settle(made, std::move(found), progress, 0, said.lines);
     }
     if (progress.isCancelled()) {
         return Refusal(Error{ErrorCode::Cancelled});
     }
-    Pattern next;
-    next.results = withoutLeftOut(said, garment, resultsFor(garment, std::move(found)));
-    next.laid = laidOut(said, garment, next.results);
-    return next;
+    return finished(said, garment,
+                    withoutLeftOut(said, garment, resultsFor(garment, std::move(found))));
 }
 
 ServeOutcome ServeSession::State::flatten(bool settle, Progress& progress) {
@@ -49,8 +46,8 @@ ServeOutcome ServeSession::State::flatten(bool settle, Progress& progress) {
     if (auto* refusal = std::get_if<Refusal>(&flattened)) {
         return std::move(*refusal);
     }
-    pattern = std::get<Pattern>(std::move(flattened));
-    const PieceResults& results = pattern.results;
+    pattern = std::get<FinishedPattern>(std::move(flattened));
+    const PieceResults& results = pattern->results;
     Json pieces = Json::array();
     for (std::size_t p = 0; p < results.size(); ++p) {
         const PieceResult& result = *results[p];
@@ -62,17 +59,6 @@ ServeOutcome ServeSession::State::flatten(bool settle, Progress& progress) {
     const auto seams = seamsByError(garment, results);
     const Json worst = seams.empty() ? Json(nullptr) : number(std::abs(seams[0].measure.errorMm));
     return Json{{"pieces", std::move(pieces)}, {"largest_seam_error_mm", worst}};
-}
-
-ExportSource ServeSession::State::source(const Pattern& of, const ExportOptions& options,
-                                         const std::optional<Fabric>& fabric) const {
-    return {garment,
-            of.results,
-            *of.laid,
-            options,
-            {},
-            asked->arguments.lines,
-            fabric.value_or(asked->arguments.fabric.value_or(fabricPresets().front()))};
 }
 
 ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& progress) {
@@ -93,11 +79,12 @@ ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& p
     if (auto* refusal = std::get_if<Refusal>(&flattened)) {
         return std::move(*refusal);
     }
-    if (auto refusal = refusalOfNoPattern(std::get<Pattern>(flattened).results, typed.outputs)) {
+    if (auto refusal =
+            refusalOfNoPattern(std::get<FinishedPattern>(flattened).results, typed.outputs)) {
         return *std::move(refusal);
     }
-    auto& settled = std::get<Pattern>(flattened);
-    const ExportSource exported = source(settled, typed.exporting, {});
+    auto& settled = std::get<FinishedPattern>(flattened);
+    const ExportSource exported = settled.source(typed.exporting);
     Json files = Json::array();
     for (const auto& output : typed.outputs) {
         const auto written = exportFile(output, exported, progress);
@@ -132,9 +119,10 @@ ServeOutcome ServeSession::State::prove(const ServeRequest& request, Progress& p
     if (const auto* refusal = std::get_if<Refusal>(&order)) {
         return *refusal;
     }
-    auto& settled = std::get<Pattern>(flattened);
-    const auto proof =
-        proofOf(source(settled, {}, typed.fabric), std::get<ProofOrder>(order), progress);
+    auto& settled = std::get<FinishedPattern>(flattened);
+    FinishedPattern proven = settled;
+    proven.fabric = typed.fabric.value_or(settled.fabric);
+    const auto proof = proofOf(proven.source(), std::get<ProofOrder>(order), progress);
     if (!proof) {
         return refusalOfProof(proof.error(), settled.results);
     }

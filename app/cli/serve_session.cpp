@@ -32,8 +32,8 @@ ServeOutcome ServeSession::State::answer(const ServeRequest& request, Progress& 
         return flatten(request.settle, progress);
     }
     if (what == "query") {
-        return serveQuery(request, garment, pattern.results,
-                          pattern.laid ? &*pattern.laid : nullptr);
+        return serveQuery(request, garment, pattern ? pattern->results : PieceResults(),
+                          pattern ? &pattern->laid : nullptr);
     }
     if (what == "export") {
         return write(request, progress);
@@ -44,7 +44,7 @@ ServeOutcome ServeSession::State::answer(const ServeRequest& request, Progress& 
     asked.reset();  // close
     inputs = {};
     made = garment = {};
-    pattern = {};
+    pattern.reset();
     flattener.reset();
     return OrderedJson::object();
 }

@@ -9,7 +9,7 @@
 #include "app/cli/serve_query.h"
 #include "app/cli/serve_session.h"
 #include "core/formats/export_file.h"
-#include "core/pipeline/garment_flattener.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 
@@ -24,17 +24,12 @@ struct ServeSession::State {
         std::string notes{};    ///< sentences
     };
 
-    /// How its pieces lie. Kept aside until what asked for them is done.
-    struct Pattern {
-        PieceResults results;
-        std::optional<LaidOutPattern> laid;
-    };
-
     std::optional<Asked> asked;
     GarmentInputs inputs;
     Garment made;     ///< as the inputs say
     Garment garment;  ///< with the names that a project gives
-    Pattern pattern;
+    /// As last flattened; empty before that.
+    std::optional<FinishedPattern> pattern;
     GarmentFlattener flattener;
 
     ServeOutcome answer(const ServeRequest& request, Progress& progress);
@@ -48,12 +43,11 @@ struct ServeSession::State {
     ServeOutcome flatten(bool settle, Progress& progress);
     ServeOutcome write(const ServeRequest& request, Progress& progress);
     ServeOutcome prove(const ServeRequest& request, Progress& progress);
-    std::variant<Pattern, Refusal> flat(bool settle, Progress& progress);
+    /// The pattern of this moment; a request stores it once it has succeeded.
+    std::variant<FinishedPattern, Refusal> flat(bool settle, Progress& progress);
     /// Words that are said of the garment there is; a Message where they are refused.
     Arguments typedOfGarment(const char* command, const ServeRequest& request,
                              unsigned taken) const;
-    ExportSource source(const Pattern& of, const ExportOptions& options,
-                        const std::optional<Fabric>& fabric) const;
 };
 
 }  // namespace toile::app

@@ -7,7 +7,7 @@
 
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

@@ -10,9 +10,9 @@
 #include "app/document/cloth_plans.h"
 #include "app/document/reference.h"
 #include "core/garment/fabric.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
 #include "core/prove/proof_settings.h"
+#include "core/toile/pipeline.h"
 
 namespace toile {
 struct Pattern;

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/text/error_text.h"
-#include "core/pipeline/solve_advice.h"
 #include "core/tailor/file_borders.h"
+#include "core/toile/solve_advice.h"
 
 namespace toile::app {
 

@@ -9,10 +9,10 @@
 #include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/project/layer_materials.h"
 #include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 namespace {

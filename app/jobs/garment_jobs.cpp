@@ -9,8 +9,8 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/quality/grain_cost.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 

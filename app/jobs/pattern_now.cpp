@@ -6,9 +6,9 @@
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
 #include "app/text/error_text.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/project/piece_names.h"
 #include "core/project/piece_settings.h"
+#include "core/toile/garment_flattener.h"
 
 namespace toile::app {
 
@@ -24,7 +24,7 @@ PatternNow::PatternNow(const Document& document, std::set<int> only, double sett
     }
 }
 
-PatternNow::Made PatternNow::laidOut(Progress& progress) const {
+FinishedPattern PatternNow::finished(Progress& progress) const {
     Derivation derivation{derived_};
     progress.setShare(0, settlingShare_);
     GarmentFlattener flattener;
@@ -38,21 +38,21 @@ PatternNow::Made PatternNow::laidOut(Progress& progress) const {
     for (const auto& piece : derived_.garment->pieces) {
         ofPieces.push_back(settings[piece->id]);
     }
-    Made made;
-    made.garment = named(*derived_.garment, state_.labels);
     for (std::size_t i = 0; i < ofPieces.size(); ++i) {
         // What has just been taken in again is not flat yet: it is not in what is shown.
         const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
                              (only_.empty() || only_.contains(static_cast<int>(i)));
         ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
     }
-    made.results = withoutLeftOut(resultsFor(made.garment, derivation.derived.results),
-                                  made.garment, ofPieces);
-    made.lines = derivation.derived.lines.value_or(LineSettings{});
-    made.laid =
-        layOut(made.garment, made.results, ofPieces, {}, made.lines, derivation.derived.symmetry);
-    made.laid.pattern.materials = made.laid.wholePattern.materials = state_.materials;
-    return made;
+    Garment garment = named(*derived_.garment, state_.labels);
+    PieceResults results =
+        withoutLeftOut(resultsFor(garment, derivation.derived.results), garment, ofPieces);
+    return makePattern(std::move(garment), std::move(results),
+                       {.lines = derivation.derived.lines.value_or(LineSettings{}),
+                        .fabric = state_.fabric,
+                        .materials = state_.materials,
+                        .pieces = std::move(ofPieces)},
+                       derivation.derived.symmetry);
 }
 
 }  // namespace toile::app

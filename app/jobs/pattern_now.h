@@ -6,7 +6,7 @@
 #include <type_traits>
 
 #include "app/document/document_state.h"
-#include "core/formats/export_source.h"
+#include "core/toile/toile.h"
 
 namespace toile::app {
 
@@ -24,24 +24,15 @@ public:
     template <class Use>
     auto with(const ExportOptions& options, Progress& progress, const Use& use) const
         -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
-        const Made made = laidOut(progress);
+        const FinishedPattern made = finished(progress);
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
-        return use(ExportSource(made.garment, made.results, made.laid, options, words_, made.lines,
-                                state_.fabric),
-                   progress);
+        return use(made.source(options, words_), progress);
     }
 
 private:
-    struct Made {
-        Garment garment;
-        PieceResults results;
-        LaidOutPattern laid;
-        LineSettings lines;
-    };
-
-    Made laidOut(Progress& progress) const;
+    FinishedPattern finished(Progress& progress) const;
 
     std::set<int> only_;
     double settlingShare_;

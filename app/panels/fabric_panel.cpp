@@ -363,8 +363,8 @@ void FabricPanel::showNeed() {
     if (!pattern) {
         return;
     }
-    const LaidOutPattern laid =
-        laidOutAs(*pattern, document_.settings(), document_.state().materials);
+    const LaidOutPattern laid = cutAndPlace(*pattern, document_.settings(),
+                                            document_.state().materials, document_.fabric());
     for (const ClothNeed& need : clothNeeds(laid, document_.fabric())) {
         if (need.material == shown_) {
             need_->setText(

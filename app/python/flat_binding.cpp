@@ -225,8 +225,8 @@ Problems flatProblemsOf(const PyFlat& flat) {
 
 std::vector<Doubt> doubtsOf(const PyFlat& flat) {
     const HeldFlat& held = *flat.held;
-    const Fabric fabric = held.arguments.fabric.value_or(fabricPresets().front());
-    return findDoubts(held.garment(), held.results, fabricsOf(held.laid().pattern, fabric));
+    return findDoubts(held.garment(), held.results,
+                      fabricsOf(held.laid().pattern, held.pattern().fabric));
 }
 
 std::string nameOfResult(const std::shared_ptr<const PieceResult>& result) {
@@ -239,9 +239,9 @@ PyFlatPiece wrappedResult(const std::shared_ptr<const PieceResult>& result) {
 
 }  // namespace
 
-const LaidOutPattern& HeldFlat::laid() const {
-    std::call_once(isLaid_, [this] { laid_ = app::laidOut(arguments, garment(), results); });
-    return laid_;
+const FinishedPattern& HeldFlat::pattern() const {
+    std::call_once(isMade_, [this] { pattern_ = app::finished(arguments, garment(), results); });
+    return pattern_;
 }
 
 void bindFlat(py::module_& module, py::class_<PyGarment>& garment, py::class_<PyFlat>& flat) {

@@ -7,25 +7,25 @@
 #include <pybind11/pybind11.h>
 
 #include "app/python/garment_binding.h"
-#include "core/layout/marker.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/toile.h"
 
 namespace toile::python {
 
-/// A garment flat. Immutable but for what is found when it is first asked for; shared between
-/// threads.
+/// A flat garment and its pattern. Immutable, except that the pattern is made on first use; shared
+/// between threads.
 struct HeldFlat {
     std::shared_ptr<const HeldGarment> of;
     app::Arguments arguments;  ///< of the garment, with how it was flattened
     PieceResults results;
 
     const Garment& garment() const { return of->garment; }
-    /// Waits for whoever is finding it; needs no lock of Python's.
-    const LaidOutPattern& laid() const;
+    /// Made on first use; waits for another thread that is making it, without Python's lock.
+    const FinishedPattern& pattern() const;
+    const LaidOutPattern& laid() const { return pattern().laid; }
 
 private:
-    mutable std::once_flag isLaid_;
-    mutable LaidOutPattern laid_;
+    mutable std::once_flag isMade_;
+    mutable FinishedPattern pattern_;
 };
 
 struct PyFlat {

@@ -54,11 +54,9 @@ PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs
     typed.project = held.arguments.project;
     return interruptible(onProgress, [&](Progress& progress) {
         const ProofOrder order = orderOf(typed, held.garment(), progress);
-        const Fabric fabric =
-            typed.fabric.value_or(held.arguments.fabric.value_or(fabricPresets().front()));
-        const ExportSource source(held.garment(), held.results, held.laid(), {}, {},
-                                  held.arguments.lines, fabric);
-        auto proof = proofOf(source, order, progress);
+        FinishedPattern pattern = held.pattern();
+        pattern.fabric = typed.fabric.value_or(pattern.fabric);
+        auto proof = proofOf(pattern.source(), order, progress);
         if (!proof) {
             throw Raised(app::refusalOfProof(proof.error(), held.results));
         }

@@ -13,20 +13,9 @@
 #include "app/python/raised.h"
 #include "core/formats/export_file.h"
 #include "core/formats/formats.h"
-#include "core/garment/fabric.h"
 
 namespace toile::python {
 namespace {
-
-ExportSource sourceOf(const HeldFlat& held, const ExportOptions& options) {
-    return {held.garment(),
-            held.results,
-            held.laid(),
-            options,
-            {},
-            held.arguments.lines,
-            held.arguments.fabric.value_or(fabricPresets().front())};
-}
 
 std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py::object& onProgress,
                             const py::kwargs& options) {
@@ -39,7 +28,7 @@ std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py:
         if (const auto refusal = app::refusalOfNoPattern(flat.held->results, typed.outputs)) {
             throw Raised(*refusal);
         }
-        const ExportSource source = sourceOf(*flat.held, typed.exporting);
+        const ExportSource source = flat.held->pattern().source(typed.exporting);
         std::vector<Exported> written;
         for (const auto& output : typed.outputs) {
             written.push_back(
@@ -52,7 +41,7 @@ std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py:
 /// The bytes of an export, without a file.
 std::string bytesAs(const PyFlat& flat, FormatId format, const ExportOptions& options = {}) {
     return interruptible(py::none(), [&](Progress&) {
-        ExportedFiles files = orRaise(formatOf(format).write(sourceOf(*flat.held, options)));
+        ExportedFiles files = orRaise(formatOf(format).write(flat.held->pattern().source(options)));
         return std::move(files.front().bytes);
     });
 }

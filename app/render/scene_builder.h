@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/render/scene.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile {
 struct Pattern;

@@ -7,8 +7,8 @@
 
 #include "app/document/view_state.h"
 #include "core/flatten/base/flat_piece.h"
-#include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
+#include "core/toile/pipeline.h"
 
 class QLocale;
 

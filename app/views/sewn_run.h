@@ -6,7 +6,7 @@
 
 #include "app/document/view_state.h"
 #include "app/render/scene_renderer.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

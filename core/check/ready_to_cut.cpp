@@ -489,7 +489,8 @@ private:
         if (!isOfGarment(plan_.pattern.get())) {
             return {};
         }
-        const LaidOutPattern laid = laidOutAs(*plan_.pattern, plan_.settings, plan_.materials);
+        const LaidOutPattern laid =
+            cutAndPlace(*plan_.pattern, plan_.settings, plan_.materials, plan_.fabric);
         for (const WidePiece& wide :
              widerThanCloth(laid.wholePattern, plan_.fabric, plan_.rules, progress_)) {
             Finding finding;

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The library for other programs: `find_package(Toile)` gives them toile::core. Their sources include
-# "core/pipeline/pipeline.h" as ours do.
+# The library for other programs: `find_package(Toile)` gives them toile::core, and <toile/toile.h>.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/Toile")
 target_include_directories(toile_core INTERFACE
-    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/toile>")
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/toile>") # for "core/..." in our headers
 set_target_properties(toile_core PROPERTIES EXPORT_NAME core)
 
 # Libraries that are found as files go out by their names: they lie elsewhere on another machine.
@@ -22,8 +22,24 @@ set_target_properties(toile_core PROPERTIES INTERFACE_LINK_LIBRARIES "${needed}"
 install(TARGETS toile_core EXPORT ToileTargets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT dev)
 install(EXPORT ToileTargets NAMESPACE toile:: DESTINATION "${package}" COMPONENT dev)
-install(DIRECTORY "${CMAKE_SOURCE_DIR}/core" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/toile"
-    COMPONENT dev FILES_MATCHING PATTERN "*.h" PATTERN cmake EXCLUDE)
+# Installs toile.h and every header of ours that it includes, directly or not.
+install(CODE "set(source \"${CMAKE_SOURCE_DIR}\")
+set(destination \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/toile\")" COMPONENT dev)
+install(CODE [[
+    set(headers core/toile/toile.h)
+    set(open ${headers})
+    while(open)
+        list(POP_FRONT open header)
+        cmake_path(GET header PARENT_PATH folder)
+        file(INSTALL "${source}/${header}" DESTINATION "${destination}/${folder}")
+        file(STRINGS "${source}/${header}" included REGEX "^#include \"core/")
+        list(TRANSFORM included REPLACE "^#include \"([^\"]+)\".*$" "\\1")
+        list(REMOVE_ITEM included ${headers})
+        list(APPEND headers ${included})
+        list(APPEND open ${included})
+    endwhile()
+    file(WRITE "$ENV{DESTDIR}${destination}/toile.h" "#include \"core/toile/toile.h\"  // IWYU pragma: export\n")
+]] COMPONENT dev)
 
 configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/ToileConfig.cmake.in"
     "${CMAKE_CURRENT_BINARY_DIR}/ToileConfig.cmake" INSTALL_DESTINATION "${package}")

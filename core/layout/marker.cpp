@@ -136,46 +136,6 @@ void placeTheRest(const Pattern& pattern, const std::vector<std::size_t>& rest, 
     }
 }
 
-Marker layOutOn(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements,
-                const Fabric& own) {
-    Marker marker;
-    std::vector<std::size_t> rest;
-    Box placed;
-    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
-        const PatternPiece& piece = pattern.pieces[i];
-        if (piece.outline.rows() == 0) {
-            continue;
-        }
-        const bool hasPlace = i < placements.size() && placements[i];
-        if (hasPlace) {
-            placed.extend(boxOf(piece, *placements[i]));
-        } else {
-            rest.push_back(marker.copies.size());
-        }
-        marker.copies.push_back({static_cast<int>(i), hasPlace ? *placements[i] : Placement{}});
-    }
-    if (!rest.empty()) {
-        placeTheRest(pattern, rest, placed, own, marker);
-    }
-    if (placed.isEmpty()) {
-        return marker;  // rows begin at the corner
-    }
-    Box all = placed;
-    for (const std::size_t copy : rest) {
-        const PlacedCopy& lies = marker.copies[copy];
-        all.extend(boxOf(pattern.pieces[static_cast<std::size_t>(lies.piece)], lies.placement));
-    }
-    marker.width = all.sizes().x();
-    marker.height = all.sizes().y();
-    // If the corner is already at the origin, except for rounding, keep every digit.
-    if (all.min().cwiseAbs().maxCoeff() > kRounding * all.sizes().maxCoeff()) {
-        for (PlacedCopy& lies : marker.copies) {
-            lies.placement.offset -= all.min();
-        }
-    }
-    return marker;
-}
-
 }  // namespace
 
 double gapBetweenPieces(double largestSide) {
@@ -218,17 +178,53 @@ Rows layOutInRows(const Pattern& pattern) {
     return layOutInRows(boxes);
 }
 
-Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements) {
-    return layOutOn(pattern, placements, fabricPresets().front());
+Marker placeCopies(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements,
+                   const Fabric& own) {
+    Marker marker;
+    std::vector<std::size_t> rest;
+    Box placed;
+    for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
+        const PatternPiece& piece = pattern.pieces[i];
+        if (piece.outline.rows() == 0) {
+            continue;
+        }
+        const bool hasPlace = i < placements.size() && placements[i];
+        if (hasPlace) {
+            placed.extend(boxOf(piece, *placements[i]));
+        } else {
+            rest.push_back(marker.copies.size());
+        }
+        marker.copies.push_back({static_cast<int>(i), hasPlace ? *placements[i] : Placement{}});
+    }
+    if (!rest.empty()) {
+        placeTheRest(pattern, rest, placed, own, marker);
+    }
+    if (placed.isEmpty()) {
+        return marker;  // rows begin at the corner
+    }
+    Box all = placed;
+    for (const std::size_t copy : rest) {
+        const PlacedCopy& lies = marker.copies[copy];
+        all.extend(boxOf(pattern.pieces[static_cast<std::size_t>(lies.piece)], lies.placement));
+    }
+    marker.width = all.sizes().x();
+    marker.height = all.sizes().y();
+    // If the corner is already at the origin, except for rounding, keep every digit.
+    if (all.min().cwiseAbs().maxCoeff() > kRounding * all.sizes().maxCoeff()) {
+        for (PlacedCopy& lies : marker.copies) {
+            lies.placement.offset -= all.min();
+        }
+    }
+    return marker;
 }
 
-LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements,
-                       const Fabric& own) {
+LaidOutPattern cutAndPlace(Pattern whole, const std::vector<std::optional<Placement>>& placements,
+                           const Fabric& own) {
     LaidOutPattern laid;
-    laid.whole = layOutOn(whole, placements, own);
+    laid.whole = placeCopies(whole, placements, own);
     laid.wholePattern = whole;
     laid.pattern = asCut(std::move(whole));
-    laid.marker = layOutOn(laid.pattern, placements, own);
+    laid.marker = placeCopies(laid.pattern, placements, own);
     return laid;
 }
 

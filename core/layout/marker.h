@@ -32,14 +32,18 @@ struct LaidOutPattern {
 };
 
 /// Places pieces as given, the lower left corner of all at (0, 0); those without a placement in
-/// rows to the right of the others, or alone (`layOutInRows`), on cloth of the usual width.
-/// @param placements  one per piece of the pattern, or empty  Cost: linear. Pure.
-Marker layOut(const Pattern& pattern, const std::vector<std::optional<Placement>>& placements = {});
+/// rows to the right of the others, or alone (`layOutInRows`).
+/// @param placements  one per piece of the pattern, or empty
+/// @param own  the garment's fabric, for pieces without a material  Cost: linear. Pure.
+Marker placeCopies(const Pattern& pattern,
+                   const std::vector<std::optional<Placement>>& placements = {},
+                   const Fabric& own = fabricPresets().front());
 
+/// The pattern as it is cut (`asCut`), and whole, both with their copies placed.
 /// @param whole  with the `Cutting` of each piece and the materials
-/// @param own    the garment's fabric, for pieces without a material
-LaidOutPattern laidOut(Pattern whole, const std::vector<std::optional<Placement>>& placements = {},
-                       const Fabric& own = fabricPresets().front());
+LaidOutPattern cutAndPlace(Pattern whole,
+                           const std::vector<std::optional<Placement>>& placements = {},
+                           const Fabric& own = fabricPresets().front());
 
 /// 20 mm, or a tenth of the largest side of any piece if that is smaller, so that garments of any
 /// scale keep their digits.

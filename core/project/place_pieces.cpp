@@ -13,6 +13,7 @@
 #include "core/layout/arrange.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
+#include "core/pattern/piece_grain.h"
 
 namespace toile {
 namespace {
@@ -317,25 +318,34 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
     return Placing(std::move(settings), results, pattern, std::move(clothWidths)).run(motions);
 }
 
-LaidOutPattern laidOutAs(Pattern pattern, const std::vector<PieceSettings>& settings,
-                         const MaterialList& materials) {
+void setGrains(std::vector<PieceSettings>& settings, const Garment& garment,
+               const PieceResults& results, const Symmetry* symmetry, GrainRule rule,
+               const MaterialList& materials, const Fabric& own) {
+    if (std::ranges::all_of(settings,
+                            [](const PieceSettings& of) { return of.grain.has_value(); })) {
+        return;
+    }
+    std::vector<Fabric> fabrics;
+    fabrics.reserve(settings.size());
+    for (const PieceSettings& piece : settings) {
+        fabrics.push_back(fabricOf(piece.material, materials, own));
+    }
+    const auto grains = findGrains(garment, results, symmetry, rule, fabrics);
+    for (std::size_t p = 0; p < grains.size(); ++p) {
+        std::optional<double>& grain = settings[p].grain;
+        grain = grain ? grain : grains[p];
+    }
+}
+
+LaidOutPattern cutAndPlace(Pattern pattern, const std::vector<PieceSettings>& settings,
+                           MaterialList materials, const Fabric& own) {
     std::vector<std::optional<Placement>> placements;
     for (std::size_t i = 0; i < settings.size(); ++i) {
         static_cast<Cutting&>(pattern.pieces[i]) = settings[i];
         placements.push_back(settings[i].placement);
     }
-    pattern.materials = materials;
-    return laidOut(std::move(pattern), placements);
-}
-
-LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceSettings>& settings, const PieceLabels& labels,
-                      const LineSettings& lines, std::shared_ptr<const Symmetry> symmetry) {
-    Pattern pattern = makePattern(garment, results, lines, std::move(symmetry));
-    for (std::size_t i = 0; i < settings.size(); ++i) {
-        pattern.pieces[i].name = nameOf(labels, *garment.pieces[i]);
-    }
-    return laidOutAs(std::move(pattern), settings, {});
+    pattern.materials = std::move(materials);
+    return cutAndPlace(std::move(pattern), placements, own);
 }
 
 }  // namespace toile

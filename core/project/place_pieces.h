@@ -7,8 +7,10 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/layout/marker.h"
+#include "core/pattern/line_settings.h"
 #include "core/project/piece_settings.h"
 #include "core/project/rigid_motion.h"
+#include "core/symmetry/symmetry.h"
 
 namespace toile {
 
@@ -48,17 +50,16 @@ std::vector<PieceSettings> placedSettings(std::vector<PieceSettings> settings,
                                           const MaterialList& materials = {},
                                           const Fabric& own = fabricPresets().front());
 
+/// Sets the grain by the rule (`findGrains`) on each piece without a grain of its own.
+/// @param settings  one per result  @param symmetry  null: every piece is treated alone
+/// @param own  the garment's fabric, for pieces without a material
+void setGrains(std::vector<PieceSettings>& settings, const Garment& garment,
+               const PieceResults& results, const Symmetry* symmetry, GrainRule rule,
+               const MaterialList& materials, const Fabric& own);
+
 /// The pattern cut and laid out by the settings of its pieces.
 /// @param settings  one per piece, or empty  Cost: linear. Pure.
-LaidOutPattern laidOutAs(Pattern pattern, const std::vector<PieceSettings>& settings,
-                         const MaterialList& materials);
-
-/// The pattern named, cut and laid out by the settings.
-/// @param settings  one per piece, or empty  @param lines, symmetry  as of `makePattern`
-/// Cost: that of `makePattern`. Pure.
-LaidOutPattern layOut(const Garment& garment, const PieceResults& results,
-                      const std::vector<PieceSettings>& settings, const PieceLabels& labels,
-                      const LineSettings& lines = {},
-                      std::shared_ptr<const Symmetry> symmetry = {});
+LaidOutPattern cutAndPlace(Pattern pattern, const std::vector<PieceSettings>& settings,
+                           MaterialList materials, const Fabric& own);
 
 }  // namespace toile

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/assemble/load_options.h"
 #include "core/garment/fabric.h"
 #include "core/marker/marker_settings.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
 #include "core/prove/proof_settings.h"
 

@@ -349,7 +349,7 @@ Result<PatternFile> readBack(const ExportSource& source) {
     LaidOutPattern laid;
     laid.wholePattern = source.laid().wholePattern;
     laid.pattern = laid.wholePattern;
-    laid.whole = laid.marker = layOut(laid.pattern);
+    laid.whole = laid.marker = placeCopies(laid.pattern);
     ExportOptions options;
     const ExportSource whole(source.garment(), source.results(), laid, options, {}, source.lines(),
                              source.fabric());

@@ -17,7 +17,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"
 #include "tests/app/support/run_test.h"

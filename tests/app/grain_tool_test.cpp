@@ -7,7 +7,8 @@
 #include "app/views/grain_arrow.h"
 #include "app/widgets/banner.h"
 #include "core/formats/drawing/drawing.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
+#include "core/toile/toile.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
@@ -119,8 +120,9 @@ private slots:
         setGrain(document(), "Grain", {{0, 0.3}, {1, 2.0}, {2, kRightAngle}});
         turnTogether(document(), "Turn", {0}, 0.5);
         mirrorTogether(document(), "Mirror", {1}, Mirroring::LeftRight);
-        const LaidOutPattern laid =
-            layOut(*document().garment(), document().results(), document().settings(), {});
+        const LaidOutPattern laid = makePattern(*document().garment(), document().results(),
+                                                {.pieces = document().settings()})
+                                        .laid;
         const Drawing drawing = draw(laid.pattern, laid.marker);
         int lines = 0;
         for (int i = 0; i < document().pieceCount(); ++i) {

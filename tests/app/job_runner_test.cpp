@@ -19,7 +19,7 @@
 #include "app/document/piece_edits.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/window/window_status.h"
-#include "core/pipeline/garment_flattener.h"
+#include "core/toile/garment_flattener.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "app/document/allowance_edits.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/symmetry/symmetry.h"
+#include "core/toile/garment_flattener.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/run_test.h"
 

@@ -17,8 +17,9 @@
 #include "app/export/paint_drawing.h"
 #include "core/formats/pdf/pdf_writer.h"
 #include "core/formats/pdf/sheets.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/app/support/run_test.h"
+#include "tests/core/support/laid_rows.h"
 
 using namespace toile;
 using namespace toile::app;

@@ -135,7 +135,7 @@ private slots:
         QVERIFY(isDone());
         QCOMPARE(field("segmentAllowance").value(), AllowanceWidths{}.seam);  // it is sewn now
         QCOMPARE(document().derived().pattern->facings.size(), std::size_t(2));
-        const LaidOutPattern laid = laidOut(*document().derived().pattern);
+        const LaidOutPattern laid = cutAndPlace(*document().derived().pattern);
         QCOMPARE(laid.pattern.pieces.size(), std::size_t(document().pieceCount()) + 2);
         QVERIFY(laid.pattern.pieces.back().name.find("facing") != std::string::npos);
         type("segmentFacing", "60");

@@ -180,7 +180,7 @@ private slots:
         keep("print-dialog.png", printing);
         printing.reject();
 
-        const LaidOutPattern laid = laidOut(pattern());
+        const LaidOutPattern laid = cutAndPlace(pattern());
         QCOMPARE(laid.pattern.pieces.size(), std::size_t(document().pieceCount()) + 1);
         const auto read = parseProject(
             projectText(projectOf(document().state(), document().derived(), document().view()),

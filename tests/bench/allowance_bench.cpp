@@ -9,7 +9,7 @@
 #include "core/base/progress.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/pattern/piece_allowance.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
 
@@ -65,7 +65,7 @@ void measurePattern(benchmark::State& state, const std::string& name) {
         for (PatternPiece& piece : pattern.pieces) {
             piece.grain = kGrainUpwards;
         }
-        const LaidOutPattern laid = laidOut(std::move(pattern));
+        const LaidOutPattern laid = cutAndPlace(std::move(pattern));
         benchmark::DoNotOptimize(draw(laid.pattern, laid.marker));
     }
     const double pieces = static_cast<double>(garment->pieces.size() * state.iterations());

@@ -7,13 +7,14 @@
 
 #include "core/formats/export_file.h"
 #include "core/linalg/sparse_cholesky.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/piece_quality.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/floor.h"
 #include "tests/bench/report/bars.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::bench {
 namespace {

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "core/formats/formats.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::bench {
 namespace {

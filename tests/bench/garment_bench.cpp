@@ -3,10 +3,11 @@
 #include <string>
 
 #include "core/formats/writers.h"
-#include "core/pipeline/garment_flattener.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/garment_flattener.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::bench {
 namespace {

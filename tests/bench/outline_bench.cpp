@@ -17,12 +17,13 @@
 #include "core/flatten/boundary/length_constraints.h"
 #include "core/flatten/isometric/outline_terms.h"
 #include "core/formats/export_file.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
 #include "tests/bench/report/bars.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::bench {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "core/pipeline/pipeline.h"
 #include "core/prepare/scan.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
 

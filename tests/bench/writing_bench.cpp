@@ -5,9 +5,10 @@
 #include <string>
 
 #include "core/formats/export_file.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/bench/bench_pieces.h"
 #include "tests/bench/benchmarks.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::bench {
 namespace {

@@ -14,8 +14,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
-#include "core/pipeline/pipeline.h"
-#include "core/pipeline/solve_advice.h"
+#include "core/toile/pipeline.h"
+#include "core/toile/solve_advice.h"
 #include "tests/cli/docs_table.h"
 #include "tests/core/support/shared_data.h"
 

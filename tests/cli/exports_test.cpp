@@ -7,10 +7,11 @@
 #include "core/base/text.h"
 #include "core/formats/export_file.h"
 #include "core/formats/formats.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/readers/any_read_back.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/text.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/half_shapes.h"

@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include "core/assemble/divide.h"
-#include "core/project/place_pieces.h"
+#include "core/project/piece_names.h"
 #include "core/project/project_file.h"
+#include "core/toile/pipeline.h"
+#include "core/toile/toile.h"
 #include "tests/fuzz/check_garment.h"
 
 namespace toile::fuzz {
@@ -146,11 +148,11 @@ std::string whatBreaksInProject(std::string bytes) {
     }
     Progress progress;
     const PieceResults results = flattenGarment(*garment, project.options, progress);
-    const std::vector<PieceSettings> settings =
-        placedSettings(settingsFor(project, *garment), results,
-                       std::vector<std::optional<FlatMotion>>(results.size()));
     differencesTo(project, *garment);
-    return whatBreaksIn(*garment, results, layOut(*garment, results, settings, project.labels));
+    const FinishedPattern made =
+        makePattern(named(*garment, project.labels), results,
+                    {.materials = project.materials, .pieces = settingsFor(project, *garment)});
+    return whatBreaksIn(made.garment, made.results, made.laid);
 }
 
 }  // namespace toile::fuzz

@@ -9,9 +9,10 @@
 #include "core/formats/drawing/drawing.h"
 #include "core/formats/formats.h"
 #include "core/formats/writers.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/pipeline/pipeline.h"
+#include "core/toile/toile.h"
 
 namespace toile::fuzz {
 

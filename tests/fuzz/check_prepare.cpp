@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/io/soup_promises.h"
 #include "tests/fuzz/check_garment.h"
 #include "tests/fuzz/check_reader.h"

@@ -21,6 +21,7 @@
 #include "app/views/view_picture.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/moment.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::test {
 

@@ -6,8 +6,8 @@
 
 #include "core/check/finding.h"
 #include "core/pattern/drawn_outline.h"
-#include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/check/cut_plans.h"
 #include "tests/core/support/shapes.h"
 

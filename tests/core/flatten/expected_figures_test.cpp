@@ -10,8 +10,8 @@
 
 #include "core/flatten/interior/interior.h"
 #include "core/mesh/cotangents.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/turned_triangles.h"
 

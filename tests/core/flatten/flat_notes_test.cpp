@@ -13,9 +13,9 @@
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 

@@ -10,9 +10,9 @@
 
 #include "core/flatten/interior/interior.h"
 #include "core/flatten/isometric/isometric_descent.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/quality/outline_crossings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/flat_trouble.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/flatten.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 

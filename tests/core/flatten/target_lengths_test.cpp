@@ -11,9 +11,9 @@
 
 #include "core/flatten/flatten.h"
 #include "core/flatten/isometric/isometric_descent.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

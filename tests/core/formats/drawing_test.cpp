@@ -50,7 +50,7 @@ TEST(Draw, KeepsOutlinesApartAndWithinTheMargin) {
 
 TEST(DrawingNotes, NameWhatLiesOnEachOther) {
     const Pattern pattern = test::sewingPattern();
-    Marker marker = layOut(pattern);
+    Marker marker = placeCopies(pattern);
     EXPECT_TRUE(overlapNotes(pattern, draw(pattern, marker)).empty());
     const auto middleOf = [drawing = draw(pattern, marker)](std::size_t block) {
         const Box box = boxOf(drawing.paths[drawing.blocks[block].path]);
@@ -65,7 +65,7 @@ TEST(DrawingNotes, NameWhatLiesOnEachOther) {
 
 TEST(DrawingNotes, NamePiecesWithoutAGrainLineOnce) {
     Pattern pattern = test::sewingPattern();
-    Marker marker = layOut(pattern);
+    Marker marker = placeCopies(pattern);
     marker.copies.push_back(marker.copies[0]);
     for (PatternPiece& piece : pattern.pieces) {
         piece.grain = kGrainUpwards;
@@ -79,7 +79,7 @@ TEST(DrawingNotes, NamePiecesWithoutAGrainLineOnce) {
 
 TEST(Draw, KeepsEveryEdgeLength) {
     const Pattern pattern = test::sewingPattern();
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     ASSERT_GE(pattern.pieces.size(), 2U);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {
         const Eigen::VectorXd is = test::edgeLengths(drawing.paths[i].points);
@@ -110,7 +110,7 @@ TEST(Draw, SpeaksTheWordsOfItsCaller) {
     pattern.pieces[0].quantity = 3;
     pattern.pieces[1].mirroredPair = true;
     const std::vector<std::optional<Placement>> placements{{}, Placement{{0, 0}, 0, true}};
-    const Drawing drawing = draw(pattern, layOut(pattern, placements),
+    const Drawing drawing = draw(pattern, placeCopies(pattern, placements),
                                  {.noAllowance = "ohne Zugabe",
                                   .mirrored = "gespiegelt",
                                   .cut = "%1 x",
@@ -131,7 +131,7 @@ TEST(Draw, SaysHowOftenAPieceIsCut) {
     pattern.pieces[1].mirroredPair = true;
     pattern.pieces[2].mirroredPair = true;
     pattern.pieces[2].quantity = 2;
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     const auto second = [&](std::size_t i) { return drawing.texts[i].lines[1]; };
     EXPECT_EQ(second(0), "cut 3");
     EXPECT_EQ(second(1), "cut 1 pair");
@@ -163,7 +163,7 @@ TEST(Draw, HasACheckSquareOfAHundredMillimetresWithItsTextInside) {
 }
 
 TEST(Draw, TakesAPatternWithoutPieces) {
-    const Drawing drawing = draw(Pattern{}, layOut(Pattern{}));
+    const Drawing drawing = draw(Pattern{}, placeCopies(Pattern{}));
     EXPECT_EQ(drawing.width, 120);
     EXPECT_EQ(drawing.height, 120);
     EXPECT_EQ(drawing.paths.size(), 1u);
@@ -176,7 +176,7 @@ TEST(Draw, KeepsTextsOnThePageAtAnyScale) {
         for (PatternPiece& piece : pattern.pieces) {
             piece.outline *= scale;
         }
-        const Drawing drawing = draw(pattern, layOut(pattern));
+        const Drawing drawing = draw(pattern, placeCopies(pattern));
         if (scale >= 1) {  // pieces below 1 cm2 have no label
             EXPECT_GE(drawing.texts.size(), pattern.pieces.size());
         }

@@ -13,7 +13,7 @@ constexpr double kDxfWritten = 2e-4;  // what 4 decimals can change in a length,
 
 TEST(WriteDxf, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
-    const test::DxfFile file(writePlainDxf(draw(pattern, layOut(pattern))));
+    const test::DxfFile file(writePlainDxf(draw(pattern, placeCopies(pattern))));
     EXPECT_TRUE(file.faults.empty()) << file.faults.front();
     ASSERT_EQ(file.polylines.size(), pattern.pieces.size() + 1);
     for (std::size_t i = 0; i < pattern.pieces.size(); ++i) {

@@ -155,7 +155,7 @@ Pattern sewingPattern() {
 
 Drawing sewingDrawing() {
     const Pattern pattern = sewingPattern();
-    return draw(pattern, layOut(pattern));
+    return draw(pattern, placeCopies(pattern));
 }
 
 Eigen::VectorXd edgeLengths(const Points2& outline) {

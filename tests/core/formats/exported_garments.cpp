@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pattern/half_pattern.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 
@@ -22,7 +22,7 @@ ExportOptions dxfOptions(DxfProfile profile, LengthUnit unit) {
 
 ExportedGarment exported(Pattern pattern) {
     ExportedGarment made;
-    made.laid = laidOut(std::move(pattern));
+    made.laid = cutAndPlace(std::move(pattern));
     return made;
 }
 
@@ -36,7 +36,7 @@ ExportedGarment exported(const std::string& file, bool isPattern) {
     for (PatternPiece& piece : pattern.pieces) {
         piece.grain = isPattern ? std::optional(kGrainUpwards) : std::nullopt;
     }
-    made.laid = laidOut(std::move(pattern));
+    made.laid = cutAndPlace(std::move(pattern));
     return made;
 }
 
@@ -46,7 +46,7 @@ void cutByHalf(ExportedGarment& made) {
         piece.byHalf = true;
         piece.quantity = 2;
     }
-    made.laid = laidOut(std::move(pattern));
+    made.laid = cutAndPlace(std::move(pattern));
 }
 
 ExportedGarment markedPieces(NotchForm form) {

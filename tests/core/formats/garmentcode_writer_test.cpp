@@ -10,7 +10,7 @@
 #include "core/base/file.h"
 #include "core/formats/formats.h"
 #include "core/formats/garmentcode/garmentcode_reader.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/pattern/notched_garments.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
@@ -28,7 +28,7 @@ struct Made {
     Made(Garment from, const LineSettings& lines) : garment(std::move(from)) {
         Progress progress;
         results = flattenGarment(garment, {}, progress, 0, lines);
-        laid = laidOut(makePattern(garment, results, lines));
+        laid = cutAndPlace(makePattern(garment, results, lines));
     }
 
     ExportSource source() const { return {garment, results, laid}; }

@@ -133,7 +133,7 @@ TEST(PatternMatch, ComparesLineWithLine) {
 
 TEST(PatternMatch, FindsOurOwnExport) {
     const Pattern pattern = test::sewingPattern();
-    const auto file = readDxfPattern(writePlainDxf(draw(pattern, layOut(pattern))));
+    const auto file = readDxfPattern(writePlainDxf(draw(pattern, placeCopies(pattern))));
     ASSERT_TRUE(file);
     const PatternMatch match = matchPatterns(pattern, *file);
     EXPECT_TRUE(match.alone.empty());

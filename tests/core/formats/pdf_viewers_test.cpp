@@ -35,7 +35,7 @@ class PdfViewers : public testing::TestWithParam<Paper> {
 protected:
     PdfViewers() {
         const Pattern pattern = test::sewingPattern();
-        const auto bytes = writePdf(draw(pattern, layOut(pattern)), pattern, {GetParam(), 10});
+        const auto bytes = writePdf(draw(pattern, placeCopies(pattern)), pattern, {GetParam(), 10});
         EXPECT_TRUE(bytes);
         file_ = "'" + folder_.write("out.pdf", *bytes).string() + "'";
     }

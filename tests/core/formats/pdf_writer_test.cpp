@@ -10,10 +10,11 @@
 #include "core/formats/export_file.h"
 #include "core/formats/formats.h"
 #include "core/formats/pdf/pdf_content.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/readers/pdf_read_back.h"
 #include "tests/core/readers/pdf_reader.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -30,7 +31,7 @@ struct Drawn {
 
 Drawn handmade() {
     Drawn made{test::sewingPattern(), {}};
-    made.drawing = draw(made.pattern, layOut(made.pattern));
+    made.drawing = draw(made.pattern, placeCopies(made.pattern));
     return made;
 }
 
@@ -106,7 +107,7 @@ TEST(WritePdf, IsReadBackOnEveryPaper) {
     const Drawn made = handmade();
     Drawn none{made.pattern, {}};  // nothing is flat
     none.pattern.pieces.clear();
-    none.drawing = draw(none.pattern, layOut(none.pattern));
+    none.drawing = draw(none.pattern, placeCopies(none.pattern));
     for (const Drawn* drawn : {&made, &shirt(), static_cast<const Drawn*>(&none)}) {
         for (const Paper paper : kPapers) {
             for (const double overlap : {0.0, 10.0, 50.0}) {
@@ -149,7 +150,7 @@ TEST(WritePdf, NumbersItsPagesAndBeginsWithTheMap) {
 TEST(WritePdf, GivesAPatternItsSheetAndTheSquaresTheMap) {
     // With the check square beside it the piece would need another sheet.
     Drawn made{{"apron", {{{}, "apron", "apron", test::rectangle(0, 0, 1100, 700)}}}, {}};
-    made.drawing = draw(made.pattern, layOut(made.pattern));
+    made.drawing = draw(made.pattern, placeCopies(made.pattern));
     const PdfOptions options{Paper::A0, 10};
     const std::string bytes = written(made, options);
     const auto read = readPdf(bytes);
@@ -180,7 +181,7 @@ TEST(WritePdf, DrawsFairSeamLinesAsCurves) {
 TEST(WritePdf, RefusesAProjectorsPageThatWouldBeTooLong) {
     Drawn made = handmade();
     made.pattern.pieces.push_back({{}, "sash", "sash", test::rectangle(0, 0, 5200, 30)});
-    made.drawing = draw(made.pattern, layOut(made.pattern));
+    made.drawing = draw(made.pattern, placeCopies(made.pattern));
     const auto refused = writePdf(made.drawing, made.pattern, {Paper::Projector, 10});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::PageTooSmall);

@@ -7,9 +7,10 @@
 
 #include "core/formats/export_file.h"
 #include "core/formats/formats.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/readers/any_read_back.h"
 #include "tests/core/readers/mesh_compare.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 

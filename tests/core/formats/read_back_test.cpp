@@ -51,7 +51,7 @@ Drawing sewnDrawing() {
         }
         pattern.pieces.push_back(piece);
     }
-    return draw(pattern, layOut(pattern, {Placement{}, Placement{{400, 0}, 0.3, true}}));
+    return draw(pattern, placeCopies(pattern, {Placement{}, Placement{{400, 0}, 0.3, true}}));
 }
 
 TEST(ReadBack, OfTheSameLinesHasNoDifference) {
@@ -90,7 +90,7 @@ std::string faultOfComb(double longer) {
     comb.row(2001) << 500, -10;
     Pattern pattern;
     pattern.pieces.emplace_back().outline = comb;
-    const Drawing drawing = draw(pattern, layOut(pattern, {Placement{}}));
+    const Drawing drawing = draw(pattern, placeCopies(pattern, {Placement{}}));
     ReadDrawing read = readAsIs(drawing, true);
     for (Eigen::Index k = 1; k < 2001; k += 2) {
         read.lines.front().points(k, 1) += longer;
@@ -119,7 +119,7 @@ Jagged jaggedOnGrid(unsigned seed, double grid) {
     }
     Pattern pattern;
     pattern.pieces.emplace_back().outline = outline;
-    Jagged jagged{draw(pattern, layOut(pattern, {Placement{}})), {}};
+    Jagged jagged{draw(pattern, placeCopies(pattern, {Placement{}})), {}};
     jagged.read = readAsIs(jagged.drawing, true);
     for (ReadLine& line : jagged.read.lines) {
         line.points = grid * (line.points / grid).array().round().matrix();
@@ -209,7 +209,7 @@ TEST(ReadBack, MeasuresSeamsOnKeyPoints) {
     seam.to = kCount / 2 * (piece.outline.row(1) - piece.outline.row(0)).norm();
     piece.seams = {seam};
     pattern.pieces = {piece};
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     const auto thinned = [&](Eigen::Index step) -> ReadDrawing {
         ReadDrawing read = readAsIs(drawing, true);
         Points2& points = read.lines.front().points;

@@ -6,7 +6,8 @@
 
 #include "core/formats/export_file.h"
 #include "core/formats/tables/html_report.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 

@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Papers, Sheets,
 
 TEST(DrawPattern, DrawsEveryLineOfItsLayersOnce) {
     const Pattern pattern = test::sewingPattern();
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     CountingCanvas canvas;
     drawPattern(canvas, drawing, pattern, {LayerKind::Sew, LayerKind::Cut});
     std::vector<std::string> wanted;

@@ -17,7 +17,7 @@ namespace {
 
 TEST(SvgPattern, ReadsOurOwnFilesByTheirPieces) {
     const Pattern pattern = test::sewingPattern();
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     for (const SvgGroups groups : {SvgGroups::Kind, SvgGroups::Piece}) {
         SvgOptions options;
         options.groups = groups;

@@ -65,7 +65,7 @@ struct SvgFile {
 
 TEST(WriteSvg, KeepsEveryEdgeLengthToTheWrittenPrecision) {
     const Pattern pattern = test::sewingPattern();
-    const SvgFile file(draw(pattern, layOut(pattern)));
+    const SvgFile file(draw(pattern, placeCopies(pattern)));
     ASSERT_EQ(file.paths.size(), pattern.pieces.size() + 1);
     for (const PatternPiece& piece : pattern.pieces) {
         const Points2& written = file.paths.at("piece-" + piece.slug + "-cut");

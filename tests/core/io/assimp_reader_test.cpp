@@ -7,7 +7,7 @@
 
 #include "core/base/id.h"
 #include "core/io/gltf_buffers.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/io/soup_checks.h"
 #include "tests/core/io/zip_archive.h"
 #include "tests/core/support/shared_data.h"

@@ -29,7 +29,7 @@ TEST(ClothNeed, IsTheBoxOfWhatIsCutFromEachCloth) {
     pattern.pieces = {rectangle(300, 400, ""), rectangle(100, 200, "Lining"),
                       rectangle(300, 400, ""), PatternPiece{}};  // the last is not flat
     const auto needs =
-        clothNeeds(laidOut(pattern, {at(0, 0), at(0, 5000), at(1250, 100), std::nullopt}),
+        clothNeeds(cutAndPlace(pattern, {at(0, 0), at(0, 5000), at(1250, 100), std::nullopt}),
                    *fabricPreset("denim"));
     ASSERT_EQ(needs.size(), 2U);
     EXPECT_EQ(needs[0], (ClothNeed{"", 500, 1550, fabricPreset("denim")->width}));
@@ -43,7 +43,7 @@ TEST(ClothNeed, GoesByTheLineThatIsCut) {
     pattern.pieces = {rectangle(300, 400, "")};
     pattern.pieces[0].cuttingLine.resize(4, 2);
     pattern.pieces[0].cuttingLine << -10, -30, 310, -30, 310, 410, -10, 410;
-    const auto needs = clothNeeds(laidOut(pattern), Fabric{});
+    const auto needs = clothNeeds(cutAndPlace(pattern), Fabric{});
     ASSERT_EQ(needs.size(), 1U);
     EXPECT_DOUBLE_EQ(needs[0].length, 440);
     EXPECT_DOUBLE_EQ(needs[0].across, 320);
@@ -53,7 +53,7 @@ TEST(ClothNeed, GoesByTheLineThatIsCut) {
 TEST(ClothNeed, NothingFlatNeedsNothing) {
     Pattern pattern;
     pattern.pieces.resize(2);
-    EXPECT_TRUE(clothNeeds(laidOut(pattern), Fabric{}).empty());
+    EXPECT_TRUE(clothNeeds(cutAndPlace(pattern), Fabric{}).empty());
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ TEST(Marker, WithoutPlacesIsTheRows) {
     const Pattern pattern = twoPieces();
     const Rows rows = layOutInRows(pattern);
     for (const Placements& none : {Placements{}, Placements{{}, {}}}) {
-        const Marker marker = layOut(pattern, none);
+        const Marker marker = placeCopies(pattern, none);
         ASSERT_EQ(marker.copies.size(), 2U);
         for (std::size_t i = 0; i < 2; ++i) {
             EXPECT_EQ(marker.copies[i].placement, Placement{rows.offset[i]});
@@ -66,8 +66,8 @@ TEST(Marker, RowsAreNoWiderThanTheCloth) {
         piece.outline *= 450 / (piece.outline.col(0).maxCoeff() - piece.outline.col(0).minCoeff());
         pattern.pieces.push_back(std::move(piece));
     }
-    EXPECT_LE(layOut(pattern).width, kUsualClothWidth);  // of a fabric that nobody has stated
-    const LaidOutPattern laid = laidOut(pattern, {}, {"unstated", {}, {}, {}, 950});
+    EXPECT_LE(placeCopies(pattern).width, kUsualClothWidth);  // of a fabric that nobody has stated
+    const LaidOutPattern laid = cutAndPlace(pattern, {}, {"unstated", {}, {}, {}, 950});
     EXPECT_LE(laid.marker.width, 950);
     EXPECT_GT(laid.marker.width, 900);
     EXPECT_LE(laid.whole.width, 950);
@@ -76,19 +76,19 @@ TEST(Marker, RowsAreNoWiderThanTheCloth) {
 TEST(Marker, LeavesOutWhatIsNotFlat) {
     Pattern pattern = twoPieces();
     pattern.pieces.insert(pattern.pieces.begin(), PatternPiece{});
-    const Marker marker = layOut(pattern);
+    const Marker marker = placeCopies(pattern);
     ASSERT_EQ(marker.copies.size(), 2U);
     EXPECT_EQ(marker.copies[0].piece, 1);
-    const Marker alone = layOut(twoPieces());
+    const Marker alone = placeCopies(twoPieces());
     EXPECT_EQ(marker.copies[1].placement, alone.copies[1].placement);
     EXPECT_EQ(marker.width, alone.width);
-    EXPECT_EQ(layOut(Pattern{}).width, 0);
+    EXPECT_EQ(placeCopies(Pattern{}).width, 0);
 }
 
 TEST(Marker, KeepsHowPiecesLieToEachOther) {
     const Pattern pattern = twoPieces();
     const Placement one{{300, -50}, 0.7, false}, two{{-80, 20}, -2.0, true};
-    const Marker marker = layOut(pattern, {one, two});
+    const Marker marker = placeCopies(pattern, {one, two});
     const auto should = [&](std::size_t i, const Placement& placement) -> Points2 {
         const Points2 turned = pattern.pieces[i].outline * placement.linear().transpose();
         return turned.rowwise() + placement.offset.transpose();
@@ -127,7 +127,7 @@ TEST(Marker, MirroredLinesKeepTheClothOnTheirLeft) {
 
 TEST(Marker, PutsThoseWithoutAPlaceBesideTheOthers) {
     const Pattern pattern = twoPieces();
-    const Marker marker = layOut(pattern, {Placement{{5, 5}, 0.3, false}, {}});
+    const Marker marker = placeCopies(pattern, {Placement{{5, 5}, 0.3, false}, {}});
     EXPECT_GT(lies(pattern, marker.copies[1]).col(0).minCoeff(),
               lies(pattern, marker.copies[0]).col(0).maxCoeff());
 }

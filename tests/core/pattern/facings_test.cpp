@@ -10,7 +10,7 @@
 #include "core/geometry/line.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/pattern/allowance_shapes.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 
@@ -144,7 +144,7 @@ TEST(Facings, AreCutAsTheirPieceIs) {
     pattern.facings = facingsOf(pattern, {alongNeckline(pattern, 15)});
     pattern.pieces[0].quantity = 2;
     pattern.pieces[0].grain = 1;
-    const LaidOutPattern laid = laidOut(pattern);
+    const LaidOutPattern laid = cutAndPlace(pattern);
     ASSERT_EQ(laid.pattern.pieces.size(), 2U);
     EXPECT_EQ(laid.pattern.pieces[1].quantity, 2);
     EXPECT_EQ(laid.pattern.pieces[1].grain, 1);

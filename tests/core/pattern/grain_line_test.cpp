@@ -95,10 +95,10 @@ TEST(GrainLine, KeepsOffHoles) {
 
 TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {
     Pattern pattern = test::sewingPattern();
-    EXPECT_EQ(test::DxfFile(writePlainDxf(draw(pattern, layOut(pattern)))).layers.count("GRAIN"),
+    EXPECT_EQ(test::DxfFile(writePlainDxf(draw(pattern, placeCopies(pattern)))).layers.count("GRAIN"),
               0U);
     pattern.pieces[0].grain = 0.5;
-    const Drawing drawing = draw(pattern, layOut(pattern, {Placement{{0, 0}, 0.3, true}}));
+    const Drawing drawing = draw(pattern, placeCopies(pattern, {Placement{{0, 0}, 0.3, true}}));
     const test::DxfFile file(writePlainDxf(drawing));
     EXPECT_TRUE(file.faults.empty());
     EXPECT_EQ(file.layers.count("GRAIN"), 1U);

@@ -13,7 +13,7 @@
 #include "core/formats/writers.h"
 #include "core/pattern/curve_fit.h"
 #include "core/pattern/piece_curves.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/formats/dxf_reader.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
@@ -174,7 +174,7 @@ Points2 svgPath(const std::string& bytes, const std::string& id, bool& isClosed)
 
 TEST(HalfPatternFiles, ShowOneHalfAndItsFold) {
     const MirroredPattern made = byHalves("samples/tshirt.obj", true);
-    const LaidOutPattern laid = laidOut(made.whole);
+    const LaidOutPattern laid = cutAndPlace(made.whole);
     const Drawing drawing = draw(laid.pattern, laid.marker);
     const std::string svg = writeSvg(drawing);
     const test::DxfFile dxf(writePlainDxf(drawing));
@@ -211,9 +211,9 @@ TEST(HalfPatternFiles, AreAsBeforeWhereNothingIsByHalf) {
     for (PatternPiece& piece : made.whole.pieces) {
         piece.byHalf = false;
     }
-    const LaidOutPattern laid = laidOut(made.whole);
+    const LaidOutPattern laid = cutAndPlace(made.whole);
     EXPECT_EQ(writeSvg(draw(laid.pattern, laid.marker)),
-              writeSvg(draw(made.whole, layOut(made.whole))));
+              writeSvg(draw(made.whole, placeCopies(made.whole))));
     EXPECT_EQ(writeReport(made.garment, made.results, laid.pattern),
               writeReport(made.garment, made.results, made.whole));
     EXPECT_EQ(laid.marker.width, laid.whole.width);

@@ -16,7 +16,7 @@
 #include "core/cut/surface_paths.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/pattern/half_pattern.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/pattern/notches.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::test {
 

@@ -7,7 +7,7 @@
 
 #include "core/flatten/base/piece_result.h"
 #include "core/pattern/piece_marks.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -14,9 +14,9 @@
 #include "core/geometry/segment.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/notch_mark.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/outline_crossings.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/pattern/allowance_shapes.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shapes.h"
@@ -401,8 +401,8 @@ TEST(PatternDrawing, HasTheSeamLineAndTheNotchesOnLayersOfTheirOwn) {
     const auto count = [](const Drawing& drawing, LayerKind kind) {
         return std::ranges::count(drawing.paths, kind, &DrawnPath::layer);
     };
-    const Drawing without = draw(bare.pattern, layOut(bare.pattern));
-    const Drawing with = draw(made.pattern, layOut(made.pattern));
+    const Drawing without = draw(bare.pattern, placeCopies(bare.pattern));
+    const Drawing with = draw(made.pattern, placeCopies(made.pattern));
     for (const LayerKind kind : {LayerKind::Sew, LayerKind::Notches}) {
         EXPECT_FALSE(hasLayer(without, kind));
         EXPECT_TRUE(hasLayer(with, kind));

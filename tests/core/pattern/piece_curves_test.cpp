@@ -13,7 +13,7 @@
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
 #include "core/pattern/curve_fit.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
 

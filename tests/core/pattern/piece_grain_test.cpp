@@ -8,9 +8,9 @@
 
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
-#include "core/pipeline/pipeline.h"
 #include "core/quality/grain_cost.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"

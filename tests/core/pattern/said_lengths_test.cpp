@@ -8,9 +8,9 @@
 #include "core/geometry/line.h"
 #include "core/pattern/segments.h"
 #include "core/pattern/target_lengths.h"
-#include "core/pipeline/pipeline.h"
 #include "core/seam/seam_measure.h"
 #include "core/seam/seam_settings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

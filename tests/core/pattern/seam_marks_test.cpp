@@ -146,7 +146,7 @@ TEST(SeamMarks, AreNoCutLinesAndTellTwoSidesOfOnePieceApart) {
     PatternPiece piece = sewnRectangle();
     piece.seams[1].number = 1;
     Pattern pattern{"sleeve", {piece}};
-    const Drawing drawing = draw(pattern, layOut(pattern));
+    const Drawing drawing = draw(pattern, placeCopies(pattern));
     EXPECT_EQ(drawing.paths.size(), 6U);
     EXPECT_EQ(drawing.paths[3].id, "piece-front--seam-1b-tick-1");
     const std::string svg = writeSvg(drawing);

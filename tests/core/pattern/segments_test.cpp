@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "core/pattern/trueing.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/prepare/file_surface.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 

@@ -11,11 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "core/geometry/segment.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
 #include "core/project/project_file.h"
 #include "core/seam/seam_measure.h"
 #include "core/seam/seam_settings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 

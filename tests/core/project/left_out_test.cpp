@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/pattern/pattern.h"
-#include "core/pipeline/garment_flattener.h"
 #include "core/project/piece_settings.h"
 #include "core/project/project_file.h"
+#include "core/toile/garment_flattener.h"
 #include "tests/core/support/project_pieces.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/temporary_folder.h"

@@ -13,10 +13,10 @@
 #include "core/pattern/pattern.h"
 #include "core/pattern/segments.h"
 #include "core/pattern/walk.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/project_file.h"
 #include "core/seam/outline.h"
 #include "core/seam/seam_measure.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/project/project_file.h"
 #include "core/seam/seam_settings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "core/garment/lineage.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile {

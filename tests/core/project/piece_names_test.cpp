@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/temporary_folder.h"
 

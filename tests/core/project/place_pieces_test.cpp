@@ -9,8 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "core/layout/free_place.h"
-#include "core/pipeline/pipeline.h"
 #include "core/project/piece_settings.h"
+#include "core/toile/pipeline.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"

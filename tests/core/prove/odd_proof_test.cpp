@@ -7,10 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/prove/design_surface.h"
 #include "core/prove/proof.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/literal_mesh.h"
 #include "tests/core/support/shapes.h"
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/core/prove/proved_garment.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/support/temporary_folder.h"
 

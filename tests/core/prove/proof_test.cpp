@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/prove/fresh_cloth.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/prove/proved_garment.h"
+#include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/prove/design_surface.h"
+#include "tests/core/support/laid_rows.h"
 
 namespace toile::test {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "core/formats/dxf/apparel_dxf.h"
 #include "core/formats/read_pattern.h"
-#include "core/pipeline/pipeline.h"
 #include "core/prove/fresh_cloth.h"
 #include "core/sew/cloth.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::test {
 

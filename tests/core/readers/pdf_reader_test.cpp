@@ -17,7 +17,7 @@ using Kind = PdfValue::Kind;
 
 std::string smallPdf() {
     const Pattern pattern = test::sewingPattern();
-    return *writePdf(draw(pattern, layOut(pattern)), pattern, {});
+    return *writePdf(draw(pattern, placeCopies(pattern)), pattern, {});
 }
 
 TEST(ReadPdf, ReadsValuesOfEveryKind) {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/seam/seam_score.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/shared_data.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/soup.h"
-#include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/seam/seam_shapes.h"
 #include "tests/core/support/sewn_sample.h"
 #include "tests/core/support/shared_data.h"

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/disjoint_sets.h"
-#include "core/pipeline/pipeline.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile::test {

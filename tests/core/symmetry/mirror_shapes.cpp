@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/pipeline/pipeline.h"
 #include "core/seam/find_seams.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/support/shared_data.h"
 

@@ -11,8 +11,8 @@
 #include "core/assemble/cut_pieces.h"
 #include "core/cut/surface_paths.h"
 #include "core/geometry/segment.h"
-#include "core/pipeline/pipeline.h"
 #include "core/tailor/tailor_cuts.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/tailor/worn_shapes.h"
 
