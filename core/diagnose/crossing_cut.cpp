@@ -240,6 +240,16 @@ public:
         }
     }
 
+    /// `CrossingCut::folded3d`.
+    double folded() const {
+        double sum = 0;
+        for (const OutlineCrossing& c : all_) {
+            const double between = along_[c.second] - along_[c.first];
+            sum += std::min(between, along_.back() - between);
+        }
+        return sum;
+    }
+
 private:
     struct Candidate {
         InteriorPath path;
@@ -463,6 +473,10 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
     if (!cut) {
         return worded("; no cut through the inside was found");
     }
+    if (!cut->isWorthIt()) {
+        return worded("; only %1 mm of its edge fold over: smooth the edge there, or remesh a scan",
+                      {figure(cut->folded3d, 1)});
+    }
     const auto place = [&piece](int v) {
         return placeWording(piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2));
     };
@@ -478,7 +492,12 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
 std::optional<CrossingCut> cutForCrossings(const Piece& piece, const Points2& Q,
                                            const std::vector<OutlineCrossing>& crossings,
                                            const Progress& progress) {
-    return CutSearch(piece, Q, crossings, progress).best();
+    CutSearch search(piece, Q, crossings, progress);
+    auto cut = search.best();
+    if (cut) {
+        cut->folded3d = search.folded();
+    }
+    return cut;
 }
 
 void nameCrossingCut(const Piece& piece, const Points2& Q,

@@ -18,6 +18,11 @@ struct CrossingCut {
     std::vector<int> path;  ///< piece vertices, from the outline through the inside to the outline
     double length3d = 0;    ///< mm
     bool resolves = false;  ///< the outline of neither part crosses itself in Q
+    double folded3d = 0;    ///< mm of outline between the crossing edges, on the shorter side
+
+    /// Whether the cut is shorter than the stretches that it frees. If not, corners of a ragged
+    /// edge fold over, and a cut through the piece would help nobody.
+    bool isWorthIt() const { return length3d <= folded3d; }
 };
 
 /// Finds the cut that separates the crossing edges of a flat outline. Each crossing divides the

@@ -40,7 +40,7 @@ std::vector<int> cutOfCrossings(const Piece& piece, const Progress& progress) {
     }
     const FlatPiece& crossing = flat->crossings.empty() ? *quick : *flat;
     const auto cut = cutForCrossings(piece, crossing.Q, crossing.crossings, progress);
-    return cut && !progress.isCancelled() ? cut->path : std::vector<int>{};
+    return cut && cut->isWorthIt() && !progress.isCancelled() ? cut->path : std::vector<int>{};
 }
 
 /// Proposes the automatic cuts of each piece according to the options.

@@ -1784,6 +1784,10 @@ veraltet</translation>
         <translation>; schneiden Sie es von %1 bis %2 ein, %3 mm</translation>
     </message>
     <message>
+        <source>; only %1 mm of its edge fold over: smooth the edge there, or remesh a scan</source>
+        <translation>; nur %1 mm seiner Kante klappen um: glätten Sie dort die Kante, oder vernetzen Sie einen Scan neu</translation>
+    </message>
+    <message>
         <source>; one cut is not enough: begin with one from %1 to %2, %3 mm</source>
         <translation>; ein Einschnitt reicht nicht: beginnen Sie mit einem von %1 bis %2, %3 mm</translation>
     </message>

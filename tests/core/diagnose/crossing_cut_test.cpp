@@ -164,6 +164,36 @@ TEST(CrossingCut, ASaddlesSlitIsCutOn) {
     }
 }
 
+TEST(CrossingCut, ALongCutIsNotWorthItForEarsOfARaggedEdge) {
+    // Two ears on one edge of a strip, with more than a straight angle each: they fold over the
+    // strip by a few millimetres, and one cut between them would take off half of it.
+    MeshArrays mesh = test::planeGrid(40, 4, 5);
+    for (const int column : {10, 30}) {
+        const auto rim = [&](int k) { return 4 * 41 + k; };
+        const Eigen::RowVector3d at = mesh.V.row(rim(column));
+        ASSERT_DOUBLE_EQ(at.y(), 20);
+        const int n = static_cast<int>(mesh.V.rows()), f = static_cast<int>(mesh.F.rows());
+        mesh.V.conservativeResize(n + 2, 3);
+        mesh.V.row(n) = at + Eigen::RowVector3d(-0.5, 0.5, 4);
+        mesh.V.row(n + 1) = at + Eigen::RowVector3d(4, 0, -3);
+        mesh.F.conservativeResize(f + 2, 3);
+        mesh.F.row(f) << rim(column), rim(column + 1), n;
+        mesh.F.row(f + 1) << rim(column), n, n + 1;
+    }
+    const auto piece = test::asPiece(mesh);
+    ASSERT_FALSE(piece->defect) << sentence(*piece->defect);
+    const Points2 Q = flatOf(*piece, Method::Natural);
+    ASSERT_EQ(outlineCrossings(Q, piece->boundary), 2);
+    const auto cut = cutOf(*piece, Q);
+    ASSERT_TRUE(cut);
+    EXPECT_GT(cut->length3d, 40);
+    EXPECT_LT(cut->folded3d, 40);
+    EXPECT_FALSE(cut->isWorthIt());
+    EXPECT_NE(saidOf(*piece, Q).find("smooth the edge there"), std::string::npos);
+    const auto flounce = test::asPiece(test::flounce(500, 80, 200, 72, 5));
+    EXPECT_TRUE(cutOf(*flounce, flatOf(*flounce, Method::Curvature))->isWorthIt());
+}
+
 TEST(CrossingCut, IsTheSameAgainAndScalesAlong) {
     const MeshArrays mesh = test::flounce(430, 80, 200, 60, 4);
     const auto piece = test::asPiece(mesh);
