@@ -57,8 +57,10 @@ TEST_P(Judge, AgreesWithTheReport) {
     const auto flatten = test::run(
         TOILE_PROGRAM, {"flatten", input.string(), "--unit", garment.unit, "--method", method, "-o",
                         obj, "--report", (folder / "report.json").string()});
-    // Strain that no cloth takes is a fault, and the files are written all the same.
-    const bool hasFault = flatten.err.find("toile: fault:") != std::string::npos;
+    // Strain that no cloth takes and outlines that cross are faults, and the files are written all
+    // the same.
+    const bool hasFault = flatten.err.find("toile: fault:") != std::string::npos ||
+                          flatten.err.find("crosses itself") != std::string::npos;
     ASSERT_EQ(flatten.status, hasFault ? 1 : 0) << flatten.err;
     const auto judged = test::run(
         python, {judge.string(), obj, "--pieces", "--v-scale", garment.millimetres, "--json"});
