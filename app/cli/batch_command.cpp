@@ -115,7 +115,7 @@ void addNotes(OrderedJson& figures, const std::string& messages) {
 OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::string>& formats,
                                 const std::filesystem::path& folder) {
     std::ostringstream said;
-    const Arguments arguments = withProjectOfFiles(entry.arguments, said);
+    const Arguments arguments = withProject(entry.arguments, said);
     if (arguments.isMessage()) {
         return failedFigures(Refusal(arguments));
     }

@@ -127,9 +127,6 @@ BatchEntry batchEntry(const BatchArguments& batch, const std::string& path,
 }
 
 std::string hashOfContent(const BatchEntry& entry) {
-    if (refusalOfFiles(entry.arguments)) {
-        return {};
-    }
     std::ostringstream notes;  // who flattens it says them
     const Arguments arguments = withProject(entry.arguments, notes);
     std::vector<std::filesystem::path> files = arguments.inputs;
@@ -139,7 +136,7 @@ std::string hashOfContent(const BatchEntry& entry) {
     if (!arguments.seams.empty()) {
         files.push_back(arguments.seams);
     }
-    return refusalOfFiles(arguments) ? std::string() : hashOfFiles(files);
+    return hashOfFiles(files);
 }
 
 void identify(BatchEntry& entry, const BatchArguments& batch, const std::string& hash) {

@@ -144,38 +144,6 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     return arguments;
 }
 
-Arguments withProjectOfFiles(const Arguments& arguments, std::ostream& err) {
-    if (const auto pipe = refusalOfFiles(arguments)) {
-        return refused(*pipe);
-    }
-    Arguments whole = withProject(arguments, err);
-    const auto pipe = refusalOfFiles(whole);
-    return pipe ? refused(*pipe) : whole;
-}
-
-std::optional<Error> refusalOfFiles(const Arguments& arguments) {
-    const auto firstOdd = [](const std::vector<fs::path>& files) {
-        return std::ranges::find_if(files, [](const fs::path& file) {
-            std::error_code missing;
-            const auto status = fs::status(file, missing);
-            return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
-        });
-    };
-    constexpr const char* kWhy = "it is no regular file";
-    std::vector<fs::path> read = arguments.inputs;
-    read.insert(read.end(), {arguments.seams, arguments.pattern});
-    if (arguments.isProving || arguments.command == Arguments::Command::Prove) {
-        read.push_back(proofPlanOf(arguments).body);
-    }
-    if (const auto odd = firstOdd(read); odd != read.end()) {
-        return Error{ErrorCode::FileUnreadable, Subject::file(odd->string()), kWhy};
-    }
-    if (const auto odd = firstOdd(arguments.outputs); odd != arguments.outputs.end()) {
-        return Error{ErrorCode::FileUnwritable, Subject::file(odd->string()), kWhy};
-    }
-    return std::nullopt;
-}
-
 PatternOrder orderOf(const Arguments& arguments, const Garment& garment) {
     PatternOrder order{.flattening = arguments.options,
                        .lines = arguments.lines,

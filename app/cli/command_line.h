@@ -39,11 +39,6 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
 /// it says of reading and, as far as nothing else was typed, of flattening. Anything else comes
 /// back as it is. What cannot be done comes back as a Message; notes are printed.
 Arguments withProject(Arguments arguments, std::ostream& err);
-/// The same for who cannot wait for a pipe, or reads files twice: one is a Message too, unopened.
-Arguments withProjectOfFiles(const Arguments& arguments, std::ostream& err);
-/// Which of the files is neither a regular file nor a folder: FileUnreadable of those to read,
-/// FileUnwritable of those to write. What is not there is for who reads it to say.
-std::optional<Error> refusalOfFiles(const Arguments& arguments);
 
 /// The pattern that the arguments and their project ask for.
 PatternOrder orderOf(const Arguments& arguments, const Garment& garment);

@@ -39,7 +39,7 @@ ServeOutcome ServeSession::State::edit(const ServeRequest& request, Progress& pr
 
 ServeOutcome ServeSession::State::make(Asked next, ReadFiles files, Progress& progress) {
     std::ostringstream err;
-    next.arguments = withProjectOfFiles(next.typed, err);
+    next.arguments = withProject(next.typed, err);
     if (next.arguments.isMessage()) {
         return Refusal(next.arguments);
     }

@@ -72,8 +72,13 @@ ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& p
     if (typed.outputs.empty()) {
         return Refusal(kWrongUsage, "an export needs -o FILE");
     }
-    if (const auto pipe = refusalOfFiles(typed)) {
-        return Refusal(*pipe);
+    for (const auto& output : typed.outputs) {  // a request must not wait for a pipe's reader
+        std::error_code missing;
+        const auto status = std::filesystem::status(output, missing);
+        if (exists(status) && !is_regular_file(status) && !is_directory(status)) {
+            return Refusal(Error{ErrorCode::FileUnwritable, Subject::file(output.string()),
+                                 "it is a pipe or a device"});
+        }
     }
     auto flattened = flat(true, progress);
     if (auto* refusal = std::get_if<Refusal>(&flattened)) {
@@ -108,9 +113,6 @@ ServeOutcome ServeSession::State::prove(const ServeRequest& request, Progress& p
         return Refusal(typed);
     }
     typed.project = asked->arguments.project;
-    if (const auto pipe = refusalOfFiles(typed)) {
-        return Refusal(*pipe);
-    }
     auto flattened = flat(true, progress);
     if (auto* refusal = std::get_if<Refusal>(&flattened)) {
         return std::move(*refusal);

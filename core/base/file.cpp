@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// 2 GiB: no reader counts further, and the input of a pipe may be endless.
+// 2 GiB: no reader counts further.
 constexpr std::uintmax_t kMaxBytes = std::numeric_limits<int>::max();
 constexpr int kMaxLinks = 40;  // the system's own limit
 
@@ -228,6 +228,9 @@ Result<std::string> readFile(const fs::path& path) {
     if (fs::is_directory(status)) {
         return unreadable(path, "it is a folder");
     }
+    if (!fs::is_regular_file(status)) {  // reading a pipe may wait forever, and works only once
+        return unreadable(path, "it is a pipe or a device; save it as a file first");
+    }
     std::ifstream file(path, std::ios::binary);
     if (!file) {
         return unreadable(path, "it cannot be opened");
@@ -239,7 +242,7 @@ Result<std::string> readFile(const fs::path& path) {
     }
     std::string bytes;
     try {
-        if (!failed) {  // one read for a regular file, the tail loop below for anything else
+        if (!failed) {  // one read; the loop below is for a file that grows, or has no stated size
             bytes.resize(size);
             file.read(bytes.data(), static_cast<std::streamsize>(size));
             bytes.resize(static_cast<std::size_t>(file.gcount()));

@@ -9,8 +9,8 @@
 
 namespace toile {
 
-/// The whole file as bytes. Errors: FileUnreadable (missing, a folder, no permission, longer than 2
-/// GiB); OutOfMemory.
+/// The whole file as bytes. Errors: FileUnreadable (missing, a folder, a pipe or a device, no
+/// permission, longer than 2 GiB); OutOfMemory.
 Result<std::string> readFile(const std::filesystem::path& path);
 
 /// A path with forward slashes, as UTF-8.

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 #include "core/base/sanitized.h"
 #include "tests/cli/run_program.h"
@@ -232,6 +233,41 @@ TEST(Contract, UnreadableInputIsStatusThreeInOneSentence) {
         const auto run = test::toileRun({"flatten", input.string()});
         EXPECT_EQ(run.status, 3) << input;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+}
+
+TEST(Contract, NoCommandWaitsForAPipe) {
+    const test::TemporaryFolder folder;
+    const auto pipe = [&folder](const char* name) {
+        const std::string path = (folder / name).string();
+        EXPECT_EQ(mkfifo(path.c_str(), 0600), 0);
+        return path;
+    };
+    const std::string mesh = pipe("pipe.obj"), dxf = pipe("pipe.dxf"), project = pipe("pipe.toile"),
+                      seams = pipe("pipe.json"), list = pipe("pipe.txt"), gltf = pipe("pipe.gltf");
+    const std::string panel = folder.write("panel.obj", test::kPanel).string();
+    const std::vector<std::vector<std::string>> commands{
+        {"info", mesh},
+        {"info", dxf},
+        {"info", project},
+        {"info", gltf},
+        {"info", panel, "--unit", "mm", "--seams", seams},
+        {"flatten", mesh, "-o", (folder / "a.svg").string()},
+        {"check", mesh},
+        {"compare", mesh},
+        {"compare", panel, "--unit", "mm", "--pattern", dxf},
+        {"walk", mesh},
+        {"marker", mesh},
+        {"marker", panel, "--unit", "mm", "--hide", dxf},
+        {"prove", mesh},
+        {"prove", panel, "--unit", "mm", "--body", mesh},
+        {"prove", panel, "--unit", "mm", "--pattern", dxf},
+        {"batch", list, "-o", (folder / "out").string()}};
+    for (const std::vector<std::string>& command : commands) {
+        const auto run = test::toileRun(command);
+        EXPECT_EQ(run.status, 3) << command[0] << ' ' << command[1] << run.err;
+        EXPECT_NE(run.err.find("it is a pipe or a device"), std::string::npos)
+            << command[0] << ' ' << command[1] << run.err;
     }
 }
 

@@ -213,6 +213,15 @@ TEST(File, SaysWhyItCannotBeRead) {
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().code, ErrorCode::FileUnreadable);
     EXPECT_EQ(readFile(folder / "").error().detail, "it is a folder");
+#ifdef __linux__
+    ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
+    fs::create_symlink("/dev/zero", folder / "device");
+    for (const char* name : {"pipe", "device"}) {  // without waiting for who writes to it
+        const auto odd = readFile(folder / name);
+        ASSERT_FALSE(odd);
+        EXPECT_EQ(odd.error().detail, "it is a pipe or a device; save it as a file first");
+    }
+#endif
 }
 
 }  // namespace
