@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -59,10 +60,14 @@ std::optional<Wording> sizeDoubt(double largestExtent, std::string_view fileName
     if (largestExtent <= 0 || (largestExtent >= usual[0] && largestExtent <= usual[1])) {
         return std::nullopt;
     }
-    return kind == std::end(kKinds)
-               ? worded("a garment of %1 mm is unusual", {figure(largestExtent)})
-               : worded("%1 mm is unusual for \"%2\" in its name",
-                        {figure(largestExtent), Wording(std::string(kind->first))});
+    constexpr double kWrittenOut = 1e-6;
+    const auto decimals = static_cast<int>(1 - std::floor(std::log10(largestExtent)));
+    const Wording extent = largestExtent < kWrittenOut
+                               ? Wording(scientific(largestExtent, 2))
+                               : figure(largestExtent, std::max(0, decimals));
+    return kind == std::end(kKinds) ? worded("a garment of %1 mm is unusual", {extent})
+                                    : worded("%1 mm is unusual for \"%2\" in its name",
+                                             {extent, Wording(std::string(kind->first))});
 }
 
 void chooseUnit(SourceFile& file, const std::optional<FileUnit>& stated, double largestExtent) {

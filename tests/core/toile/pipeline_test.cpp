@@ -57,6 +57,20 @@ TEST(Pipeline, GuessesTheUnitWithAReasonAndAsksWhereInDoubt) {
     EXPECT_NEAR(stated.pieces[0]->mesh.V.maxCoeff(), 200 * 25.4, 1e-9);
 }
 
+TEST(Pipeline, WritesTinySizesWithTheirDigits) {
+    const test::TemporaryFolder folder;
+    for (const auto& [size, text] :
+         {std::pair("0.000001937", "a garment of 0.0019 mm"), std::pair("0.0312", "of 31 mm"),
+          std::pair("1e-20", "of 1.00e-17 mm")}) {
+        const std::string mesh =
+            std::string("v 0 0 0\nv ") + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n";
+        const Garment garment = load({folder.write("a.obj", "# Units: m\n" + mesh)}, std::nullopt);
+        ASSERT_FALSE(garment.files[0]->problems.empty());
+        const std::string said = sentence(garment.files[0]->problems[0]);
+        EXPECT_NE(said.find(text), std::string::npos) << said;
+    }
+}
+
 TEST(Pipeline, DoubtsASizeThatNoGarmentHasUntilTheUserStatesTheUnit) {
     const test::TemporaryFolder folder;
     const struct {
