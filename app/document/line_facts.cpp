@@ -29,18 +29,19 @@ double largestStrain(const PieceResult& result) {
                     std::abs(result.quality->strainMax.value_or(0)));
 }
 
-/// By how much of the kinks stays, and the largest first.
-void judgeEnds(const LineSettings& lines, LineFacts& facts) {
+/// Sorts the ends by kink, the largest first, and measures the kinks of the drawn lines.
+void judgeEnds(const Garment& garment, const PieceResults& results, LineFacts& facts) {
     std::ranges::stable_sort(facts.ends, std::greater<>(),
                              [](const SeamEnd& end) { return std::abs(end.kink); });
-    const auto turns = truedTurns(facts.segments, facts.ends);
+    const auto turnAt = [&](const OutlineCorner& corner) -> double {
+        const auto piece = static_cast<std::size_t>(corner.piece);
+        const TurnPoint& point =
+            facts.segments[piece].turnPoints[static_cast<std::size_t>(corner.point)];
+        const PieceResult* const shown = shownOf(garment, results, piece);
+        return shown ? drawnTurn(*shown, point) : point.turn;
+    };
     for (const SeamEnd& end : facts.ends) {
-        const auto changeAt = [&turns](const OutlineCorner& corner) -> double {
-            return turns[static_cast<std::size_t>(corner.piece)]
-                        [static_cast<std::size_t>(corner.point)];
-        };
-        facts.kept.push_back(lines.fairing ? end.kink - changeAt(end.left) - changeAt(end.right)
-                                           : end.kink);
+        facts.kept.push_back(kinkOf(turnAt(end.left), turnAt(end.right)));
     }
 }
 
@@ -118,7 +119,7 @@ LineFacts lineFacts(const Garment& garment, const PieceResults& results,
     static_cast<DrawnFacts&>(facts) = drawnFacts(garment, results);
     facts.segments = findSegments(garment, exactResults(garment, results), lines);
     facts.ends = findSeamEnds(garment, facts.segments, lines);
-    judgeEnds(lines, facts);
+    judgeEnds(garment, results, facts);
     return facts;
 }
 

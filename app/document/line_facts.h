@@ -35,7 +35,7 @@ DrawnFacts drawnFacts(const Garment& garment, const PieceResults& results);
 struct LineFacts : DrawnFacts {
     std::vector<OutlineSegments> segments;  ///< one per piece; empty where not flat
     std::vector<SeamEnd> ends;              ///< the largest kink first
-    std::vector<double> kept;               ///< kink of each that is there when it is sewn
+    std::vector<double> kept;               ///< kink of each, of the drawn lines
 
     const Segment& at(const SegmentAt& one) const {
         return segments[static_cast<std::size_t>(one.piece)]
