@@ -37,6 +37,8 @@ constexpr double kFarthestLayer = 30, kFarthestOfSize = 0.1;
 constexpr double kMaxOfIt = 0.6;
 /// Number of triangles sampled per part.
 constexpr std::size_t kLooksPerPart = 400;
+/// Triangles that all looks may test, some seconds' work: garments take a tenth of it.
+constexpr long kMaxVisitsOfFile = 40'000'000;
 /// Minimum cosine between adjacent sheets.
 constexpr double kAlongside = 0.8;
 /// Minimum shares of a part's area that agree on the garment's inside, and on the part's bend: flat
@@ -72,7 +74,7 @@ public:
           parts_(parts),
           farthest_(std::min(kFarthestLayer, kFarthestOfSize * std::sqrt(parts.total))) {}
 
-    PartDepths look(const Progress& progress) const {
+    PartDepths look(const Progress& progress) {
         std::vector<std::vector<int>> members(parts_.area.size());
         for (std::size_t f = 0; f < parts_.of.size(); ++f) {
             members[parts_.of[f]].push_back(static_cast<int>(f));
@@ -107,10 +109,10 @@ private:
         return area > 0 ? Eigen::RowVector3d(sum / area) : sum;
     }
 
-    SideSeen sideOf(int f, const Eigen::Vector3d& direction) const {
+    SideSeen sideOf(int f, const Eigen::Vector3d& direction) {
         SideSeen side;
         double last = 0;
-        for (const shell::Meeting& met : rays_.all(f, direction)) {
+        for (const shell::Meeting& met : rays_.all(f, direction, visitsLeft_)) {
             const double distance = met.way.norm(), gap = distance - last;
             const int part = parts_.of[met.triangle];
             if (gap > farthest_) {
@@ -130,7 +132,7 @@ private:
         return side;
     }
 
-    Look lookAt(int f, const Eigen::RowVector3d& middle) const {
+    Look lookAt(int f, const Eigen::RowVector3d& middle) {
         const Eigen::Vector3d normal = surface_.normal.row(f);
         if (normal.isZero()) {
             return {};
@@ -204,12 +206,14 @@ private:
     shell::Rays rays_;
     const SurfaceParts& parts_;
     double farthest_;
+    long visitsLeft_ = kMaxVisitsOfFile;
 };
 
 /// Looks outwards from parts. Outside is the side with nothing behind adjacent parts: a garment's
 /// front has its back on the other side. If that cannot be seen, the convex side is outside.
 /// @param surface  mm, each face once   @param parts  of it
-/// Cost: n log n, and rays of at most 400 triangles of each part. Pure.
+/// Cost: n log n, and rays of at most 400 triangles of each part, shorter ones after 40 million
+/// tests of triangles. Pure.
 PartDepths depthsOf(const FileSurface& surface, const SurfaceParts& parts,
                     const Progress& progress) {
     return DepthFinder(surface, parts).look(progress);

@@ -13,7 +13,9 @@ namespace {
 /// folds are wide. A rounded rim has no opposite.
 constexpr double kFacing = 0.8;
 /// Triangles tested per ray: more coincide only in files made to do so.
-constexpr int kMaxVisits = 2000;
+constexpr long kMaxVisits = 2000;
+/// Likewise once all rays together have tested as many as they may.
+constexpr long kMinVisits = 100;
 
 /// Where a ray enters a box; infinite if it misses it.
 /// @param inverse  componentwise inverse of its direction
@@ -46,8 +48,8 @@ Rays::Rays(const Surface& surface)
       same_(1e-7 * std::sqrt(surface.area.sum())) {}
 
 template <class OnMet>
-void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
-                const OnMet& onMet) const {
+long Rays::look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
+                long maxVisits, const OnMet& onMet) const {
     const MeshArrays& mesh = surface_.mesh;
     const auto corner = [&mesh](int t, int k) -> Eigen::Vector3d {
         return mesh.V.row(mesh.F(t, k));
@@ -55,10 +57,10 @@ void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& fa
     const Eigen::Vector3d origin =
         (corner(triangle, 0) + corner(triangle, 1) + corner(triangle, 2)) / 3;
     const Eigen::Vector3d inverse = direction.cwiseInverse();
-    int visits = 0;
+    long visits = 0;
     const auto distanceTo = [&](const auto& box) {
-        return visits < kMaxVisits ? entry(box, origin, inverse, farthest)
-                                   : geometry::TriangleTree<3, double>::kMissed;
+        return visits < maxVisits ? entry(box, origin, inverse, farthest)
+                                  : geometry::TriangleTree<3, double>::kMissed;
     };
     tree_.search(distanceTo, [&](std::uint32_t index) {
         ++visits;
@@ -81,11 +83,12 @@ void Rays::look(int triangle, const Eigen::Vector3d& direction, const double& fa
             onMet(other, distance);
         }
     });
+    return visits;
 }
 
 Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const {
     Meeting met;
-    look(triangle, direction, farthest, [&](int other, double distance) {
+    look(triangle, direction, farthest, kMaxVisits, [&](int other, double distance) {
         if (distance < farthest || other < met.triangle) {
             farthest = distance;
             met.triangle = other;
@@ -95,10 +98,11 @@ Meeting Rays::nearest(int triangle, const Eigen::Vector3d& direction, double far
     return met;
 }
 
-std::vector<Meeting> Rays::all(int triangle, const Eigen::Vector3d& direction) const {
+std::vector<Meeting> Rays::all(int triangle, const Eigen::Vector3d& direction, long& visits) const {
     std::vector<std::pair<double, int>> met;
-    look(triangle, direction, std::numeric_limits<double>::max(),
-         [&met](int other, double distance) { met.emplace_back(distance, other); });
+    visits -= look(triangle, direction, std::numeric_limits<double>::max(),
+                   std::clamp(visits, kMinVisits, kMaxVisits),
+                   [&met](int other, double distance) { met.emplace_back(distance, other); });
     std::ranges::sort(met);
     std::vector<Meeting> meetings;
     meetings.reserve(met.size());

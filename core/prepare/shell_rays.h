@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "core/geometry/triangle_tree.h"
@@ -31,13 +32,20 @@ public:
     Meeting opposite(int triangle, Facing facing, double farthest) const;
 
     /// All hits from the centroid in this direction, nearest first, at any angle.
-    std::vector<Meeting> all(int triangle, const Eigen::Vector3d& direction) const;
+    /// @param visits  triangles that may still be tested, by all rays; reduced. Each ray may test
+    ///                a few, which may miss hits.
+    std::vector<Meeting> all(int triangle, const Eigen::Vector3d& direction, long& visits) const;
+    std::vector<Meeting> all(int triangle, const Eigen::Vector3d& direction) const {
+        long unlimited = std::numeric_limits<long>::max();
+        return all(triangle, direction, unlimited);
+    }
 
 private:
     /// @param onMet  called with (triangle, distance) within `farthest`, which it may reduce
+    /// @return the number of triangles tested
     template <class OnMet>
-    void look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
-              const OnMet& onMet) const;
+    long look(int triangle, const Eigen::Vector3d& direction, const double& farthest,
+              long maxVisits, const OnMet& onMet) const;
     Meeting nearest(int triangle, const Eigen::Vector3d& direction, double farthest) const;
 
     const Surface& surface_;
