@@ -45,7 +45,11 @@ Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>&
         return document.error();
     }
     notes = document->notes;
-    std::vector<DxfEntity> entities = withBlocksInserted(*document, document->entities);
+    if (auto tooMany = refusalOfCurves(*document, 1)) {
+        return *std::move(tooMany);
+    }
+    DxfBlockInserter inserter(*document);
+    std::vector<DxfEntity> entities = inserter.replaced(document->entities);
     const auto extentOf = [&entities] {
         Eigen::AlignedBox2d box;
         for (const DxfEntity& entity : entities) {
@@ -58,7 +62,7 @@ Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>&
     double extent = extentOf();
     if (extent == 0) {  // the drawing is in blocks without an INSERT
         for (const DxfBlock& block : document->blocks) {
-            const auto more = withBlocksInserted(*document, block.entities);
+            const auto more = inserter.replaced(block.entities);
             entities.insert(entities.end(), more.begin(), more.end());
         }
         extent = extentOf();
@@ -68,6 +72,9 @@ Result<LinesOfLayers> readDxfLines(std::string_view bytes, std::vector<Wording>&
         notes.push_back(worded(kHideUnit, {std::string(symbol(unit.unit)), unit.reason}));
     }
     const double millimetres = millimetresPer(unit.unit);
+    if (auto tooMany = refusalOfCurves(*document, millimetres)) {
+        return *std::move(tooMany);
+    }
     LinesOfLayers layers;
     DxfLeftOut left;
     for (const DxfEntity& entity : entities) {
@@ -175,6 +182,7 @@ Result<HideFile> readHide(std::string_view bytes, PatternFileKind kind) {
             file.notes.push_back(worded(kZoneOutside, {readableName(line.layer)}));
         }
     }
+    shortenNotes(file.notes);
     return file;
 }
 

@@ -76,4 +76,22 @@ std::string writePatternFile(const PatternFile& file) {
     return jsonText(json);
 }
 
+void shortenNotes(std::vector<Wording>& notes) {
+    constexpr long long kMaxOfKind = 10;
+    std::map<const char*, long long> counts, seen;
+    for (const Wording& note : notes) {
+        ++counts[note.pattern()];
+    }
+    std::vector<Wording> kept;
+    for (Wording& note : notes) {
+        const long long number = ++seen[note.pattern()], more = counts[note.pattern()] - kMaxOfKind;
+        if (number <= kMaxOfKind || more == 1) {
+            kept.push_back(std::move(note));
+        } else if (number == kMaxOfKind + 1) {
+            kept.push_back(worded("%1 more notes like: %2", {std::to_string(more), note}));
+        }
+    }
+    notes = std::move(kept);
+}
+
 }  // namespace toile

@@ -79,4 +79,7 @@ std::vector<int> sampleOf(const PatternFile& file);
 /// lengths (mm), area (mm2) and counts. Never NaN: null. Cost: linear. Pure.
 std::string writePatternFile(const PatternFile& file);
 
+/// Keeps the first ten notes with the same wording, and counts the others in one note. Pure.
+void shortenNotes(std::vector<Wording>& notes);
+
 }  // namespace toile

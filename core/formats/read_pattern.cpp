@@ -29,7 +29,11 @@ Result<PatternFile> readPattern(std::string_view bytes, PatternFileKind kind,
     if (kind != PatternFileKind::GarmentCode) {
         Result<PatternFile> file = kind == PatternFileKind::Svg ? readSvgPattern(bytes, unit)
                                                                 : readDxfPattern(bytes, unit);
-        return file ? std::move(file) : about(file.error());
+        if (!file) {
+            return about(file.error());
+        }
+        shortenNotes(file->notes);
+        return file;
     }
     Result<GarmentCode> code = readGarmentCode(bytes, unit);
     return code ? Result(patternOf(*code)) : about(code.error());

@@ -3460,8 +3460,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>ausgelassen, da in keinem Schnittteil oder nicht unter den %2 größten Umrissen: %1</translation>
     </message>
     <message>
-        <source>%1 is inserted more than once; it is read once</source>
-        <translation>%1 ist mehrmals eingefügt; es wird einmal gelesen</translation>
+        <source>drawn to %1 mm its curves take more than %2 points; check its unit, and take what belongs to no piece out of the drawing</source>
+        <translation>auf %1 mm genau gezeichnet brauchen seine Kurven mehr als %2 Punkte; prüfen Sie seine Einheit, und nehmen Sie aus der Zeichnung, was zu keinem Schnittteil gehört</translation>
     </message>
     <message>
         <source>left out, since they lie on the printed sheet (paper space): %1</source>
@@ -3470,6 +3470,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>left out, since Toile does not read them: %1</source>
         <translation>ausgelassen, da Toile sie nicht liest: %1</translation>
+    </message>
+    <message>
+        <source>left out, since each block is read once: %1</source>
+        <translation>ausgelassen, da jeder Block einmal gelesen wird: %1</translation>
+    </message>
+    <message>
+        <source>%1 more notes like: %2</source>
+        <translation>%1 weitere Hinweise wie: %2</translation>
     </message>
     <message>
         <source>left out, since Toile does not use their layers: %1</source>

@@ -3,6 +3,7 @@
 // is long because it has the tests of one page: a file of each format, and a run of each command.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -22,6 +23,7 @@
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/io/zip_archive.h"
+#include "tests/core/support/generator.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -632,6 +634,28 @@ TEST_F(UntrustedFiles, DrawingsThatRepeatThemselvesAreCheap) {
 
 class UntrustedFilesSlow : public UntrustedFiles {};
 
+/// A binary STL file of triangles of 100 to 200 mm in a cube of a metre: each crosses hundreds.
+std::string crossingTriangles(std::uint32_t count) {
+    std::string bytes(80, ' ');
+    const auto add = [&bytes](const auto& value) {
+        bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    add(count);
+    test::Generator random(7);
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const double centre[] = {random.between(0, 1000), random.between(0, 1000),
+                                 random.between(0, 1000)};
+        bytes.append(3 * sizeof(float), '\0');  // normal
+        for (int corner = 0; corner < 3; ++corner) {
+            for (const double x : centre) {
+                add(static_cast<float>(x + random.between(-100, 100)));
+            }
+        }
+        add(std::uint16_t{0});
+    }
+    return bytes;
+}
+
 TEST_F(UntrustedFilesSlow, LargeFilesOfEveryKindAreCheap) {
     constexpr std::size_t kBytes = 4'900'000;
     const auto filled = [](const std::string& text) { return times(kBytes / text.size(), text); };
@@ -639,7 +663,12 @@ TEST_F(UntrustedFilesSlow, LargeFilesOfEveryKindAreCheap) {
     const std::string plyFaces =
         "property float x\nproperty float y\nproperty float z\nelement face " + count +
         "\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n9 0 0\n0 9 0\n";
-    std::string apart, squares;
+    std::string apart, squares, blocks;
+    for (int k = 0; k < 50'000; ++k) {
+        blocks += "0\nBLOCK\n8\n1\n2\nb" + std::to_string(k) +
+                  "\n10\n0\n20\n0\n0\nINSERT\n2\nsquare\n70\n500\n71\n500\n0\nENDBLK\n";
+    }
+    blocks += "0\nBLOCK\n2\nsquare\n10\n0\n20\n0\n" + dxfSquares(1, 300, 0) + "0\nENDBLK\n";
     for (int k = 0; k < 90'000; ++k) {
         char facet[256];
         std::snprintf(facet, sizeof facet, "v %d %d 0\nv %d.5 %d 0\nv %d %d.5 0\nf -3 -2 -1\n",
@@ -658,6 +687,13 @@ TEST_F(UntrustedFilesSlow, LargeFilesOfEveryKindAreCheap) {
                                          "vertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\n")},
           {"deep.usda", "#usda 1.0\n" + filled("def Xform \"a\" {\n")},
           {"squares.dxf", dxf(dxfSquares(50'000, 15, 20))},
+          {"blocks.dxf", dxf("", blocks)},
+          {"inserts.dxf",
+           dxf(filled("0\nINSERT\n2\nsquare\n"), blocks.substr(blocks.rfind("0\nBLOCK")))},
+          {"circles.dxf", dxf(filled("0\nCIRCLE\n8\n1\n10\n0\n20\n0\n40\n1e7\n"))},
+          {"holes.dxf",
+           dxf(dxfSquares(1, 9999, 0) + filled("0\nCIRCLE\n8\n1\n10\n9\n20\n9\n40\n1\n"))},
+          {"crossing.stl", crossingTriangles(98'000)},
           {"squares.svg", svg(squares)},
           {"deep.svg", svg(times(kBytes / 8, "<g>") + times(kBytes / 8, "</g>"))},
           {"panels.specification.json", garmentCode(20'000)},

@@ -19,9 +19,8 @@ using CurvePoints = std::vector<Vector2d>;
 
 constexpr double kMinBulge = 1e-7, kMaxBulge = 1e5;  // smaller: a straight line; larger: invalid
 constexpr int kMaxHalvings = 12, kMaxDegree = 15;
-constexpr std::size_t kMaxCurvePoints = 200000;  // of one entity
-constexpr double kSameEnd = 1e-9;                // of the extent: the last point repeats the first
-constexpr double kNoSweep = 1e-4;                // radians, by rounding; less is a full turn
+constexpr double kSameEnd = 1e-9;     // of the extent: the last point repeats the first
+constexpr double kNoSweep = 1e-4;     // radians, by rounding; less is a full turn
 constexpr double kMaxOfFrame = 1.01;  // largest ratio of a spline's length to that of its chords
 constexpr long kMeshFlags = 16 | 64;  // of a POLYLINE that is a mesh
 
@@ -316,6 +315,31 @@ CurvePoints ownPoints(const DxfEntity& entity, double tolerance, bool& closed) {
 }
 
 }  // namespace
+
+std::optional<Error> refusalOfCurves(const DxfDocument& document, double unit) {
+    DxfBlockInserter inserter(document);
+    Eigen::Index points = 0;
+    const auto areFew = [&](const std::vector<DxfEntity>& entities) {
+        for (const DxfEntity& entity : inserter.replaced(entities)) {
+            if (const auto line = dxfCurve(entity, unit)) {
+                points += std::max<Eigen::Index>(0, line->points.rows() - entity.points.rows());
+            }
+            if (points > static_cast<Eigen::Index>(kMaxCurvePoints)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    if (areFew(document.entities) &&
+        std::ranges::all_of(document.blocks, areFew, &DxfBlock::entities)) {
+        return std::nullopt;
+    }
+    return Error{ErrorCode::MalformedFile,
+                 {},
+                 worded("drawn to %1 mm its curves take more than %2 points; check its unit, and "
+                        "take what belongs to no piece out of the drawing",
+                        {figure(kDxfChordTolerance, 3), figure(1.0 * kMaxCurvePoints)})};
+}
 
 std::optional<FileLine> dxfCurve(const DxfEntity& entity, double unit) {
     bool closed = false;

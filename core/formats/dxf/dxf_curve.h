@@ -13,6 +13,14 @@ namespace toile {
 /// circle by about twice this, whatever its radius.
 inline constexpr double kDxfChordTolerance = 0.005;
 
+/// Most points that the curves of a file may take, besides the vertices that it lists.
+inline constexpr std::size_t kMaxCurvePoints = 5'000'000;
+
+/// The error for a file whose curves take more: of a wrong unit, or too large for a pattern.
+/// Cost: linear in the points, which are not counted beyond the limit. Pure.
+/// @param unit  length of the file's unit, mm
+std::optional<Error> refusalOfCurves(const DxfDocument& document, double unit);
+
 /// The line that an entity draws, in the coordinates of the drawing or of its block: LINE,
 /// LWPOLYLINE, POLYLINE (with bulges, curve-fit and spline-fit ones too), ARC, CIRCLE, ELLIPSE,
 /// SPLINE by control points or by fit points. Closed lines do not repeat their first point. Returns

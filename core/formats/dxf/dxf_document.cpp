@@ -14,9 +14,10 @@ namespace toile {
 namespace {
 
 constexpr double kFarthestFactor = 1e9;            // of an INSERT
-constexpr std::size_t kMaxInserted = 50000;        // entities and blocks, counting copies
+constexpr std::size_t kMaxInserted = 50000;        // copies of entities and blocks
 constexpr int kMaxLevels = 16, kMaxRepeats = 500;  // nesting of blocks; rows, columns
 constexpr long kFrameVertex = 16;                  // flag of a spline's control point
+constexpr long kExternal = 4 | 8;                  // flags of a block: a reference, an overlay
 constexpr double kUpright = 1e-6;  // largest tilt of an extrusion direction from the z axis
 
 std::optional<double> parsedNumber(std::string_view text) {
@@ -144,8 +145,14 @@ private:
             document_.blocks.push_back(
                 {entity_.text(2), entity_.point().value_or(Eigen::Vector2d(0, 0)), {}});
             isInBlock_ = true;
+            isExternal_ = (flagsOf(entity_) & kExternal) != 0;
         } else if (section_ == "BLOCKS" && kind == "ENDBLK") {
             isInBlock_ = false;
+            if (isExternal_ && !document_.blocks.empty() &&
+                document_.blocks.back().entities.empty()) {
+                document_.blocks.pop_back();  // its entities are in another file
+            }
+            isExternal_ = false;
         } else if (std::vector<DxfEntity>* const there = place(); there && kind != "SECTION") {
             add(*there);
         }
@@ -246,64 +253,7 @@ private:
     std::vector<Eigen::Vector2d> vertices_, frame_;
     std::vector<double> bulges_;
     std::string_view section_, variable_;
-    bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false;
-};
-
-/// Copies entities and replaces INSERTs by their blocks, recursively.
-class BlockInserter {
-public:
-    explicit BlockInserter(const DxfDocument& document) {
-        for (const DxfBlock& block : document.blocks) {
-            blocks_.emplace(block.name, &block);
-        }
-    }
-
-    void add(const std::vector<DxfEntity>& entities, const Eigen::Affine2d& map,
-             std::string_view layer, int level) {
-        for (const DxfEntity& entity : entities) {
-            const auto block =
-                entity.kind == "INSERT" ? blocks_.find(entity.text(2)) : blocks_.end();
-            const std::string_view own =
-                entity.layer == "0" && !layer.empty() ? layer : entity.layer;
-            const auto place = [&] {
-                placed_.push_back(entity);
-                placed_.back().map = map * entity.map;
-                placed_.back().layer = own;
-            };
-            if (block == blocks_.end() || level >= kMaxLevels || isFull()) {
-                place();
-                continue;
-            }
-            const Eigen::Affine2d inserted = insertionOf(*block->second, entity);
-            const double turn = std::fmod(entity.number(50).value_or(0), 360.0) * kDegree;
-            const auto repeats = [&entity](int code) {
-                return std::clamp(entity.number(code).value_or(1), 1.0, 1.0 * kMaxRepeats);
-            };
-            for (int row = 0; row < repeats(71) && !isFull(); ++row) {
-                for (int column = 0; column < repeats(70) && !isFull(); ++column) {
-                    ++inserted_;
-                    const Eigen::Vector2d step(column * entity.number(44).value_or(0),
-                                               row * entity.number(45).value_or(0));
-                    const Eigen::Vector2d moved =
-                        entity.map.linear() * (Eigen::Rotation2Dd(turn) * step);
-                    add(block->second->entities, map * Eigen::Translation2d(moved) * inserted, own,
-                        level + 1);
-                }
-            }
-            if (isFull()) {
-                place();  // its copies are incomplete
-            }
-        }
-    }
-
-    std::vector<DxfEntity> taken() { return std::move(placed_); }
-
-private:
-    bool isFull() const { return placed_.size() + inserted_ >= kMaxInserted; }
-
-    std::map<std::string_view, const DxfBlock*> blocks_;
-    std::vector<DxfEntity> placed_;
-    std::size_t inserted_ = 0;
+    bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false, isExternal_ = false;
 };
 
 Error malformedDxf(const std::string& what) {
@@ -342,11 +292,61 @@ Eigen::Affine2d insertionOf(const DxfBlock& block, const DxfEntity& insert) {
            Eigen::Translation2d(-block.base);
 }
 
-std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
-                                          const std::vector<DxfEntity>& entities) {
-    BlockInserter inserter(document);
-    inserter.add(entities, Eigen::Affine2d::Identity(), {}, 0);
-    return inserter.taken();
+DxfBlockInserter::DxfBlockInserter(const DxfDocument& document) {
+    for (const DxfBlock& block : document.blocks) {
+        blocks_.emplace(block.name, &block);
+    }
+}
+
+std::vector<DxfEntity> DxfBlockInserter::replaced(const std::vector<DxfEntity>& entities) {
+    placed_.clear();
+    add(entities, Eigen::Affine2d::Identity(), {}, 0);
+    return std::move(placed_);
+}
+
+void DxfBlockInserter::add(const std::vector<DxfEntity>& entities, const Eigen::Affine2d& map,
+                           std::string_view layer, int level) {
+    for (const DxfEntity& entity : entities) {
+        const bool isInsert = entity.kind == "INSERT";
+        const auto block = isInsert ? blocks_.find(entity.text(2)) : blocks_.end();
+        const std::string_view own = entity.layer == "0" && !layer.empty() ? layer : entity.layer;
+        const auto place = [&] {
+            placed_.push_back(entity);
+            placed_.back().map = map * entity.map;
+            placed_.back().layer = own;
+            copies_ += level > 0 ? 1 : 0;
+        };
+        if (block == blocks_.end() || level >= kMaxLevels || isFull()) {
+            place();
+            if (isInsert && block == blocks_.end()) {
+                placed_.back().kind = kMissingBlock;
+            }
+            continue;
+        }
+        const Eigen::Affine2d inserted = insertionOf(*block->second, entity);
+        const double turn = std::fmod(entity.number(50).value_or(0), 360.0) * kDegree;
+        const auto repeats = [&entity](int code) {
+            return std::clamp(entity.number(code).value_or(1), 1.0, 1.0 * kMaxRepeats);
+        };
+        for (int row = 0; row < repeats(71) && !isFull(); ++row) {
+            for (int column = 0; column < repeats(70) && !isFull(); ++column) {
+                ++copies_;
+                const Eigen::Vector2d step(column * entity.number(44).value_or(0),
+                                           row * entity.number(45).value_or(0));
+                const Eigen::Vector2d moved =
+                    entity.map.linear() * (Eigen::Rotation2Dd(turn) * step);
+                add(block->second->entities, map * Eigen::Translation2d(moved) * inserted, own,
+                    level + 1);
+            }
+        }
+        if (isFull()) {
+            place();  // its copies are incomplete
+        }
+    }
+}
+
+bool DxfBlockInserter::isFull() const {
+    return copies_ >= kMaxInserted;
 }
 
 Result<DxfDocument> readDxfDocument(std::string_view bytes) {

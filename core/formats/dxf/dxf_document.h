@@ -65,11 +65,28 @@ struct DxfDocument {
     std::shared_ptr<std::deque<std::string>> decoded{};
 };
 
-/// The entities, with every INSERT replaced by transformed copies of its block's entities; those on
-/// layer 0 take the layer of the INSERT. INSERTs of unknown blocks stay, as do those beyond
-/// 50 000 entities or 16 levels. Pure.
-std::vector<DxfEntity> withBlocksInserted(const DxfDocument& document,
-                                          const std::vector<DxfEntity>& entities);
+/// Replaces INSERTs by the entities of their blocks.
+class DxfBlockInserter {
+public:
+    explicit DxfBlockInserter(const DxfDocument& document);
+
+    /// The entities, with every INSERT replaced by transformed copies of its block's entities;
+    /// those on layer 0 take the layer of the INSERT. INSERTs of blocks that are not in the file
+    /// stay as `kMissingBlock`; as they are stay those beyond 16 levels or 50 000 copies, which all
+    /// calls share.
+    std::vector<DxfEntity> replaced(const std::vector<DxfEntity>& entities);
+
+    static constexpr std::string_view kMissingBlock = "INSERT of a block that is not in the file";
+
+private:
+    void add(const std::vector<DxfEntity>& entities, const Eigen::Affine2d& map,
+             std::string_view layer, int level);
+    bool isFull() const;
+
+    std::map<std::string_view, const DxfBlock*> blocks_;
+    std::vector<DxfEntity> placed_;
+    std::size_t copies_ = 0;  ///< of entities and blocks
+};
 
 /// Map from the coordinates of a block to those of the drawing it is inserted in. Pure.
 Eigen::Affine2d insertionOf(const DxfBlock& block, const DxfEntity& insert);

@@ -395,14 +395,18 @@ std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document,
     for (const DxfEntity& entity : page) {
         if (entity.kind == "INSERT" && known.contains(entity.text(2))) {
             if (!inserts.emplace(entity.text(2), &entity).second) {
-                notes.push_back(worded("%1 is inserted more than once; it is read once",
-                                       {readableName(entity.text(2))}));
+                left.add(DxfLeftOut::InsertedAgain, entity);
             }
+        } else if (entity.kind == "INSERT") {
+            DxfEntity missing = entity;
+            missing.kind = DxfBlockInserter::kMissingBlock;
+            left.add(DxfLeftOut::KindNotRead, missing);
         } else if (!isText(entity)) {
             left.add(DxfLeftOut::InNoPiece, entity);
         }
     }
     std::vector<FilePiece> pieces;
+    DxfBlockInserter inserter(document);
     for (const DxfBlock& block : document.blocks) {
         if (isOfDrawing(block)) {
             continue;
@@ -410,7 +414,7 @@ std::vector<FilePiece> piecesOfBlocks(const DxfDocument& document,
         const auto insert = inserts.find(block.name);
         const DxfPlace place =
             placeOf(block, insert == inserts.end() ? nullptr : insert->second, unit);
-        const std::vector<DxfEntity> entities = withBlocksInserted(document, block.entities);
+        const std::vector<DxfEntity> entities = inserter.replaced(block.entities);
         std::vector<Wording> own;
         FilePiece piece = dxfPiece(entities, place, own);
         piece.id = readableName(block.name);
@@ -468,7 +472,7 @@ std::vector<FilePiece> piecesOf(const DxfDocument& document, double unit,
     }
     if (pieces.empty()) {
         own.clear();
-        const std::vector<DxfEntity> entities = withBlocksInserted(document, page);
+        const std::vector<DxfEntity> entities = DxfBlockInserter(document).replaced(page);
         pieces = DrawingPieces(entities, place, own).taken();
     }
     if (const auto paper = document.entities.size() - page.size(); paper > 0) {
@@ -527,6 +531,9 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
     if (stated) {
         file.unit = *stated;
     } else {
+        if (auto tooMany = refusalOfCurves(*document, 1)) {
+            return *std::move(tooMany);
+        }
         // The unit is not known yet, so ends are joined as if it were mm; the extent does not
         // depend on that.
         const DxfUnit found = dxfUnit(*document, styleField(fields, "units"),
@@ -534,6 +541,9 @@ Result<PatternFile> readDxfPattern(std::string_view bytes, std::optional<FileUni
         file.unit = found.unit;
         file.unitReason = found.reason;
         file.unitInDoubt = found.inDoubt;
+    }
+    if (auto tooMany = refusalOfCurves(*document, millimetresPer(file.unit))) {
+        return *std::move(tooMany);
     }
     file.pieces = piecesOf(*document, millimetresPer(file.unit), file.notes);
     std::erase_if(file.pieces, [](const FilePiece& piece) { return !faultOf(piece).empty(); });

@@ -379,7 +379,8 @@ std::vector<FileLine> dxfLines(const std::vector<DxfEntity>& entities, DxfRole r
 }
 
 void DxfLeftOut::add(Reason reason, const DxfEntity& entity) {
-    std::string what(entity.kind);
+    std::string what = reason == InsertedAgain ? "INSERT of " + readableName(entity.text(2))
+                                               : std::string(entity.kind);
     if (reason == LayerNotRead) {
         what += " (layer " + readableName(entity.layer) + ")";
     }
@@ -422,6 +423,8 @@ void DxfLeftOut::tell(std::vector<Wording>& notes) const {
                 ? toile::worded("left out, since Toile does not read them: %1", {list})
             : reason == LayerNotRead
                 ? toile::worded("left out, since Toile does not use their layers: %1", {list})
+            : reason == InsertedAgain
+                ? toile::worded("left out, since each block is read once: %1", {list})
                 : toile::worded("left out, since they belong to no piece: %1", {list}));
     }
 }

@@ -77,7 +77,7 @@ inline Eigen::Vector2d placedPoint(const DxfEntity& entity, const Eigen::Vector2
 /// Counts omitted entities by kind.
 class DxfLeftOut {
 public:
-    enum Reason { KindNotRead, LayerNotRead, InNoPiece };
+    enum Reason { KindNotRead, LayerNotRead, InNoPiece, InsertedAgain };
     void add(Reason reason, const DxfEntity& entity);
     /// Adds entities of kinds that Toile does not read, and entities on layers of these roles.
     void addUnread(const std::vector<DxfEntity>& entities, const std::set<DxfRole>& roles);

@@ -8,10 +8,11 @@
 
 #include "core/base/file.h"
 #include "core/formats/dxf/dxf_curve.h"
+#include "core/formats/read_pattern.h"
 #include "core/formats/writers.h"
 #include "core/geometry/polygon.h"
-#include "tests/core/formats/export_fixtures.h"
 #include "tests/core/formats/dxf_builder.h"
+#include "tests/core/formats/export_fixtures.h"
 #include "tests/core/support/shared_data.h"
 
 namespace toile {
@@ -527,7 +528,7 @@ TEST(DxfPattern, CountsWhatItLeavesOut) {
     text.tag(0, "CIRCLE").tag(8, "0").tag(67, "1").at(0, 0).number(40, 300);
     const PatternFile file = readAll(text.end().take());
     EXPECT_EQ(file.pieces.size(), 1u);
-    EXPECT_TRUE(hasNote(file, "does not read them: 2 HATCH, 1 INSERT"));
+    EXPECT_TRUE(hasNote(file, "does not read them: 2 HATCH, 1 INSERT of a block that is not"));
     EXPECT_TRUE(hasNote(file, "does not use their layers: 1 LINE (layer SKETCH)"));
     EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
     EXPECT_TRUE(hasNote(file, "do not close: 1 line"));
@@ -544,9 +545,75 @@ TEST(DxfPattern, SaysWhatLiesBesideItsBlocks) {
     EXPECT_TRUE(file.pieces[0].holes.empty());
     EXPECT_TRUE(
         hasNote(file, "front: left out, since they lie outside of its outline: 1 closed line"));
-    EXPECT_TRUE(hasNote(file, "a is inserted more than once"));
+    EXPECT_TRUE(hasNote(file, "each block is read once: 1 INSERT of a"));
     EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
     EXPECT_TRUE(hasNote(file, "1 LINE (layer 99)"));
+}
+
+TEST(DxfPattern, CountsInsertsOfExternalAndMissingBlocks) {
+    for (const bool isNamed : {false, true}) {  // a drawing; blocks that are pieces
+        DxfBuilder text;
+        text.section("BLOCKS").block("front");
+        text.text(isNamed ? "Piece Name: front" : "front").polyline("1", kPanelOutline, true);
+        text.endBlock().tag(0, "BLOCK").tag(8, "0").tag(2, "lining").tag(70, "4").at(0, 0);
+        text.tag(1, "lining.dwg").endBlock().end().section("ENTITIES").insert("front");
+        const PatternFile file = readAll(text.insert("lining").insert("gone").end().take());
+        EXPECT_EQ(file.pieces.size(), 1U);
+        ASSERT_EQ(file.notes.size(), 1U) << file.notes.back();
+        EXPECT_TRUE(hasNote(file, "them: 2 INSERT of a block that is not in the file"));
+    }
+}
+
+TEST(DxfPattern, HasOneNotePerKindHoweverManyThereAre) {
+    constexpr int kCount = 5000;
+    DxfBuilder text;
+    text.section("BLOCKS").block("a").text("Piece Name: front").polyline("1", kPanelOutline, true);
+    text.endBlock();
+    for (int k = 0; k < kCount; ++k) {
+        text.block("b" + std::to_string(k)).line("1", 0, 0, 1, 1).endBlock();
+    }
+    text.end().section("ENTITIES");
+    for (int k = 0; k <= kCount; ++k) {
+        text.insert("a");
+    }
+    const auto file = readPattern(text.end().take(), PatternFileKind::Dxf, "a.dxf");
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->pieces.size(), 1U);
+    EXPECT_TRUE(hasNote(*file, "each block is read once: 5000 INSERT of a"));
+    EXPECT_TRUE(hasNote(*file, "4990 more notes like: b10 is left out"));
+    EXPECT_LT(file->notes.size(), 30U);
+}
+
+TEST(DxfPattern, RefusesCurvesOfTooManyPoints) {
+    const auto read = [](int count, double radius) {
+        DxfBuilder text;
+        text.section("ENTITIES");
+        for (int k = 0; k < count; ++k) {
+            text.tag(0, "CIRCLE").tag(8, "CUT").at(k, 0).number(40, radius);
+        }
+        return readPattern(text.end().take(), PatternFileKind::Dxf, "circles.dxf",
+                           FileUnit(LengthUnit::Millimetre));
+    };
+    const auto many = read(20000, 1e7);  // 10 km: 32 768 points each
+    ASSERT_FALSE(many);
+    const std::string why = sentence(many.error());
+    for (const char* part : {"circles.dxf", "more than 5000000 points", "check its unit"}) {
+        EXPECT_NE(why.find(part), std::string::npos) << why;
+    }
+    EXPECT_TRUE(read(3, 1e7));
+    EXPECT_TRUE(read(5000, 1.5));  // punched holes
+}
+
+TEST(DxfPattern, CopiesOfBlocksAreBoundedInTheWholeFile) {
+    DxfBuilder text;
+    text.section("BLOCKS").block("a").text("Piece Name: front").polyline("1", kPanelOutline, true);
+    text.endBlock();
+    for (int k = 0; k < 1000; ++k) {
+        text.block("b" + std::to_string(k)).insert("a").tag(70, "500").tag(71, "500").endBlock();
+    }
+    const PatternFile file = readAll(text.end().section("ENTITIES").insert("a").end().take());
+    EXPECT_GE(file.pieces.size(), 1U);
+    EXPECT_TRUE(hasNote(file, "does not read them: 1000 INSERT"));
 }
 
 TEST(DxfPattern, BlocksThatInsertThemselvesEnd) {
