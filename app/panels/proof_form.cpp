@@ -60,23 +60,22 @@ StiffnessForm::StiffnessForm(FieldGuard& guard, QWidget* parent) : QWidget(paren
     add(tr("Stretch, warp"), "stretchWarp",
         tr("What a strip of the cloth, 1 m wide, resists being stretched along the warp with: the "
            "force by the strain. Empty: as the fabric"),
-        {&StatedStiffness::warp, &sew::ClothStiffness::warp, 1,
+        {&StatedStiffness::warp, &ClothStiffness::warp, 1,
          field(kMinStretch, kMaxStretch, perMetre)});
     add(tr("Stretch, weft"), "stretchWeft", tr("The same along the weft. Empty: as the fabric"),
-        {&StatedStiffness::weft, &sew::ClothStiffness::weft, 1,
+        {&StatedStiffness::weft, &ClothStiffness::weft, 1,
          field(kMinStretch, kMaxStretch, perMetre)});
     add(tr("Shear"), "stiffnessShear",
         tr("What it resists being sheared with, on the bias. Empty: as the fabric"),
-        {&StatedStiffness::shear, &sew::ClothStiffness::shear, 1,
+        {&StatedStiffness::shear, &ClothStiffness::shear, 1,
          field(kMinShear, kMaxShear, perMetre)});
     add(tr("Bending"), "stiffnessBending",
         tr("What it resists being bent with. Empty: as the fabric"),
-        {&StatedStiffness::bending, &sew::ClothStiffness::bending, kMicroNewtonMetre,
+        {&StatedStiffness::bending, &ClothStiffness::bending, kMicroNewtonMetre,
          field(0, kMaxBending / kMicroNewtonMetre, bending)});
     add(tr("Weight"), "clothWeight",
         tr("What it weighs, which counts with gravity. Empty: as the fabric"),
-        {&StatedStiffness::weight, &sew::ClothStiffness::weight, 1,
-         field(0, kMaxClothWeight, weight)});
+        {&StatedStiffness::weight, &ClothStiffness::weight, 1, field(0, kMaxClothWeight, weight)});
 }
 
 void StiffnessForm::add(const QString& name, const char* objectName, const QString& toolTip,
@@ -106,7 +105,7 @@ bool StiffnessForm::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void StiffnessForm::showStated(const StatedStiffness& stated,
-                               const std::optional<sew::ClothStiffness>& usual) {
+                               const std::optional<ClothStiffness>& usual) {
     stated_ = stated;
     for (const Row& row : rows_) {
         const auto& number = stated.*row.stated;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/prove/fabric_stiffness.h"
+#include "core/garment/fabric_stiffness.h"
 #include "core/prove/proof_settings.h"
 
 class QCheckBox;
@@ -32,7 +32,7 @@ public:
     explicit StiffnessForm(FieldGuard& guard, QWidget* parent = nullptr);
 
     /// @param usual  of the fabric, which holds where nothing is stated; none: of several
-    void showStated(const StatedStiffness& stated, const std::optional<sew::ClothStiffness>& usual);
+    void showStated(const StatedStiffness& stated, const std::optional<ClothStiffness>& usual);
 
 signals:
     /// Somebody wants it to be so.
@@ -46,7 +46,7 @@ private:
     /// One of them, and its field.
     struct Row {
         std::optional<double> StatedStiffness::*stated;
-        double sew::ClothStiffness::*usual;
+        double ClothStiffness::*usual;
         double unit;  ///< of the field
         StatedEdit* field;
     };

@@ -2,6 +2,8 @@
 #include "core/formats/pattern_file.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "core/formats/json.h"
 #include "core/geometry/polygon.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/base/wording.h"
-#include "core/prove/fabric_stiffness.h"
+#include "core/garment/fabric_stiffness.h"
 
 namespace toile {
 

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/garment/fabric_stiffness.h"
 #include "core/geometry/buckets.h"
 #include "core/sew/cloth.h"
-#include "core/sew/cloth_stiffness.h"
 #include "core/sew/space_matrix.h"
 
 namespace toile::sew {

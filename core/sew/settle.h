@@ -5,8 +5,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/garment/fabric_stiffness.h"
 #include "core/sew/cloth.h"
-#include "core/sew/cloth_stiffness.h"
 #include "core/sew/contact.h"
 
 namespace toile::sew {

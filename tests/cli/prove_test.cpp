@@ -13,7 +13,7 @@
 #include "app/cli/command_line.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
-#include "core/prove/fabric_stiffness.h"
+#include "core/garment/fabric_stiffness.h"
 #include "tests/cli/docs_table.h"
 #include "tests/cli/run_program.h"
 #include "tests/core/support/shared_data.h"
@@ -214,7 +214,7 @@ TEST_F(ProveCommand, TheFabricsAreThoseOfThePage) {
         "| Fabric | Warp N/m | Weft N/m | Coupling N/m | Shear N/m | Bending µN·m | g/m² |\n"
         "|---|--:|--:|--:|--:|--:|--:|\n";
     for (const Fabric& fabric : fabricPresets()) {
-        const sew::ClothStiffness cloth = clothStiffness(fabric);
+        const ClothStiffness cloth = clothStiffness(fabric);
         table += "| `" + fabric.id + "`";
         for (const double value : {cloth.warp, cloth.weft, cloth.coupling, cloth.shear,
                                    1e6 * cloth.bending, cloth.weight}) {

@@ -150,7 +150,7 @@ TEST(FreshCloth, SewsExactFormsBackToTheChordError) {
         const sew::WornSurface design(surface);
         sew::SettleOptions settling;
         settling.stiffness.assign(garment.garment().pieces.size(),
-                                  sew::isotropicStiffness(1000, 0.3, 0));
+                                  isotropicStiffness(1000, 0.3, 0));
         double coarser = 0;
         for (const double edge : {20.0, 10.0, 5.0}) {
             ProofOrder order;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-namespace toile::sew {
+#include "core/garment/fabric.h"
+
+namespace toile {
 
 /// Resistance of cloth to deformation (tangent moduli at rest of an orthotropic sheet), and its
 /// weight.
@@ -29,7 +32,7 @@ constexpr ClothStiffness isotropicStiffness(double stretch, double poisson, doub
 /// isotropic sheet favours no grain.
 inline constexpr ClothStiffness kUnstatedStiffness = isotropicStiffness(1000, 0.3, 1e-5);
 
-/// By piece number, as in `Cloth::pieceOf`; pieces past the end use the default.
+/// By piece number, as in `sew::Cloth::pieceOf`; pieces past the end use the default.
 using PieceStiffness = std::vector<ClothStiffness>;
 
 inline const ClothStiffness& stiffnessOf(const PieceStiffness& pieces, int piece) {
@@ -37,4 +40,21 @@ inline const ClothStiffness& stiffnessOf(const PieceStiffness& pieces, int piece
     return number < pieces.size() ? pieces[number] : kUnstatedStiffness;
 }
 
-}  // namespace toile::sew
+/// Stiffness and weight of a fabric. Presets are found by id and documented in docs/prove.md;
+/// unknown fabrics and those of the user are an isotropic sheet (`kUnstatedStiffness`), which
+/// favours no grain. Pure.
+ClothStiffness clothStiffness(const Fabric& fabric);
+
+/// Measured values set by the user; empty fields use the fabric's values.
+struct StatedStiffness {
+    std::optional<double> warp{}, weft{};  ///< N/m
+    std::optional<double> shear{};         ///< N/m
+    std::optional<double> bending{};       ///< N·m
+    std::optional<double> weight{};        ///< g/m²
+
+    /// Coupling of warp and weft keeps its ratio to their stiffness.
+    ClothStiffness over(ClothStiffness fabric) const;
+    bool operator==(const StatedStiffness&) const = default;
+};
+
+}  // namespace toile

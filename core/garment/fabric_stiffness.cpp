@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/prove/fabric_stiffness.h"
+#include "core/garment/fabric_stiffness.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +11,13 @@ namespace {
 
 struct KnownStiffness {
     std::string_view fabric;  ///< id of the preset
-    sew::ClothStiffness stiffness;
+    ClothStiffness stiffness;
 };
 
 /// A sheet of one material. @param modulus  Pa  @param thickness  m  @param weight  g/m²
-constexpr sew::ClothStiffness sheet(double modulus, double thickness, double weight) {
+constexpr ClothStiffness sheet(double modulus, double thickness, double weight) {
     constexpr double kPoisson = 0.3;
-    sew::ClothStiffness made = sew::isotropicStiffness(
+    ClothStiffness made = isotropicStiffness(
         modulus * thickness, kPoisson,
         modulus * thickness * thickness * thickness / (12 * (1 - kPoisson * kPoisson)));
     made.weight = weight;
@@ -36,12 +36,12 @@ constexpr KnownStiffness kKnownStiffness[] = {
 
 }  // namespace
 
-sew::ClothStiffness clothStiffness(const Fabric& fabric) {
+ClothStiffness clothStiffness(const Fabric& fabric) {
     const auto* found = std::ranges::find(kKnownStiffness, fabric.id, &KnownStiffness::fabric);
-    return found == std::end(kKnownStiffness) ? sew::kUnstatedStiffness : found->stiffness;
+    return found == std::end(kKnownStiffness) ? kUnstatedStiffness : found->stiffness;
 }
 
-sew::ClothStiffness StatedStiffness::over(sew::ClothStiffness fabric) const {
+ClothStiffness StatedStiffness::over(ClothStiffness fabric) const {
     const double before = std::sqrt(fabric.warp * fabric.weft);
     fabric.warp = warp.value_or(fabric.warp);
     fabric.weft = weft.value_or(fabric.weft);
