@@ -27,11 +27,11 @@ constexpr std::size_t kBytesPerTriangle = 25;
 constexpr std::size_t kModelBytesPerTriangle = 1200;
 
 Result<FlatPiece> runMethod(const Piece& piece, const FlattenOptions& options,
-                            const OutlineTargets& targets, const Progress& progress,
-                            FlatteningMemory* memory) {
+                            const OutlineTargets& targets, const PieceClothPointer& cloth,
+                            const Progress& progress, FlatteningMemory* memory) {
     switch (options.method) {
         case Method::Isometric:
-            return flattenIsometric(piece, options, progress, memory, targets);
+            return flattenIsometric(piece, options, progress, memory, targets, cloth);
         case Method::Curvature:
             return flattenCurvature(piece, options, progress, targets);
         case Method::Wang2005:
@@ -95,7 +95,7 @@ std::shared_ptr<const Piece> filledPiece(const Piece& piece) {
 /// @param memory  `present` is the piece; modified even if an error is returned
 Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
                               const FlattenOptions& options, const OutlineTargets& targets,
-                              const Progress& progress) {
+                              const PieceClothPointer& cloth, const Progress& progress) {
     if (piece.defect) {
         return *piece.defect;
     }
@@ -116,12 +116,12 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
         memory->present = filled;
     }
     const bool keepsRims = filled && options.method == Method::Isometric;
-    auto flat = runMethod(filled ? *filled : piece, options, targets, progress, memory);
+    auto flat = runMethod(filled ? *filled : piece, options, targets, cloth, progress, memory);
     if (flat) {
         flat->Q.conservativeResize(piece.mesh.V.rows(), 2);
     }
     if (flat && keepsRims) {
-        if (const auto kept = keepRimLengths(piece, options.quality, *flat, progress, targets);
+        if (const auto kept = keepRimLengths(piece, options, *flat, progress, targets, cloth);
             !kept) {
             flat = kept.error();
         }
@@ -153,16 +153,18 @@ Result<FlatPiece> flattenWith(FlatteningMemory* memory, const Piece& piece,
 }  // namespace
 
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
-                          const Progress& progress, const OutlineTargets& targets) {
-    return flattenWith(nullptr, piece, options, targets, progress);
+                          const Progress& progress, const OutlineTargets& targets,
+                          const PieceClothPointer& cloth) {
+    return flattenWith(nullptr, piece, options, targets, cloth, progress);
 }
 
 Result<FlatPiece> PieceFlattener::flatten(const std::shared_ptr<const Piece>& piece,
                                           const FlattenOptions& options, const Progress& progress,
-                                          const OutlineTargets& targets) {
+                                          const OutlineTargets& targets,
+                                          const PieceClothPointer& cloth) {
     FlatteningMemory memory = memory_;
     memory.present = piece;
-    auto flat = flattenWith(&memory, *piece, options, targets, progress);
+    auto flat = flattenWith(&memory, *piece, options, targets, cloth, progress);
     memory.present = nullptr;
     if (flat && !progress.isCancelled()) {
         memory_ = std::move(memory);

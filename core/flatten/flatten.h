@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/flatten/base/outline_targets.h"
+#include "core/flatten/base/piece_cloth.h"
 #include "core/flatten/isometric/isometric.h"
 
 namespace toile {
@@ -19,16 +20,18 @@ struct Piece;
 /// @param piece  a disk, apart from holes (no defect), millimetres
 /// @param targets  pattern lengths of the outline's edges if they differ from 3D; kept as exactly.
 ///                 Quality figures are still measured against the garment
+/// @param cloth  grain and fabric of the piece, for an energy that reads them (`options.energy`)
 /// Notes of crossings do not contain a helpful cut yet (diagnose/crossing_cut.h).
 /// @errors the piece's own defect, NoClosedOutline, BoundaryNotConverged, FactorisationFailed,
 ///         NotFinite (coordinates beyond 1e75 mm too), OutOfMemory, Cancelled
 /// Cost: the method's. `isometric`: one to ten sparse factorisations of size 2 #V, or on large
 /// pieces conjugate gradients; `curvature`: one of size #V. Re-entrant.
 Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
-                          const Progress& progress, const OutlineTargets& targets = {});
+                          const Progress& progress, const OutlineTargets& targets = {},
+                          const PieceClothPointer& cloth = nullptr);
 
 /// The piece with its outline held at given points, bit for bit, and its interior solved again:
-/// - `isometric`: minimal symmetric Dirichlet energy, no flipped triangle; rims of holes keep their
+/// - `isometric`: minimal `options.energy`, no flipped triangle; rims of holes keep their
 ///   lengths of `flat`; if they cannot, a note is added;
 /// - `curvature`, `wang2005`: as the method places it; if that flips a triangle, like `isometric`;
 /// - others: the interior follows the outline harmonically, adjusted where a triangle would flip.
@@ -43,7 +46,8 @@ Result<FlatPiece> flatten(const Piece& piece, const FlattenOptions& options,
 /// Cost: `isometric`: a factorisation of the interior, and one to three of size 2 #V; if triangles
 /// obstruct the motion, one more for each stage. Others: one of the interior. Re-entrant.
 Result<FlatPiece> flattenInside(const Piece& piece, const FlatPiece& flat, const Points2& outline,
-                                const FlattenOptions& options, const Progress& progress);
+                                const FlattenOptions& options, const Progress& progress,
+                                const PieceClothPointer& cloth = nullptr);
 
 /// Flattens a piece repeatedly while it is edited, and reuses earlier work: for `isometric` the
 /// last positions and their model. The first flattening, any after a large edit, and those by other
@@ -66,7 +70,8 @@ public:
     /// Errors: those of `toile::flatten`. Cost: after a small edit fewer steps.
     Result<FlatPiece> flatten(const std::shared_ptr<const Piece>& piece,
                               const FlattenOptions& options, const Progress& progress,
-                              const OutlineTargets& targets = {});
+                              const OutlineTargets& targets = {},
+                              const PieceClothPointer& cloth = nullptr);
 
     /// Approximate size of the memory, pieces aside.
     std::size_t keptBytes() const;

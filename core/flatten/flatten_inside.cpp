@@ -56,13 +56,14 @@ Result<Points2> linearInside(const Piece& piece, const Points2& Q, const Points2
 
 /// Minimises the energy inside, from a start with the outline at its target. Rims that cannot keep
 /// their lengths keep those of the start.
-Result<Points2> lowestInside(const Piece& piece, const Points2& start, Quality quality,
-                             FlatPiece& flat, const Progress& progress) {
-    auto lowest = isometric::lowerInside(piece, start, flat.Q, quality, progress);
+Result<Points2> lowestInside(const Piece& piece, const isometric::EnergyModel& energy,
+                             const Points2& start, Quality quality, FlatPiece& flat,
+                             const Progress& progress) {
+    auto lowest = isometric::lowerInside(piece, energy, start, flat.Q, quality, progress);
     const bool losesRims =
         !lowest && lowest.error().code == ErrorCode::BoundaryNotConverged && !piece.holes.empty();
     if (losesRims) {
-        lowest = isometric::lowerInside(piece, start, start, quality, progress);
+        lowest = isometric::lowerInside(piece, energy, start, start, quality, progress);
     }
     if (!lowest) {
         return lowest.error();
@@ -83,8 +84,8 @@ Result<Points2> lowestInside(const Piece& piece, const Points2& start, Quality q
 
 /// @param flat  its notes about the end of the iteration are replaced
 Result<Points2> solvedInside(const Piece& piece, const Points2& outline,
-                             const FlattenOptions& options, FlatPiece& flat,
-                             const Progress& progress) {
+                             const FlattenOptions& options, const PieceClothPointer& cloth,
+                             FlatPiece& flat, const Progress& progress) {
     const bool wasWhole = !hasFlips(piece, flat.Q);
     if (options.method != Method::Isometric || !wasWhole) {
         auto linear = linearInside(piece, flat.Q, outline, options, progress);
@@ -92,13 +93,14 @@ Result<Points2> solvedInside(const Piece& piece, const Points2& outline,
             return linear;
         }
     }
-    auto moved = isometric::outlineMoved(piece, flat.Q, outline, progress);
+    const isometric::EnergyModel energy(options, cloth);
+    auto moved = isometric::outlineMoved(piece, energy, flat.Q, outline, progress);
     const bool isLowered = options.method == Method::Isometric || isConformalInside(options.method);
-    return moved && isLowered ? lowestInside(piece, *moved, options.quality, flat, progress)
+    return moved && isLowered ? lowestInside(piece, energy, *moved, options.quality, flat, progress)
                               : moved;
 }
 
-void noteAnew(const Piece& piece, FlatPiece& flat) {
+void renewNotes(const Piece& piece, FlatPiece& flat) {
     std::erase_if(flat.notes, [](const Error& note) -> bool {
         return note.code == ErrorCode::OutlineCrosses || note.code == ErrorCode::TrianglesFlipped ||
                note.code == ErrorCode::DegenerateTriangles;
@@ -116,7 +118,8 @@ void noteAnew(const Piece& piece, FlatPiece& flat) {
 }  // namespace
 
 Result<FlatPiece> flattenInside(const Piece& piece, const FlatPiece& flat, const Points2& outline,
-                                const FlattenOptions& options, const Progress& progress) {
+                                const FlattenOptions& options, const Progress& progress,
+                                const PieceClothPointer& cloth) {
     if (piece.defect) {
         return *piece.defect;
     }
@@ -133,7 +136,7 @@ Result<FlatPiece> flattenInside(const Piece& piece, const FlatPiece& flat, const
         return std::move(*blocked);
     }
     FlatPiece moved = flat;
-    auto Q = solvedInside(piece, outline, options, moved, progress);
+    auto Q = solvedInside(piece, outline, options, cloth, moved, progress);
     if (!Q || progress.isCancelled()) {
         Error error = Q ? Error{ErrorCode::Cancelled} : Q.error();
         error.subject = subjectOf(piece);
@@ -143,7 +146,7 @@ Result<FlatPiece> flattenInside(const Piece& piece, const FlatPiece& flat, const
     if (!moved.Q.allFinite()) {
         return Error{ErrorCode::NotFinite, subjectOf(piece), "flat positions"};
     }
-    noteAnew(piece, moved);
+    renewNotes(piece, moved);
     return moved;
 }
 

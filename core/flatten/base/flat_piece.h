@@ -67,6 +67,13 @@ enum class StretchOutline {
     Curvature,  ///< that of `curvature`, which suits cloth better
 };
 
+namespace isometric {
+
+struct EnergyKind;  // isometric/flat_energy.h
+extern const EnergyKind kSymmetricDirichlet;
+
+}  // namespace isometric
+
 struct FlattenOptions {
     Method method = Method::Isometric;
     BoundarySolver boundarySolver = BoundarySolver::Newton;  ///< if solvesBoundary
@@ -76,6 +83,8 @@ struct FlattenOptions {
     /// mu of [DMA02]'s mix of conformal and authalic weights, (1 - mu) and mu, in [0, 1]; used for
     /// a conformal interior in a fixed boundary (Wang2005, Curvature).
     double authalic = 0;
+    /// What Isometric lowers; alike in all directions unless another energy is given.
+    const isometric::EnergyKind* energy = &isometric::kSymmetricDirichlet;
 
     bool operator==(const FlattenOptions&) const = default;
 };

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/flatten/base/outline_targets.h"
+#include "core/flatten/base/piece_cloth.h"
 #include "core/garment/piece.h"
 #include "core/quality/piece_quality.h"
 
@@ -22,6 +23,7 @@ struct PieceResult {
     std::shared_ptr<const Piece> piece;
     FlattenOptions options;
     OutlineTargets targets{};             ///< target lengths of its outline
+    PieceClothPointer cloth{};            ///< as given; only some energies read it
     std::optional<FlatPiece> flat;        ///< points in the plane, before placement on the sheet
     std::optional<PieceQuality> quality;  ///< set if flat
     std::optional<Error> error;           ///< set if not flat

@@ -34,6 +34,8 @@ public:
     /// The coarse disk and its boundary, in the same order as the fine boundary.
     const MeshArrays& mesh() const { return mesh_; }
     const EdgeLoops& loops() const { return loops_; }
+    /// The fine vertex of each coarse one, ascending.
+    const std::vector<int>& kept() const { return kept_; }
 
     /// The coarse vertices' rows of a fine flattening.
     Points2 restricted(const Points2& fine) const;
@@ -68,7 +70,7 @@ private:
 
     MeshArrays mesh_;
     EdgeLoops loops_;
-    std::vector<int> kept_;  ///< fine vertex of each coarse one, ascending
+    std::vector<int> kept_;
     Eigen::Index fineCount_;
     std::vector<Removal> removals_;
     std::vector<int> ring_;

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Geometry>
-
-#include "core/flatten/isometric/quadratic_roots.h"
+#include <Eigen/LU>
 
 namespace toile::isometric {
 namespace {
@@ -63,44 +61,6 @@ Matrix4 stiffness(const Eigen::Matrix2d& J) {
 
 }  // namespace
 
-SymmetricDirichlet::SymmetricDirichlet(const MeshArrays& mesh, const EdgeTable& table)
-    : mesh_(mesh), table_(table), shapes_(static_cast<std::size_t>(mesh.F.rows())) {
-    double whole = 0;
-    for (int f = 0; f < mesh.F.rows(); ++f) {
-        const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
-        const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
-        // The triangle laid into the plane: corners (0, 0), (x1, 0), (x2, y2).
-        const double x1 = a.norm();
-        const double x2 = a.dot(b) / x1;
-        const double y2 = a.cross(b).norm() / x1;
-        Shape& shape = shapes_[f];
-        shape.area = 0.5 * x1 * y2;
-        shape.b[0][0] = -1 / x1;
-        shape.b[0][1] = (x2 / x1 - 1) / y2;
-        shape.b[1][0] = 1 / x1;
-        shape.b[1][1] = -x2 / (x1 * y2);
-        shape.b[2][0] = 0;
-        shape.b[2][1] = 1 / y2;
-        whole += shape.area;
-    }
-    for (Shape& shape : shapes_) {
-        shape.area /= whole;
-    }
-}
-
-Eigen::Matrix2d SymmetricDirichlet::jacobian(const Points2& Q, int f) const {
-    const Shape& shape = shapes_[f];
-    // Differences to the first corner keep the precision of a piece far from the origin.
-    const Eigen::RowVector2d e1 = Q.row(mesh_.F(f, 1)) - Q.row(mesh_.F(f, 0));
-    const Eigen::RowVector2d e2 = Q.row(mesh_.F(f, 2)) - Q.row(mesh_.F(f, 0));
-    Eigen::Matrix2d J;
-    for (int axis = 0; axis < 2; ++axis) {
-        J(axis, 0) = e1[axis] * shape.b[1][0] + e2[axis] * shape.b[2][0];
-        J(axis, 1) = e1[axis] * shape.b[1][1] + e2[axis] * shape.b[2][1];
-    }
-    return J;
-}
-
 double SymmetricDirichlet::energy(const Points2& Q) const {
     double sum = 0;
     for (int f = 0; f < mesh_.F.rows(); ++f) {
@@ -117,12 +77,7 @@ double SymmetricDirichlet::energy(const Points2& Q) const {
 Points2 SymmetricDirichlet::gradient(const Points2& Q) const {
     Points2 g = Points2::Zero(Q.rows(), 2);
     for (int f = 0; f < mesh_.F.rows(); ++f) {
-        const Eigen::Matrix2d P = 0.25 * shapes_[f].area * stress(jacobian(Q, f));
-        for (int k = 0; k < 3; ++k) {
-            const double* b = shapes_[f].b[k];
-            g(mesh_.F(f, k), 0) += P(0, 0) * b[0] + P(0, 1) * b[1];
-            g(mesh_.F(f, k), 1) += P(1, 0) * b[0] + P(1, 1) * b[1];
-        }
+        addForces(f, 0.25 * shapes_[f].area * stress(jacobian(Q, f)), g);
     }
     return g;
 }
@@ -130,52 +85,53 @@ Points2 SymmetricDirichlet::gradient(const Points2& Q) const {
 void SymmetricDirichlet::addHessian(const Points2& Q, const std::vector<int>& edgeOf,
                                     linalg::BlockMatrix& hessian) const {
     for (int f = 0; f < mesh_.F.rows(); ++f) {
-        const Matrix4 H = 0.25 * shapes_[f].area * stiffness(jacobian(Q, f));
-        // Corner k moves J by q b_k^T: columns of B_k pair the axis with b_k.
-        Eigen::Matrix<double, 4, 2> HB[3];
-        for (int k = 0; k < 3; ++k) {
-            const double* b = shapes_[f].b[k];
-            HB[k].col(0) = H.col(0) * b[0] + H.col(1) * b[1];
-            HB[k].col(1) = H.col(2) * b[0] + H.col(3) * b[1];
-        }
-        const auto block = [&](int row, int column) {
-            const double* b = shapes_[f].b[row];
-            Eigen::Matrix2d M;
-            M.row(0) = b[0] * HB[column].row(0) + b[1] * HB[column].row(1);
-            M.row(1) = b[0] * HB[column].row(2) + b[1] * HB[column].row(3);
-            return M;
-        };
-        for (int k = 0; k < 3; ++k) {
-            hessian.addVertex(mesh_.F(f, k), block(k, k));
-            const int next = (k + 1) % 3;
-            const bool rises = mesh_.F(f, k) < mesh_.F(f, next);
-            hessian.addEdge(edgeOf[table_.faceEdges(f, k)],
-                            rises ? block(next, k) : block(k, next));
-        }
+        addBlocks(f, 0.25 * shapes_[f].area * stiffness(jacobian(Q, f)), edgeOf, hessian);
     }
 }
 
-double SymmetricDirichlet::largestStep(const Points2& Q, const Points2& P, double limit) const {
-    double most = limit;
-    for (int f = 0; f < mesh_.F.rows(); ++f) {
-        const Eigen::RowVector2d e1 = Q.row(mesh_.F(f, 1)) - Q.row(mesh_.F(f, 0));
-        const Eigen::RowVector2d e2 = Q.row(mesh_.F(f, 2)) - Q.row(mesh_.F(f, 0));
-        const Eigen::RowVector2d d1 = P.row(mesh_.F(f, 1)) - P.row(mesh_.F(f, 0));
-        const Eigen::RowVector2d d2 = P.row(mesh_.F(f, 2)) - P.row(mesh_.F(f, 0));
-        // Twice the area along the step: c + b t + a t^2, c > 0. Find its smallest positive root.
-        const double a = d1.x() * d2.y() - d1.y() * d2.x();
-        const double b = e1.x() * d2.y() - e1.y() * d2.x() + d1.x() * e2.y() - d1.y() * e2.x();
-        const double c = e1.x() * e2.y() - e1.y() * e2.x();
-        if (a * most * most + b * most + c > 0 && !(b < 0 && a > 0)) {
-            continue;  // no root ahead: concave or rising all the way
+double SymmetricDirichlet::starEnergy(const Points2& Q, std::span<const int> star) const {
+    double sum = 0;
+    for (const int f : star) {
+        const Eigen::Matrix2d J = jacobian(Q, f);
+        const double D = J.determinant();
+        if (!(D > 0)) {
+            return std::numeric_limits<double>::infinity();
         }
-        for (const double root : quadraticRoots(a, b, c)) {
-            if (root > 0 && root < most) {
-                most = root;
-            }
-        }
+        sum += 0.25 * shapes_[f].area * J.squaredNorm() * (1 + 1 / (D * D));
     }
-    return most;
+    return sum;
 }
+
+FlatEnergy::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q, std::span<const int> star,
+                                                        int v) const {
+    VertexModel model;
+    for (const int f : star) {
+        const Shape& shape = shapes_[f];
+        const int corner = mesh_.F(f, 0) == v ? 0 : mesh_.F(f, 1) == v ? 1 : 2;
+        const Eigen::Vector2d b(shape.b[corner][0], shape.b[corner][1]);
+        const Eigen::Matrix2d J = jacobian(Q, f);
+        const double I = J.squaredNorm();
+        const double D = J.determinant();
+        const double over2 = 1 / (D * D);
+        const double over3 = over2 / D;
+        // How I / 2 and D change with the vertex; the second derivative of D is zero.
+        const Eigen::Vector2d i = J * b;
+        const Eigen::Vector2d d(J(1, 1) * b[0] - J(1, 0) * b[1], J(0, 0) * b[1] - J(0, 1) * b[0]);
+        const double part = 0.25 * shape.area;
+        model.energy += part * I * (1 + over2);
+        model.gradient += part * (2 * (1 + over2) * i - 2 * I * over3 * d);
+        model.stiffness += part * (2 * (1 + over2) * b.squaredNorm() * Eigen::Matrix2d::Identity() -
+                                   4 * over3 * (i * d.transpose() + d * i.transpose()) +
+                                   6 * I * over2 * over2 * d * d.transpose());
+    }
+    return model;
+}
+
+const EnergyKind kSymmetricDirichlet{
+    "isotropic", false,
+    [](const MeshArrays& mesh, const EdgeTable& table,
+       const PieceCloth& /*cloth*/) -> std::unique_ptr<FlatEnergy> {
+        return std::make_unique<SymmetricDirichlet>(mesh, table);
+    }};
 
 }  // namespace toile::isometric

@@ -7,7 +7,6 @@
 
 #include "core/base/text.h"
 #include "core/flatten/interior/conformal_interior.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 
@@ -37,8 +36,8 @@ EdgeLoops heldLoops(const Piece& piece, const Points2& Q, const Points2& rims) {
 }
 
 /// Lowers the energy of the interior by a few descent steps; the outline stays.
-void makeRoom(const Piece& piece, Points2& Q, const Progress& progress) {
-    DescentOptions options = descentOptions(Quality::Draft);
+void makeRoom(const Piece& piece, const EnergyModel& energy, Points2& Q, const Progress& progress) {
+    DescentOptions options = descentOptions(Quality::Draft, energy);
     options.maxIterations = kStepsForRoom;
     auto lower =
         lowerIsometricEnergy(piece.mesh, piece.table, heldLoops(piece, Q, Q), Q, options, progress);
@@ -104,25 +103,25 @@ Result<Points2> harmonicMotion(const Piece& piece, const Points2& onOutline,
     return interior ? interior->extend(onOutline) : interior.error();
 }
 
-Result<Points2> outlineMoved(const Piece& piece, Points2 Q, const Points2& outline,
-                             const Progress& progress) {
+Result<Points2> outlineMoved(const Piece& piece, const EnergyModel& model, Points2 Q,
+                             const Points2& outline, const Progress& progress) {
     const auto motion = harmonicMotion(piece, outline - Q(piece.boundary, Eigen::all), progress);
     if (!motion) {
         return motion.error();
     }
-    const SymmetricDirichlet energy(piece.mesh, piece.table);
+    const auto energy = model.make(piece.mesh, piece.table);
     double left = 1;
     for (int stage = 0; stage < kMaxStages && !progress.isCancelled(); ++stage) {
-        const double free = energy.largestStep(Q, *motion, left / kOfTheWay);
+        const double free = energy->largestStep(Q, *motion, left / kOfTheWay);
         if (!(free < left / kOfTheWay)) {
             Q += left * *motion;
             Q(piece.boundary, Eigen::all) = outline;
-            return std::isfinite(energy.energy(Q)) ? Result<Points2>(std::move(Q))
-                                                   : noWay(piece, Q);
+            return std::isfinite(energy->energy(Q)) ? Result<Points2>(std::move(Q))
+                                                    : noWay(piece, Q);
         }
         Q += kOfTheWay * free * *motion;
         left -= kOfTheWay * free;
-        makeRoom(piece, Q, progress);
+        makeRoom(piece, model, Q, progress);
         progress.step();
     }
     if (progress.isCancelled()) {
@@ -131,10 +130,11 @@ Result<Points2> outlineMoved(const Piece& piece, Points2 Q, const Points2& outli
     return noWay(piece, Q + left * *motion);
 }
 
-Result<DescentResult> lowerInside(const Piece& piece, const Points2& start, const Points2& flat,
-                                  Quality quality, const Progress& progress) {
+Result<DescentResult> lowerInside(const Piece& piece, const EnergyModel& energy,
+                                  const Points2& start, const Points2& flat, Quality quality,
+                                  const Progress& progress) {
     auto lowest = lowerIsometricEnergy(piece.mesh, piece.table, heldLoops(piece, start, flat),
-                                       start, descentOptions(quality), progress);
+                                       start, descentOptions(quality, energy), progress);
     if (!lowest) {
         return lowest;
     }

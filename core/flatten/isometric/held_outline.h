@@ -32,16 +32,17 @@ Result<Points2> harmonicMotion(const Piece& piece, const Points2& onOutline,
 /// @param Q  #V x 2, mm, no flipped triangle
 /// Errors: OutlineNotHeld, and those of `harmonicMotion`. Cost: that of `harmonicMotion`, and a
 /// factorisation of size 2 #V for each of the few stages if triangles block the way.
-Result<Points2> outlineMoved(const Piece& piece, Points2 Q, const Points2& outline,
-                             const Progress& progress);
+Result<Points2> outlineMoved(const Piece& piece, const EnergyModel& model, Points2 Q,
+                             const Points2& outline, const Progress& progress);
 
-/// The minimum of the symmetric Dirichlet energy with the outline fixed, bit for bit. Rims of holes
+/// The minimum of the energy with the outline fixed, bit for bit. Rims of holes
 /// get the lengths that they have in `flat`.
 /// @param start  #V x 2, mm, no flipped triangle
 /// @param flat   #V x 2, mm
 /// Errors: BoundaryNotConverged (of the rims), OutlineNotHeld, OutOfMemory, Cancelled.
 /// Cost: one to three factorisations of size 2 #V. Re-entrant.
-Result<DescentResult> lowerInside(const Piece& piece, const Points2& start, const Points2& flat,
-                                  Quality quality, const Progress& progress);
+Result<DescentResult> lowerInside(const Piece& piece, const EnergyModel& energy,
+                                  const Points2& start, const Points2& flat, Quality quality,
+                                  const Progress& progress);
 
 }  // namespace toile::isometric

@@ -11,7 +11,6 @@
 #include "core/flatten/base/flat_notes.h"
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/interior.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
 #include "core/garment/garment.h"
@@ -38,16 +37,17 @@ constexpr int kMaxCrossingsEach = 10;
 /// Start of the descent: the conformal result, which is the best start unless it has flips (its
 /// energy is infinite then) or triangles squeezed to almost nothing. Otherwise Tutte's embedding on
 /// a circle, which cannot have flips, if that is better.
-Result<Points2> startOf(const Piece& piece, const OutlineTargets& targets, const Points2* conformal,
+Result<Points2> startOf(const Piece& piece, const OutlineTargets& targets,
+                        const isometric::EnergyModel& model, const Points2* conformal,
                         const Progress& progress) {
-    const isometric::SymmetricDirichlet energy(piece.mesh, piece.table);
+    const auto energy = model.make(piece.mesh, piece.table);
     const double ofConformal =
-        conformal ? energy.energy(*conformal) : std::numeric_limits<double>::infinity();
+        conformal ? energy->energy(*conformal) : std::numeric_limits<double>::infinity();
     if (ofConformal < kSqueezedStart) {
         return *conformal;
     }
     auto circle = tutteOnCircle(piece, progress, targets);
-    const bool better = circle && energy.energy(*circle) <= ofConformal;
+    const bool better = circle && energy->energy(*circle) <= ofConformal;
     const bool cancelled = !circle && circle.error().code == ErrorCode::Cancelled;
     if (conformal && !better && !cancelled) {
         return *conformal;
@@ -69,7 +69,8 @@ Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTarget
 
 /// Stores the start for a later edit of this piece.
 /// @param simple  positions whose outline does not cross itself, or null
-void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemory& memory) {
+void keep(isometric::DescentResult lowest, const isometric::EnergyModel& energy,
+          const Points2* simple, FlatteningMemory& memory) {
     memory.flattened = nullptr;
     memory.Q = memory.simple = nullptr;
     memory.model = nullptr;
@@ -78,6 +79,8 @@ void keep(isometric::DescentResult lowest, const Points2* simple, FlatteningMemo
         return;
     }
     memory.flattened = memory.present;
+    memory.energy = energy.kind;
+    memory.cloth = energy.cloth;
     memory.distortion = lowest.distortion;
     const bool same = simple != nullptr && (simple->array() == lowest.Q.array()).all();
     memory.Q = std::make_shared<const Points2>(std::move(lowest.Q));
@@ -159,7 +162,7 @@ Result<FlatPiece> finish(const Piece& piece, const OutlineTargets& targets,
         return Error{ErrorCode::Cancelled};
     }
     if (memory != nullptr) {
-        keep(std::move(lowest), isSimple ? &flat.Q : nullptr, *memory);
+        keep(std::move(lowest), descent.energy, isSimple ? &flat.Q : nullptr, *memory);
     }
     flat.angleEnergy = angleEnergy(boundaryAngles3d(piece.mesh, piece.boundary),
                                    boundaryAngles2d(flat.Q, piece.boundary));
@@ -206,9 +209,10 @@ FlatPiece figuresOf(const FlatPiece& flat) {
 
 /// Without a usable memory: from the conformal result, or the circle.
 Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets& targets,
-                                       const FlattenOptions& options, const Stopwatch& time,
+                                       const FlattenOptions& options,
+                                       const isometric::EnergyModel& energy, const Stopwatch& time,
                                        const Progress& progress, FlatteningMemory* memory) {
-    isometric::DescentOptions descent = isometric::descentOptions(options.quality);
+    isometric::DescentOptions descent = isometric::descentOptions(options.quality, energy);
     descent.sharesModel = memory != nullptr;
     FlattenOptions conformal = options;
     conformal.authalic = 0;
@@ -217,7 +221,7 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets&
                   flat.error().code == ErrorCode::NoClosedOutline)) {
         return flat;
     }
-    auto start = startOf(piece, targets, flat ? &flat->Q : nullptr, progress);
+    auto start = startOf(piece, targets, energy, flat ? &flat->Q : nullptr, progress);
     if (!start) {
         return start.error();
     }
@@ -244,11 +248,13 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets&
 
 Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& options,
                                    const Progress& progress, FlatteningMemory* memory,
-                                   const OutlineTargets& targets) {
+                                   const OutlineTargets& targets, const PieceClothPointer& cloth) {
     const Stopwatch time;
-    if (memory != nullptr && memory->Q) {
-        const isometric::WarmStart warm(piece, *memory, targets);
-        isometric::DescentOptions descent = isometric::descentOptions(options.quality);
+    const isometric::EnergyModel energy(options, cloth);
+    if (memory != nullptr && memory->Q && memory->energy == energy.kind &&
+        isSameCloth(memory->cloth, energy.cloth)) {
+        const isometric::WarmStart warm(piece, *memory, targets, energy);
+        isometric::DescentOptions descent = isometric::descentOptions(options.quality, energy);
         descent.sharesModel = true;
         auto again = descendWarm(piece, targets, descent, warm, progress);
         if (progress.isCancelled()) {
@@ -263,7 +269,7 @@ Result<FlatPiece> flattenIsometric(const Piece& piece, const FlattenOptions& opt
             return flat;
         }
     }
-    return descendFromConformal(piece, targets, options, time, progress, memory);
+    return descendFromConformal(piece, targets, options, energy, time, progress, memory);
 }
 
 }  // namespace toile

@@ -45,7 +45,7 @@ public:
             const DescentOptions& options, const Progress& progress)
         : progress_(progress),
           lengths_(loops.lengths(mesh.V)),
-          objective_(mesh, table, loops, lengths_, options.keepOutlineSimple),
+          objective_(mesh, table, loops, lengths_, options.keepOutlineSimple, options.energy),
           constraints_(loops, lengths_),
           kkt_(mesh, table, lengths_, constraints_, options.keepOutlineSimple, options.sizes,
                progress),
@@ -260,8 +260,9 @@ private:
 
 }  // namespace
 
-DescentOptions descentOptions(Quality quality) {
+DescentOptions descentOptions(Quality quality, const EnergyModel& energy) {
     DescentOptions options;
+    options.energy = energy;
     options.tolerance = quality == Quality::Draft      ? 2e-2
                         : quality == Quality::Standard ? 1e-4
                                                        : 1e-7;

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/flatten/boundary/length_constraints.h"
+#include "core/flatten/isometric/flat_energy.h"
 #include "core/flatten/isometric/kkt_solver.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
@@ -26,6 +27,7 @@ struct DescentOptions {
     /// none crosses itself at the start.
     bool keepOutlineSimple = false;
     KktSizes sizes{};
+    EnergyModel energy{};  ///< what is lowered
     /// Multipliers of the boundary lengths from a descent of a similar piece with the same outline;
     /// empty if unknown.
     Eigen::VectorXd multipliers{};
@@ -36,7 +38,7 @@ struct DescentOptions {
 };
 
 /// Tolerances of the descent for a quality.
-DescentOptions descentOptions(Quality quality);
+DescentOptions descentOptions(Quality quality, const EnergyModel& energy = {});
 
 /// Whether a flattening with more constraints (an outline that does not cross itself, rims of exact
 /// length) is near one without, by their energies: it adds less than 5 % RMS strain (strain e in
@@ -48,7 +50,7 @@ double nearLimit(double before);
 
 struct DescentResult {
     Points2 Q;
-    double distortion = 0;  ///< symmetric Dirichlet energy, 1 if isometric
+    double distortion = 0;  ///< energy, 1 if isometric
     int iterations = 0;
     Eigen::VectorXd multipliers{};            ///< of the boundary lengths: the tension of each edge
     bool converged = false;                   ///< the tolerance was met
@@ -56,7 +58,7 @@ struct DescentResult {
     std::shared_ptr<const KktModel> model{};  ///< the last; null if not requested, or large
 };
 
-/// Lowers the symmetric Dirichlet energy of a flattening over interior and boundary positions while
+/// Lowers the energy (flat_energy.h) of a flattening over interior and boundary positions while
 /// every boundary edge keeps its length (`EdgeLoops::lengths`). Every iterate is feasible: exact
 /// lengths, no flipped triangle, and a lower objective (isometric_objective.h: the energy and small
 /// terms). Ending early costs quality only; the result is never worse than the start, or than the

@@ -25,11 +25,11 @@ std::pair<int, int> ordered(int v, int w) {
 
 IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& table,
                                        EdgeLoops loops, const Eigen::VectorXd& lengths,
-                                       bool keepOutlineSimple)
+                                       bool keepOutlineSimple, const EnergyModel& model)
     : table_(table),
       loops_(std::move(loops)),
       vertexCount_(static_cast<int>(mesh.V.rows())),
-      energy_(mesh, table),
+      energy_(model.make(mesh, table)),
       bending_(loops_, boundaryAngles3d(mesh, loops_.vertices()), lengths, kOutlineStiffness) {
     for (int k = 0; k < loops_.loopCount() && keepOutlineSimple; ++k) {
         const int first = loops_.start(k);
@@ -38,7 +38,7 @@ IsometricObjective::IsometricObjective(const MeshArrays& mesh, const EdgeTable& 
 }
 
 IsometricObjective::Value IsometricObjective::evaluate(const Points2& Q) const {
-    Value value{energy_.energy(Q), {}};
+    Value value{energy_->energy(Q), {}};
     if (std::isfinite(value.total)) {
         value.total += bending_.energy(Q);
         for (const OutlineBarrier& barrier : barriers_) {
@@ -51,7 +51,7 @@ IsometricObjective::Value IsometricObjective::evaluate(const Points2& Q) const {
 }
 
 Points2 IsometricObjective::gradient(const Points2& Q, const Value& at) const {
-    Points2 g = energy_.gradient(Q);
+    Points2 g = energy_->gradient(Q);
     bending_.addGradient(Q, g);
     OutlineBarrier::addGradient(at.contacts, g);
     loops_.clearHeld(g);
@@ -61,7 +61,7 @@ Points2 IsometricObjective::gradient(const Points2& Q, const Value& at) const {
 IsometricObjective::Hessian IsometricObjective::hessian(const Points2& Q, const Value& at) {
     const bool samePattern = layOut(at.contacts);
     matrix_->setZero();
-    energy_.addHessian(Q, edgeOf_, *matrix_);
+    energy_->addHessian(Q, edgeOf_, *matrix_);
     bending_.addHessian(Q, *matrix_);
     OutlineBarrier::addHessian(at.contacts, *matrix_);
     for (int i = 0; i < loops_.start(1) && loops_.holdsOutline(); ++i) {
@@ -73,7 +73,7 @@ IsometricObjective::Hessian IsometricObjective::hessian(const Points2& Q, const 
 }
 
 double IsometricObjective::largestStep(const Points2& Q, const Points2& P, double limit) const {
-    double step = energy_.largestStep(Q, P, limit);
+    double step = energy_->largestStep(Q, P, limit);
     for (const OutlineBarrier& barrier : barriers_) {
         step = barrier.largestStep(Q, P, step);
     }

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/flatten/boundary/length_constraints.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/flat_energy.h"
 #include "core/flatten/isometric/outline_terms.h"
 
 namespace toile::isometric {
 
-/// The objective of the isometric descent: the symmetric Dirichlet energy, a little stiffness of
+/// The objective of the isometric descent: the energy of the triangles, a little stiffness of
 /// the outline, and the barrier if the outline must stay simple. Linear cost per call. One thread
 /// at a time: the Hessian is filled in place.
 class IsometricObjective {
 public:
     /// @param mesh, table  stored by reference  @param lengths  of the loops' edges
     IsometricObjective(const MeshArrays& mesh, const EdgeTable& table, EdgeLoops loops,
-                       const Eigen::VectorXd& lengths, bool keepOutlineSimple);
+                       const Eigen::VectorXd& lengths, bool keepOutlineSimple,
+                       const EnergyModel& model = {});
 
     /// The objective at a point, with the contacts found there.
     struct Value {
@@ -27,8 +29,8 @@ public:
     };
 
     Value evaluate(const Points2& Q) const;
-    /// The symmetric Dirichlet energy alone.
-    double distortion(const Points2& Q) const { return energy_.energy(Q); }
+    /// The energy of the triangles alone.
+    double distortion(const Points2& Q) const { return energy_->energy(Q); }
     /// Zero at the vertices of a held outline.
     Points2 gradient(const Points2& Q, const Value& at) const;
 
@@ -42,9 +44,9 @@ public:
     Hessian hessian(const Points2& Q, const Value& at);
 
     /// Moves single interior vertices if that lowers the energy noticeably
-    /// (SymmetricDirichlet::relax).
+    /// (FlatEnergy::relax).
     void relax(Points2& Q, int passes, const Progress& progress) const {
-        energy_.relax(Q, loops_.vertices(), passes, progress);
+        energy_->relax(Q, loops_.vertices(), passes, progress);
     }
 
     /// The largest step along P, up to `limit`, before a triangle loses its area or sides touch.
@@ -56,7 +58,7 @@ private:
     const EdgeTable& table_;
     EdgeLoops loops_;
     int vertexCount_;
-    SymmetricDirichlet energy_;
+    std::unique_ptr<FlatEnergy> energy_;
     OutlineBending bending_;
     std::vector<OutlineBarrier> barriers_;  ///< one per loop if loops must stay simple
     std::optional<linalg::BlockMatrix> matrix_;

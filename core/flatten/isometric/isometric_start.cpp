@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/flatten/isometric/coarsening.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric_descent.h"
 
 namespace toile::isometric {
@@ -24,10 +23,10 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
                             const EdgeLoops& outline, const Points2& Q, const DescentOptions& fine,
                             const Progress& progress) {
     IsometricStart unchanged{Q};
-    const SymmetricDirichlet energy(mesh, table);
+    const auto energy = fine.energy.make(mesh, table);
     const auto vertices = static_cast<int>(mesh.V.rows());
     const int inner = vertices - outline.count();
-    const double before = energy.energy(Q);
+    const double before = energy->energy(Q);
     if (before < kLittleStrain || !std::isfinite(before) || inner < kCoarsestVertices) {
         return unchanged;
     }
@@ -39,6 +38,7 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
         buildEdgeTable(coarse.mesh().F, static_cast<int>(coarse.mesh().V.rows()));
     DescentOptions options;
     options.tolerance = fine.tolerance;
+    options.energy = fine.energy.onVertices(coarse.kept());
     options.keepOutlineSimple = fine.keepOutlineSimple;
     // A coarse piece strains more than the fine one.
     options.wanted = 1 + kCoarseExcess * (fine.wanted - 1);
@@ -46,11 +46,11 @@ IsometricStart coarseToFine(const MeshArrays& mesh, const EdgeTable& table,
                                   options, progress);
     unchanged.isHopeless = lowest && lowest->isHopeless;
     auto prolonged = lowest ? coarse.prolonged(lowest->Q) : std::nullopt;
-    if (!prolonged || !std::isfinite(energy.energy(*prolonged))) {
+    if (!prolonged || !std::isfinite(energy->energy(*prolonged))) {
         return unchanged;
     }
-    energy.relax(*prolonged, outline.vertices(), kStartPasses, progress);
-    if (!(energy.energy(*prolonged) < before)) {
+    energy->relax(*prolonged, outline.vertices(), kStartPasses, progress);
+    if (!(energy->energy(*prolonged) < before)) {
         return unchanged;
     }
     return {std::move(*prolonged), std::move(lowest->multipliers), lowest->isHopeless};

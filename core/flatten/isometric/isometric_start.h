@@ -63,7 +63,9 @@ class WarmStart {
 public:
     /// @param memory  with positions (`Q`). Must outlive this object, as must the piece
     /// @param targets  of the present version's outline, independent of earlier ones
-    WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets = {});
+    /// @param energy  of the piece, the same as the earlier version's
+    WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets = {},
+              EnergyModel energy = {});
 
     /// A start from the flat positions. They are carried over vertex by vertex, the outline is
     /// moved to the new lengths, the interior follows harmonically, which avoids the folds of
@@ -104,6 +106,7 @@ private:
     const Piece& piece_;
     const FlatteningMemory& memory_;
     OutlineTargets targets_;
+    EnergyModel energy_;
     VersionMatch match_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "core/base/progress.h"
 #include "core/flatten/base/flat_notes.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/garment/piece.h"
@@ -30,10 +29,9 @@ bool rimsAreSimple(const Piece& piece, const Points2& Q) {
 }
 
 Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTargets& targets,
-                                         const Points2& Q, Quality quality,
+                                         const Points2& Q, isometric::DescentOptions options,
                                          const Progress& progress) {
     const EdgeLoops loops = allLoops(piece, targets);
-    isometric::DescentOptions options = isometric::descentOptions(quality);
     auto found =
         isometric::lowerIsometricEnergy(piece.mesh, piece.table, loops, Q, options, progress);
     const auto isSimple = [&](const Points2& at) -> bool {
@@ -50,24 +48,28 @@ Result<isometric::DescentResult> descend(const Piece& piece, const OutlineTarget
 }
 
 /// The reason to reject the result; empty if there is none.
-Wording objection(const Piece& piece, const Points2& before, const isometric::DescentResult& kept) {
+Wording objection(const Piece& piece, const isometric::EnergyModel& model, const Points2& before,
+                  const isometric::DescentResult& kept) {
     if (!rimsAreSimple(piece, kept.Q)) {
         return worded("a rim would cross itself");
     }
     if (!outlineIsSimple(kept.Q, piece.boundary) && outlineIsSimple(before, piece.boundary)) {
         return worded("the outline would cross itself");
     }
-    const double energy = isometric::SymmetricDirichlet(piece.mesh, piece.table).energy(before);
+    const double energy = model.make(piece.mesh, piece.table)->energy(before);
     return isometric::isNear(kept.distortion, energy) ? Wording()
                                                       : worded("it would take too much strain");
 }
 
 }  // namespace
 
-Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat,
-                            const Progress& progress, const OutlineTargets& targets) {
+Result<void> keepRimLengths(const Piece& piece, const FlattenOptions& options, FlatPiece& flat,
+                            const Progress& progress, const OutlineTargets& targets,
+                            const PieceClothPointer& cloth) {
     const Stopwatch time;
-    auto kept = descend(piece, targets, flat.Q, quality, progress);
+    const isometric::EnergyModel energy(options, cloth);
+    auto kept = descend(piece, targets, flat.Q, isometric::descentOptions(options.quality, energy),
+                        progress);
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
@@ -75,7 +77,7 @@ Result<void> keepRimLengths(const Piece& piece, Quality quality, FlatPiece& flat
         return kept.error();
     }
     flat.interiorSeconds += time.seconds();
-    const Wording against = kept ? objection(piece, flat.Q, *kept) : Wording();
+    const Wording against = kept ? objection(piece, energy, flat.Q, *kept) : Wording();
     if (!kept || !against.empty()) {
         flat.notes.push_back(rimsNote(piece, flat.Q, against));
         return {};

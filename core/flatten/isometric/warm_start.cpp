@@ -10,7 +10,6 @@
 #include "core/flatten/conformal/conformal_methods.h"
 #include "core/flatten/interior/conformal_interior.h"
 #include "core/flatten/isometric/coarsening.h"
-#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/flatten/isometric/isometric.h"
 #include "core/flatten/isometric/isometric_descent.h"
 #include "core/flatten/isometric/isometric_start.h"
@@ -108,10 +107,12 @@ std::vector<int> mates(const Piece& piece) {
 
 }  // namespace
 
-WarmStart::WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets)
+WarmStart::WarmStart(const Piece& piece, const FlatteningMemory& memory, OutlineTargets targets,
+                     EnergyModel energy)
     : piece_(piece),
       memory_(memory),
       targets_(std::move(targets)),
+      energy_(std::move(energy)),
       match_(matchVersions(piece, *memory.flattened)) {}
 
 std::optional<Points2> WarmStart::positions(const Progress& progress) const {
@@ -157,11 +158,11 @@ std::optional<Points2> WarmStart::fitted(const Points2& warm, bool apart,
     if (progress.isCancelled()) {
         return std::nullopt;
     }
-    const SymmetricDirichlet energy(piece_.mesh, piece_.table);
-    double least = energy.energy(start);
+    const auto energy = energy_.make(piece_.mesh, piece_.table);
+    double least = energy->energy(start);
     if ((start - warm).lpNorm<Eigen::Infinity>() > kStill * lengths.mean()) {
         auto moved = following(piece_, warm, start, progress);
-        if (const double other = moved ? energy.energy(*moved) : least; other < least) {
+        if (const double other = moved ? energy->energy(*moved) : least; other < least) {
             start = std::move(*moved);
             least = other;
         }
@@ -169,7 +170,7 @@ std::optional<Points2> WarmStart::fitted(const Points2& warm, bool apart,
     if (!(least < mostEnergy(memory_.distortion)) || progress.isCancelled()) {
         return std::nullopt;
     }
-    energy.relax(start, piece_.boundary, kWarmPasses, progress);
+    energy->relax(start, piece_.boundary, kWarmPasses, progress);
     return start;
 }
 
@@ -191,11 +192,12 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
         return std::nullopt;
     }
     const auto flat = flattenCurvature(coarse, FlattenOptions(), progress, targets_);
-    if (!flat || !(SymmetricDirichlet(coarse.mesh, coarse.table).energy(flat->Q) < kSqueezed)) {
-        return std::nullopt;
-    }
     // A coarser tolerance is enough: the fine descent refines the result.
     DescentOptions options;
+    options.energy = energy_.onVertices(coarsening.kept());
+    if (!flat || !(options.energy.make(coarse.mesh, coarse.table)->energy(flat->Q) < kSqueezed)) {
+        return std::nullopt;
+    }
     options.tolerance = kCoarseTolerance * tolerance;
     auto lowest =
         lowerFromCoarse(coarse.mesh, coarse.table, coarsening.loops(), flat->Q, options, progress);
@@ -203,8 +205,7 @@ std::optional<IsometricStart> WarmStart::fromCoarse(double tolerance,
     if (!fine || progress.isCancelled()) {
         return std::nullopt;
     }
-    SymmetricDirichlet(piece_.mesh, piece_.table)
-        .relax(*fine, piece_.boundary, kWarmPasses, progress);
+    energy_.make(piece_.mesh, piece_.table)->relax(*fine, piece_.boundary, kWarmPasses, progress);
     return IsometricStart{std::move(*fine), std::move(lowest->multipliers)};
 }
 

@@ -253,7 +253,7 @@ TEST(RimLengths, WhereThereIsNoWayANoteSaysSoAndThePieceStays) {
     FlatPiece flat = *conformal;
     flat.Q.col(0) *= -1;  // all triangles flipped: no start for the descent
     const Points2 before = flat.Q;
-    ASSERT_TRUE(keepRimLengths(*piece, Quality::Standard, flat, Progress()));
+    ASSERT_TRUE(keepRimLengths(*piece, FlattenOptions(), flat, Progress()));
     ASSERT_TRUE(hasNote(flat, ErrorCode::RimsNotKept));
     EXPECT_NE(flat.notes.back().detail.find("mm on the garment"), std::string::npos);
     EXPECT_EQ((flat.Q - before).cwiseAbs().maxCoeff(), 0);
@@ -266,7 +266,7 @@ TEST(RimLengths, AreCancelledWithTheRest) {
     FlatPiece flat = *conformal;
     Progress progress;
     progress.cancel();
-    const auto kept = keepRimLengths(*piece, Quality::Standard, flat, progress);
+    const auto kept = keepRimLengths(*piece, FlattenOptions(), flat, progress);
     ASSERT_FALSE(kept);
     EXPECT_EQ(kept.error().code, ErrorCode::Cancelled);
     EXPECT_EQ(flat.Q, conformal->Q);

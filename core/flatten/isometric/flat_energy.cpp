@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <limits>
+#include "core/flatten/isometric/flat_energy.h"
 
+#include <limits>
+#include <utility>
+
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "core/flatten/isometric/dirichlet_energy.h"
+#include "core/flatten/isometric/quadratic_roots.h"
 #include "core/geometry/buckets.h"
 
 namespace toile::isometric {
@@ -21,48 +25,72 @@ constexpr int kVerticesPerLook = 1 << 12;
 
 }  // namespace
 
-double SymmetricDirichlet::starEnergy(const Points2& Q, std::span<const int> star) const {
-    double sum = 0;
-    for (const int f : star) {
-        const Eigen::Matrix2d J = jacobian(Q, f);
-        const double D = J.determinant();
-        if (!(D > 0)) {
-            return std::numeric_limits<double>::infinity();
-        }
-        sum += 0.25 * shapes_[f].area * J.squaredNorm() * (1 + 1 / (D * D));
+FlatEnergy::FlatEnergy(const MeshArrays& mesh, const EdgeTable& table)
+    : mesh_(mesh), table_(table), shapes_(static_cast<std::size_t>(mesh.F.rows())) {
+    double whole = 0;
+    for (int f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::Vector3d a = mesh.V.row(mesh.F(f, 1)) - mesh.V.row(mesh.F(f, 0));
+        const Eigen::Vector3d b = mesh.V.row(mesh.F(f, 2)) - mesh.V.row(mesh.F(f, 0));
+        // The triangle laid into the plane: corners (0, 0), (x1, 0), (x2, y2).
+        const double x1 = a.norm();
+        const double x2 = a.dot(b) / x1;
+        const double y2 = a.cross(b).norm() / x1;
+        Shape& shape = shapes_[f];
+        shape.area = 0.5 * x1 * y2;
+        shape.b[0][0] = -1 / x1;
+        shape.b[0][1] = (x2 / x1 - 1) / y2;
+        shape.b[1][0] = 1 / x1;
+        shape.b[1][1] = -x2 / (x1 * y2);
+        shape.b[2][0] = 0;
+        shape.b[2][1] = 1 / y2;
+        whole += shape.area;
     }
-    return sum;
+    for (Shape& shape : shapes_) {
+        shape.area /= whole;
+    }
 }
 
-SymmetricDirichlet::VertexModel SymmetricDirichlet::vertexModel(const Points2& Q,
-                                                                std::span<const int> star,
-                                                                int v) const {
-    VertexModel model;
-    for (const int f : star) {
-        const Shape& shape = shapes_[f];
-        const int corner = mesh_.F(f, 0) == v ? 0 : mesh_.F(f, 1) == v ? 1 : 2;
-        const Eigen::Vector2d b(shape.b[corner][0], shape.b[corner][1]);
-        const Eigen::Matrix2d J = jacobian(Q, f);
-        const double I = J.squaredNorm();
-        const double D = J.determinant();
-        const double over2 = 1 / (D * D);
-        const double over3 = over2 / D;
-        // How I / 2 and D change with the vertex; the second derivative of D is zero.
-        const Eigen::Vector2d i = J * b;
-        const Eigen::Vector2d d(J(1, 1) * b[0] - J(1, 0) * b[1], J(0, 0) * b[1] - J(0, 1) * b[0]);
-        const double part = 0.25 * shape.area;
-        model.energy += part * I * (1 + over2);
-        model.gradient += part * (2 * (1 + over2) * i - 2 * I * over3 * d);
-        model.stiffness += part * (2 * (1 + over2) * b.squaredNorm() * Eigen::Matrix2d::Identity() -
-                                   4 * over3 * (i * d.transpose() + d * i.transpose()) +
-                                   6 * I * over2 * over2 * d * d.transpose());
+EnergyModel EnergyModel::onVertices(const std::vector<int>& kept) const {
+    EnergyModel fewer = *this;
+    if (cloth && cloth->warp.rows() > 1) {
+        auto part = std::make_shared<PieceCloth>(*cloth);
+        part->warp = Points3::Zero(static_cast<Eigen::Index>(kept.size()), 3);
+        for (Eigen::Index v = 0; v < part->warp.rows(); ++v) {
+            if (kept[v] < cloth->warp.rows()) {
+                part->warp.row(v) = cloth->warp.row(kept[v]);
+            }
+        }
+        fewer.cloth = std::move(part);
     }
-    return model;
+    return fewer;
+}
+
+double FlatEnergy::largestStep(const Points2& Q, const Points2& P, double limit) const {
+    double most = limit;
+    for (int f = 0; f < mesh_.F.rows(); ++f) {
+        const Eigen::RowVector2d e1 = Q.row(mesh_.F(f, 1)) - Q.row(mesh_.F(f, 0));
+        const Eigen::RowVector2d e2 = Q.row(mesh_.F(f, 2)) - Q.row(mesh_.F(f, 0));
+        const Eigen::RowVector2d d1 = P.row(mesh_.F(f, 1)) - P.row(mesh_.F(f, 0));
+        const Eigen::RowVector2d d2 = P.row(mesh_.F(f, 2)) - P.row(mesh_.F(f, 0));
+        // Twice the area along the step: c + b t + a t^2, c > 0. Find its smallest positive root.
+        const double a = d1.x() * d2.y() - d1.y() * d2.x();
+        const double b = e1.x() * d2.y() - e1.y() * d2.x() + d1.x() * e2.y() - d1.y() * e2.x();
+        const double c = e1.x() * e2.y() - e1.y() * e2.x();
+        if (a * most * most + b * most + c > 0 && !(b < 0 && a > 0)) {
+            continue;  // no root ahead: concave or rising all the way
+        }
+        for (const double root : quadraticRoots(a, b, c)) {
+            if (root > 0 && root < most) {
+                most = root;
+            }
+        }
+    }
+    return most;
 }
 
 /// One Newton step of a vertex, shortened or stretched to lower the energy. False if no step lowers
 /// the energy, or hardly any.
-bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int v) const {
+bool FlatEnergy::relaxVertex(Points2& Q, std::span<const int> star, int v) const {
     const VertexModel model = vertexModel(Q, star, v);
     const Eigen::RowVector2d from = Q.row(v);
     const Eigen::RowVector2d step = (-model.stiffness.inverse() * model.gradient).transpose();
@@ -96,8 +124,8 @@ bool SymmetricDirichlet::relaxVertex(Points2& Q, std::span<const int> star, int 
     return true;
 }
 
-void SymmetricDirichlet::relax(Points2& Q, const std::vector<int>& held, int passes,
-                               const Progress& progress) const {
+void FlatEnergy::relax(Points2& Q, const std::vector<int>& held, int passes,
+                       const Progress& progress) const {
     const auto count = static_cast<int>(Q.rows());
     const geometry::Buckets<> stars(count, [this](auto add) {
         for (int k = 0; k < static_cast<int>(mesh_.F.size()); ++k) {
