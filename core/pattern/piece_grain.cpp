@@ -10,6 +10,7 @@
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
 #include "core/quality/grain_cost.h"
+#include "core/quality/measures.h"
 
 namespace toile {
 namespace {
@@ -61,6 +62,9 @@ constexpr double kCancelled = 0.35;
 /// A turned grain is used if its cost is below the first part of the straight grain's, or if its
 /// share beyond the fabric's limits is below that part and smaller by the second.
 constexpr double kWorthTurning = 0.8, kWorthShare = 0.02;
+/// Variance of the normals below which a piece is plane, and length of their mean above which they
+/// fill less than a quarter of a turn.
+constexpr double kPlane = 1e-9, kNarrow = 0.9;
 /// Shares that differ by less are equal.
 constexpr double kEqualShares = 1e-9;
 
@@ -103,6 +107,22 @@ bool isSewnToItself(const Garment& garment, int piece) {
     return std::ranges::any_of(garment.seams.seams, [piece](const Seam& seam) {
         return seam.kind == SeamKind::Seam && seam.left.piece == piece && seam.right.piece == piece;
     });
+}
+
+/// Up, or along a tube; no rows if the piece lies level.
+Points3 hangingWarp(const Garment& garment, int piece) {
+    const MeshArrays& mesh = garment.pieces[piece]->mesh;
+    if (isSewnToItself(garment, piece)) {
+        return axisWarp(mesh);
+    }
+    PieceCloth cloth;
+    cloth.warp = Eigen::RowVector3d::UnitY();
+    const Eigen::VectorXd areas = triangleAreas3d(mesh);
+    double rise = 0;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        rise += areas[f] > 0 ? areas[f] * warpIn(cloth, mesh, f).norm() : 0;
+    }
+    return rise > kLevel * areas.sum() ? cloth.warp : Points3(0, 3);
 }
 
 std::optional<double> verticalGrain(const Garment& garment, const PieceResult& result, int piece) {
@@ -217,6 +237,92 @@ std::vector<std::optional<double>> findGrains(const Garment& garment, const Piec
         }
     }
     return grains;
+}
+
+Points3 axisWarp(const MeshArrays& mesh) {
+    double area = 0;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero(), centre = mean;
+    Eigen::Matrix3d normals = Eigen::Matrix3d::Zero(), spread = normals;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::Matrix3d corner = mesh.V(mesh.F.row(f), Eigen::all).transpose();
+        const Eigen::Vector3d normal =
+            (corner.col(1) - corner.col(0)).cross(corner.col(2) - corner.col(0)) / 2;
+        const double part = normal.norm();
+        if (!(part > 0)) {
+            continue;
+        }
+        const Eigen::Vector3d sum = corner.rowwise().sum();
+        area += part;
+        mean += normal;
+        centre += part / 3 * sum;
+        normals += normal * normal.transpose() / part;
+        spread += part / 12 * (corner * corner.transpose() + sum * sum.transpose());
+    }
+    mean /= area;
+    centre /= area;
+    normals = normals / area - mean * mean.transpose();
+    spread = spread / area - centre * centre.transpose();
+    if (normals.trace() < kPlane) {
+        return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread)
+            .eigenvectors()
+            .col(2)
+            .transpose();
+    }
+    // The normals of a narrow patch hardly vary along their mean either, which is no axis.
+    if (mean.norm() > kNarrow) {
+        normals += mean * mean.transpose();
+    }
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normals)
+        .eigenvectors()
+        .col(0)
+        .transpose();
+}
+
+Points3 warpThrough(const MeshArrays& mesh, const Points2& flat, double angle) {
+    Points3 warp = Points3::Zero(mesh.V.rows(), 3);
+    const Eigen::Vector2d way(std::cos(angle), std::sin(angle));
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::RowVector3i corner = mesh.F.row(f);
+        Eigen::Matrix2d sides;
+        sides << (flat.row(corner[1]) - flat.row(corner[0])).transpose(),
+            (flat.row(corner[2]) - flat.row(corner[0])).transpose();
+        const Eigen::Vector2d along = sides.inverse() * way;
+        const Eigen::RowVector3d worn = along[0] * (mesh.V.row(corner[1]) - mesh.V.row(corner[0])) +
+                                        along[1] * (mesh.V.row(corner[2]) - mesh.V.row(corner[0]));
+        if (!worn.allFinite()) {
+            continue;  // degenerate in the plane
+        }
+        for (const int v : corner) {
+            warp.row(v) += std::abs(sides.determinant()) * worn;
+        }
+    }
+    for (Eigen::Index v = 0; v < warp.rows(); ++v) {
+        warp.row(v).stableNormalize();
+    }
+    return warp;
+}
+
+PieceCloths pieceCloths(const Garment& garment, const std::optional<GrainRule>& rule,
+                        const std::vector<Fabric>& fabrics, const PieceResults& known,
+                        const std::vector<std::optional<double>>& typed) {
+    PieceCloths cloths;
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+        const Piece& piece = *garment.pieces[p];
+        PieceCloth cloth;
+        if (p < fabrics.size()) {
+            cloth.fabric = fabrics[p];
+            cloth.stiffness = clothStiffness(fabrics[p]);
+        }
+        if (p < typed.size() && typed[p] && p < known.size() && known[p] && known[p]->flat) {
+            cloth.warp = warpThrough(piece.mesh, known[p]->flat->Q, *typed[p]);
+        } else if (rule == GrainRule::Reference && piece.reference) {
+            cloth.warp = warpThrough(piece.mesh, *piece.reference, kPi / 2);
+        } else if (rule) {
+            cloth.warp = hangingWarp(garment, static_cast<int>(p));
+        }
+        cloths.push_back(std::make_shared<const PieceCloth>(std::move(cloth)));
+    }
+    return cloths;
 }
 
 }  // namespace toile

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/flatten/base/piece_cloth.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
@@ -40,5 +41,28 @@ Points2 arrowPath(const Chord& line);
 std::vector<std::optional<double>> findGrains(const Garment& garment, const PieceResults& results,
                                               const Symmetry* symmetry, GrainRule rule,
                                               const std::vector<Fabric>& fabrics);
+
+/// The cloth of every piece as an input of flattening: the direction of the warp on the garment,
+/// before anything is flat, and the fabric with its stiffness. The direction is
+/// - of a typed grain, the one that the known flat piece shows there;
+/// - by Reference, up the reference panel, if the piece has one;
+/// - else up, or along the tube if the piece is sewn to itself (`axisWarp`). LeastStrain needs a
+///   solve and starts from there. Unknown if the piece lies level.
+/// @param rule     empty: the warp is unknown unless it is typed
+/// @param fabrics  one per piece, or empty: not stated
+/// @param known    flat pieces, one per piece, or empty
+/// @param typed    radians on `known`, one per piece, or empty
+/// Cost: linear in the triangles. Pure.
+PieceCloths pieceCloths(const Garment& garment, const std::optional<GrainRule>& rule,
+                        const std::vector<Fabric>& fabrics, const PieceResults& known = {},
+                        const std::vector<std::optional<double>>& typed = {});
+
+/// For `PieceCloth::warp`: the axis of revolution of a limb, as one row. It is the direction in
+/// which the normals vary least, exact on cylinders, and on cones of more than a quarter of a turn;
+/// of a plane piece the direction in which it is longest.
+Points3 axisWarp(const MeshArrays& mesh);
+/// For `PieceCloth::warp`: per vertex the direction that a flat map shows at an angle.
+/// @param flat  #V x 2, may be mirrored
+Points3 warpThrough(const MeshArrays& mesh, const Points2& flat, double angle);
 
 }  // namespace toile

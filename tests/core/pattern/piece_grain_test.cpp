@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pattern/piece_grain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include "core/pattern/half_pattern.h"
@@ -250,6 +252,133 @@ TEST_P(GrainOfDesigns, IsUpThePanels) {
 INSTANTIATE_TEST_SUITE_P(Garments, GrainOfDesigns,
                          testing::Values("garments/tee_sim.obj", "garments/polo.obj",
                                          "garments/skirt_clo.obj", "garments/longsleeve.obj"));
+
+Garment garmentOfPiece(MeshArrays mesh, std::optional<Points2> reference = {}) {
+    return flatGarment(std::move(mesh), {}, std::move(reference)).garment;
+}
+
+MeshArrays turnedInSpace(MeshArrays mesh, const Eigen::Matrix3d& turn) {
+    mesh.V = mesh.V * turn.transpose();
+    return mesh;
+}
+
+const Eigen::Matrix3d kSomeTurn =
+    Eigen::AngleAxisd(1.1, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+
+/// The angle of the warp in the flat piece: the mean over the area, or of its lines if their
+/// senses cancel out.
+double throughFlat(const PieceCloth& cloth, const MeshArrays& mesh, const Points2& Q) {
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        const Eigen::RowVector3i c = mesh.F.row(f);
+        Eigen::Matrix<double, 3, 2> worn;
+        worn << (mesh.V.row(c[1]) - mesh.V.row(c[0])).transpose(),
+            (mesh.V.row(c[2]) - mesh.V.row(c[0])).transpose();
+        Eigen::Matrix2d flat;
+        flat << (Q.row(c[1]) - Q.row(c[0])).transpose(), (Q.row(c[2]) - Q.row(c[0])).transpose();
+        const Eigen::Vector2d parts = worn.colPivHouseholderQr().solve(warpIn(cloth, mesh, f));
+        sum += flat.determinant() * flat * parts;
+    }
+    return std::atan2(sum.y(), sum.x());
+}
+
+/// Of two lines, in [0, pi / 2].
+double betweenLines(double a, double b) {
+    return std::abs(std::remainder(a - b, std::numbers::pi));
+}
+
+TEST(PieceCloth, RunsUpPlanesCylindersAndCones) {
+    for (const MeshArrays& mesh : {uprightSheet(), test::cylinderSector(8, 6, 90, 1.5, 200),
+                                   test::coneSector(30, 6, 100, 300, 1.5, 0.3)}) {
+        const auto cloth = pieceCloths(garmentOfPiece(mesh), GrainRule::Vertical, {}).front();
+        for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+            const Eigen::Vector3d warp = warpIn(*cloth, mesh, f);
+            // In the triangle's plane, and the steepest direction there.
+            EXPECT_NEAR(warp.y(), warp.squaredNorm(), 1e-12);
+            EXPECT_GT(warp.y(), 0.5);
+        }
+    }
+}
+
+TEST(PieceCloth, HasNoWarpWhereThePieceLiesLevelOrNoRuleIsGiven) {
+    MeshArrays mesh = uprightSheet();
+    EXPECT_EQ(pieceCloths(garmentOfPiece(mesh), {}, {}).front()->warp.rows(), 0);
+    mesh.V.col(2) = mesh.V.col(1);
+    mesh.V.col(1).setConstant(3);
+    EXPECT_EQ(pieceCloths(garmentOfPiece(mesh), GrainRule::Vertical, {}).front()->warp.rows(), 0);
+}
+
+TEST(PieceCloth, FindsTheAxisOfPlanesCylindersAndConesHoweverTheyLie) {
+    for (const double turn : {0.4, 1.0, 2.0, 4.0, 6.2}) {
+        for (const MeshArrays& mesh :
+             {test::planeGrid(3, 7, 40), test::cylinderSector(16, 5, 60, turn, 200),
+              test::coneSector(24, 5, 300, 700, std::max(turn, 2.0), 0.2)}) {
+            for (const Eigen::Matrix3d& way :
+                 {Eigen::Matrix3d(Eigen::Matrix3d::Identity()), kSomeTurn}) {
+                const Points3 axis = axisWarp(turnedInSpace(mesh, way));
+                const Eigen::Vector3d up = way.col(1);
+                EXPECT_NEAR(std::abs(axis.row(0).dot(up)), 1, 1e-9) << turn;
+            }
+        }
+    }
+}
+
+TEST(PieceCloth, RunsAlongALyingTubeThatIsSewnToItself) {
+    MeshArrays mesh = test::cylinderSector(16, 5, 60, kTurn, 200);
+    mesh.V = mesh.V * Eigen::AngleAxisd(kTurn / 4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    const Garment garment = garmentOfPiece(mesh);
+    ASSERT_EQ(garment.seams.seams.front().left.piece, garment.seams.seams.front().right.piece);
+    const auto cloth = pieceCloths(garment, GrainRule::Vertical, {}).front();
+    ASSERT_EQ(cloth->warp.rows(), 1);
+    EXPECT_NEAR(std::abs(cloth->warp(0, 0)), 1, 1e-9);
+}
+
+/// The direction found before anything is flat is the grain that is found in the flat piece: on
+/// developable pieces exactly, on curved ones within 0.02 rad.
+TEST(PieceCloth, AgreesWithTheGrainOfTheFlatPiece) {
+    const std::pair<MeshArrays, double> shapes[] = {
+        {uprightSheet(), 1e-9},
+        {test::cylinderSector(12, 8, 90, 1.5, 200), 1e-6},
+        {test::coneSector(24, 6, 300, 700, 2.0, 0.2), 1e-3},
+        {test::bentPanel(12), 0.02},
+        {test::saddle(12, 200, 0.5), 0.02},
+        {test::cylinderSector(16, 6, 60, kTurn, 200), 1e-3}};
+    for (const auto& [mesh, tolerance] : shapes) {
+        const Garment garment = garmentOfPiece(mesh);
+        Progress progress;
+        const PieceResults results = flattenGarment(garment, {}, progress);
+        ASSERT_TRUE(results.front()->flat);
+        const Points2& Q = results.front()->flat->Q;
+        const auto found = findGrains(garment, results, nullptr, GrainRule::Vertical, {{}});
+        const auto cloth = pieceCloths(garment, GrainRule::Vertical, {}).front();
+        ASSERT_TRUE(found.front());
+        EXPECT_LT(betweenLines(throughFlat(*cloth, mesh, Q), *found.front()), tolerance);
+        // A grain typed on the flat piece comes back through the same map: its directions at
+        // vertices are means over facets.
+        const auto typed = pieceCloths(garment, {}, {}, results, {0.3}).front();
+        EXPECT_LT(betweenLines(throughFlat(*typed, mesh, Q), 0.3), 0.02);
+    }
+}
+
+TEST(PieceCloth, RunsUpTheReferencePanelAlsoIfItIsMirrored) {
+    const MeshArrays mesh = test::cylinderSector(12, 8, 90, 1.5, 200);
+    Progress progress;
+    const PieceResults results = flattenGarment(garmentOfPiece(mesh), {}, progress);
+    const Points2& Q = results.front()->flat->Q;
+    for (const double mirrored : {1.0, -1.0}) {
+        Points2 panel = turnedBy(Q, 0.7);
+        panel.col(0) *= mirrored;
+        const auto cloth =
+            pieceCloths(garmentOfPiece(mesh, panel), GrainRule::Reference, {}).front();
+        EXPECT_LT(betweenLines(throughFlat(*cloth, mesh, Q), std::numbers::pi / 2 - 0.7), 0.005);
+    }
+}
+
+TEST(PieceCloth, CarriesFabricAndStiffness) {
+    const auto cloth = pieceCloths(garmentOfPiece(uprightSheet()), {}, {*fabricPreset("denim")});
+    EXPECT_EQ(cloth.front()->fabric.id, "denim");
+    EXPECT_EQ(cloth.front()->stiffness, clothStiffness(*fabricPreset("denim")));
+}
 
 }  // namespace
 }  // namespace toile
