@@ -64,9 +64,8 @@ Result<Garment> readGarment(const Arguments& arguments, Progress& progress, std:
 }
 
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress) {
-    return withoutLeftOut(
-        arguments, garment,
-        flattenGarment(garment, arguments.options, progress, arguments.threads, arguments.lines));
+    return withoutLeftOut(arguments, garment,
+                          flatten(garment, orderOf(arguments, garment), progress));
 }
 
 PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,

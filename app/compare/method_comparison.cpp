@@ -5,8 +5,10 @@
 #include <iterator>
 #include <utility>
 
+#include "app/document/disposal.h"
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
+#include "core/toile/ending_workers.h"
 #include "core/toile/pipeline.h"
 
 namespace toile::app {
@@ -28,6 +30,7 @@ struct CompareOrder {
     int piece = 0;
     FlattenOptions options{};
     PieceResults known{};  ///< one per piece: by these options; null where it is not known
+    std::shared_ptr<EndingWorkers> ending{};
 };
 
 struct Compared {
@@ -46,7 +49,8 @@ PieceResults flattened(const CompareOrder& order, Progress& progress) {
     for (const int piece : needed) {
         part.pieces.push_back(order.garment->pieces[static_cast<std::size_t>(piece)]);
     }
-    PieceResults found = flattenGarment(part, order.options, progress);
+    PieceResults found =
+        flattenGarment(part, order.options, progress, 0, {}, {}, order.ending.get());
     for (std::size_t i = 0; i < needed.size(); ++i) {
         results[static_cast<std::size_t>(needed[i])] = std::move(found[i]);
     }
@@ -74,7 +78,11 @@ Result<Compared> carriedOut(const CompareOrder& order, Progress& progress) {
 
 MethodComparison::MethodComparison(const Document& document, const JobRunner& ordinary,
                                    QObject* parent)
-    : QObject(parent), document_(document), ordinary_(ordinary), runner_(this) {
+    : QObject(parent),
+      document_(document),
+      ordinary_(ordinary),
+      runner_(this),
+      ending_(sharedForDisposal(std::make_unique<EndingWorkers>())) {
     pause_.setSingleShot(true);
     pause_.setInterval(kPauseMilliseconds);
     connect(&pause_, &QTimer::timeout, this, &MethodComparison::refresh);
@@ -213,7 +221,7 @@ void MethodComparison::next() {
     }
     entry->stage = Stage::Working;
     const FlattenOptions options = withMethod(subject_.options, entry->method);
-    CompareOrder order{subject_.garment, subject_.piece, options, known(options)};
+    CompareOrder order{subject_.garment, subject_.piece, options, known(options), ending_};
     // Whatever makes the result unwanted cancels the job: what comes is of the entry in work.
     runner_.start(makeJob(
         tr("Comparing methods"),

@@ -11,6 +11,12 @@
 #include "app/jobs/job_runner.h"
 #include "core/compare/comparison.h"
 
+namespace toile {
+
+class EndingWorkers;
+
+}  // namespace toile
+
 namespace toile::app {
 
 class Document;
@@ -99,7 +105,8 @@ private:
     const Document& document_;
     const JobRunner& ordinary_;
     JobRunner runner_;
-    QTimer pause_;  ///< lets a series of edits pass
+    std::shared_ptr<EndingWorkers> ending_;  ///< of cancelled jobs
+    QTimer pause_;                           ///< lets a series of edits pass
     bool isActive_ = false, isStopped_ = false;
     Subject subject_;
     std::vector<Method> methods_;

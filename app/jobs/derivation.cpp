@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/derivation.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <utility>
 
@@ -124,19 +125,28 @@ Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress, const OnPiece& onPiece) {
     const Garment& garment = *made.derived.garment;
-    become(made, withoutLeftOut(flattener.flatten(garment, state.options, progress, 0,
-                                                  made.derived.results, state.lines, onPiece),
-                                garment, settingsOf(garment, state.settings)));
+    const std::vector<PieceSettings> settings = settingsOf(garment, state.settings);
+    const PieceResults before = made.derived.results;
+    std::vector<Fabric> fabrics;
+    PieceResults known(garment.pieces.size());  // to whose flat points a typed grain refers
+    std::vector<std::optional<double>> typed;
+    for (std::size_t p = 0; p < settings.size(); ++p) {
+        fabrics.push_back(fabricOf(settings[p].material, state.materials, state.fabric));
+        const auto shown = std::ranges::find_if(before, [&](const auto& result) {
+            return result && result->piece == garment.pieces[p] &&
+                   result->fingerprint == settings[p].flat;
+        });
+        known[p] = shown == before.end() ? nullptr : *shown;
+        typed.push_back(settings[p].grain);
+    }
+    become(made,
+           withoutLeftOut(
+               flattener.flatten(garment, state.options, progress, 0, before, state.lines, onPiece,
+                                 pieceCloths(garment, state.lines.grain, fabrics, known, typed)),
+               garment, settings));
     made.derived.lines = state.lines;
     made.derived.symmetry = flattener.symmetryOf(garment, state.lines);
     if (state.lines.grain) {
-        std::vector<Fabric> fabrics;
-        for (const auto& piece : garment.pieces) {
-            const auto said = state.settings.find(piece->id);
-            fabrics.push_back(
-                fabricOf(said == state.settings.end() ? std::string() : said->second.material,
-                         state.materials, state.fabric));
-        }
         made.grains = findGrains(garment, made.derived.results, made.derived.symmetry.get(),
                                  *state.lines.grain, fabrics);
     }

@@ -13,7 +13,7 @@ namespace toile {
 
 PieceResults drawLines(const Garment& garment, PieceResults exact, const LineSettings& settings,
                        const Symmetry* symmetry, const PieceResults& known, Progress& progress,
-                       int threads) {
+                       int threads, EndingWorkers* ending) {
     if (!draws(settings) || progress.isCancelled()) {
         return exact;
     }
@@ -35,14 +35,15 @@ PieceResults drawLines(const Garment& garment, PieceResults exact, const LineSet
             exact[p] = same->second;
             continue;
         }
-        tasks.push_back({exact[p]->piece, {}, exact[p]->targets, exact[p], plans[p]});
+        tasks.push_back(
+            {exact[p]->piece, {}, exact[p]->targets, exact[p]->cloth, exact[p], plans[p]});
         place.push_back(p);
     }
     if (tasks.empty()) {
         return exact;
     }
     const FlattenOptions options = tasks.front().exact->options;
-    std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads);
+    std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads, ending);
     for (std::size_t t = 0; t < done.size(); ++t) {
         exact[place[t]] = std::move(done[t].result);
     }

@@ -12,6 +12,8 @@
 // Internal header of this folder.
 namespace toile {
 
+class EndingWorkers;
+
 /// True if the settings draw lines differently from how they are solved.
 inline bool draws(const LineSettings& settings) {
     const auto isTyped = [](const DartSettings& said) { return said.intake.has_value(); };
@@ -30,9 +32,10 @@ inline double solvingShare(const LineSettings& settings) {
 /// @param exact     one per piece
 /// @param symmetry  null: nothing is mirrored
 /// @param known     earlier drawn results: one with the same result and plan is reused
+/// @param ending    as in `workOn`
 /// @return one per piece; `exact` if there is nothing to draw
 PieceResults drawLines(const Garment& garment, PieceResults exact, const LineSettings& settings,
                        const Symmetry* symmetry, const PieceResults& known, Progress& progress,
-                       int threads);
+                       int threads, EndingWorkers* ending = nullptr);
 
 }  // namespace toile

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "core/flatten/isometric/flat_energy.h"
 #include "core/garment/garment.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/target_lengths.h"
@@ -20,9 +21,11 @@ bool isLasting(const PieceResult& result) {
                              result.error->code != ErrorCode::OutOfMemory && !isLeftOut(result));
 }
 
-/// True if a result is of these options and lengths.
-bool isOf(const PieceResult& result, const FlattenOptions& options, const OutlineTargets& targets) {
-    return result.options == options && result.targets == targets;
+/// True if a result is of these options and lengths, and of this cloth if that matters.
+bool isOf(const PieceResult& result, const FlattenOptions& options, const OutlineTargets& targets,
+          const PieceClothPointer& cloth) {
+    return result.options == options && result.targets == targets &&
+           (!options.energy->readsCloth || isSameCloth(result.cloth, cloth));
 }
 
 /// The positions of the seams as numbers, for comparison.
@@ -94,14 +97,16 @@ std::size_t GarmentFlattener::keptBytes() const {
 
 PieceResults GarmentFlattener::flatten(const Garment& garment, const FlattenOptions& options,
                                        Progress& progress, int threads, const PieceResults& known,
-                                       const LineSettings& lines, const OnPiece& onPiece) {
+                                       const LineSettings& lines, const OnPiece& onPiece,
+                                       const PieceCloths& cloths) {
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
     const auto symmetry = symmetryOf(garment, lines, progress);
-    PieceResults results = flattenExactly(garment, options, solving, threads, known,
-                                          outlineTargets(garment, lines, symmetry.get()), onPiece);
-    results =
-        drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads);
+    PieceResults results =
+        flattenExactly(garment, options, solving, threads, known,
+                       outlineTargets(garment, lines, symmetry.get()), cloths, onPiece);
+    results = drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads,
+                        &ending_);
     if (!progress.isCancelled()) {
         progress.report(1);
     }
@@ -112,7 +117,10 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
                                               Progress& progress, int threads,
                                               const PieceResults& known,
                                               const std::vector<OutlineTargets>& targets,
-                                              const OnPiece& onPiece) {
+                                              const PieceCloths& cloths, const OnPiece& onPiece) {
+    const auto clothOf = [&cloths](std::size_t p) {
+        return p < cloths.size() ? cloths[p] : nullptr;
+    };
     const std::vector<KeptPointer> before = snapshot();
     std::map<const Piece*, KeptPointer> byPiece;
     Pieces piecesBefore;
@@ -126,7 +134,8 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
             continue;
         }
         const auto kept = byPiece.find(result->piece.get());
-        if (kept == byPiece.end() || !isOf(*kept->second->result, options, result->targets)) {
+        if (kept == byPiece.end() ||
+            !isOf(*kept->second->result, options, result->targets, result->cloth)) {
             byPiece[result->piece.get()] = std::make_shared<const Kept>(Kept{result, {}});
         }
     }
@@ -147,14 +156,14 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
         }
         const auto same = byPiece.find(piece.get());
         kept[p] = same != byPiece.end() ? same->second : nullptr;
-        if (kept[p] && isOf(*kept[p]->result, options, targets[p])) {
+        if (kept[p] && isOf(*kept[p]->result, options, targets[p], clothOf(p))) {
             results[p] = kept[p]->result;
             continue;
         }
         if (!kept[p] && ancestors[p] >= 0) {
             kept[p] = before[static_cast<std::size_t>(ancestors[p])];
         }
-        PieceTask task{piece, {}, targets[p]};
+        PieceTask task{piece, {}, targets[p], clothOf(p)};
         if (isWithin[p] != 0) {
             task.flattener = kept[p] ? kept[p]->flattener : PieceFlattener();
         }
@@ -162,7 +171,8 @@ PieceResults GarmentFlattener::flattenExactly(const Garment& garment, const Flat
         place.push_back(p);
     }
 
-    std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads, onPiece);
+    std::vector<DoneTask> done =
+        workOn(std::move(tasks), options, progress, threads, &ending_, onPiece);
     for (std::size_t t = 0; t < done.size(); ++t) {
         const std::size_t p = place[t];
         results[p] = done[t].result;
@@ -189,8 +199,8 @@ PieceResults GarmentFlattener::settle(const Garment& garment, PieceResults resul
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
     results = settleExactly(exactResults(std::move(results)), solving, threads);
     const auto symmetry = symmetryOf(garment, lines, progress);
-    results =
-        drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads);
+    results = drawLines(garment, std::move(results), lines, symmetry.get(), known, drawing, threads,
+                        &ending_);
     if (!progress.isCancelled()) {
         progress.report(1);
     }
@@ -209,11 +219,12 @@ PieceResults GarmentFlattener::settleExactly(PieceResults results, Progress& pro
         std::vector<std::size_t> place;  // piece index of each task
         for (std::size_t p = 0; p < results.size(); ++p) {
             if (warm(results[p]) && results[p]->options == options) {
-                tasks.push_back({results[p]->piece, PieceFlattener(), results[p]->targets});
+                tasks.push_back(
+                    {results[p]->piece, PieceFlattener(), results[p]->targets, results[p]->cloth});
                 place.push_back(p);
             }
         }
-        std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads);
+        std::vector<DoneTask> done = workOn(std::move(tasks), options, progress, threads, &ending_);
         for (std::size_t t = 0; t < done.size(); ++t) {
             if (!isLasting(*done[t].result)) {
                 continue;

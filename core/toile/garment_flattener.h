@@ -12,13 +12,14 @@
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/symmetry/symmetry.h"
+#include "core/toile/ending_workers.h"
 #include "core/toile/pipeline.h"
 
 namespace toile {
 
 /// Called when a piece is begun. @param done, count  pieces that are flat by then, of how many
-/// Called on the workers, one call at a time, also by workers left behind after a cancel: it must
-/// own everything it uses.
+/// Called on the workers, one call at a time, also after a cancel by workers that have not ended
+/// yet: it must own everything it uses.
 using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
 
 /// `flattenGarment` for a garment that is being edited: keeps the results of the last call and
@@ -37,7 +38,8 @@ using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
 ///
 /// Thread-safe. Calls may overlap: each starts from the state at its beginning, and the state of
 /// the call that ends last is kept. After a cancel, finished pieces are kept, and the others keep
-/// their earlier state; workers left behind change nothing here.
+/// their earlier state. A cancelled call returns within `kCancelSeconds`; workers that have not
+/// ended then change nothing here, and the destructor waits for them.
 class GarmentFlattener {
 public:
     /// @param mostBytes  limit for all pieces together, meshes and results aside, by an estimate
@@ -51,9 +53,12 @@ public:
     /// threads.
     /// @param known    results of some of these pieces: those with the same options are reused
     /// @param onPiece  called for each piece that is solved
+    /// @param cloths   one per piece, or empty: a result with another cloth is reused if the energy
+    ///                 does not read it
     PieceResults flatten(const Garment& garment, const FlattenOptions& options, Progress& progress,
                          int threads = 0, const PieceResults& known = {},
-                         const LineSettings& lines = {}, const OnPiece& onPiece = {});
+                         const LineSettings& lines = {}, const OnPiece& onPiece = {},
+                         const PieceCloths& cloths = {});
     /// Solves warm results from scratch with the same options, and draws them with the same lines,
     /// to the same bytes as `flattenGarment`. After a cancel the rest stays unchanged.
     PieceResults settle(const Garment& garment, PieceResults results, Progress& progress,
@@ -90,13 +95,15 @@ private:
     std::vector<KeptPointer> snapshot() const;
     PieceResults flattenExactly(const Garment& garment, const FlattenOptions& options,
                                 Progress& progress, int threads, const PieceResults& known,
-                                const std::vector<OutlineTargets>& targets, const OnPiece& onPiece);
+                                const std::vector<OutlineTargets>& targets,
+                                const PieceCloths& cloths, const OnPiece& onPiece);
     PieceResults settleExactly(PieceResults results, Progress& progress, int threads);
 
     const std::size_t mostBytes_;
     mutable std::mutex mutex_;
     std::vector<KeptPointer> kept_;  ///< in the order of the last garment
     std::shared_ptr<const KeptSymmetry> symmetry_;
+    EndingWorkers ending_;
 };
 
 }  // namespace toile

@@ -131,7 +131,7 @@ private:
         std::vector<std::size_t> place;  // piece index of each task
         for (std::size_t p = 0; p < moved.pieces.size(); ++p) {
             if (isFlat(p)) {
-                tasks.push_back({moved.pieces[p], {}, targets[p]});
+                tasks.push_back({moved.pieces[p], {}, targets[p], start_[p]->cloth});
                 place.push_back(p);
             }
         }

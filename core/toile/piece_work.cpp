@@ -5,7 +5,6 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <cstdlib>
 #include <exception>
 #include <future>
 #include <iterator>
@@ -43,6 +42,7 @@ std::shared_ptr<PieceResult> emptyResult(const PieceTask& task, const FlattenOpt
     result->piece = task.piece;
     result->options = task.exact ? task.exact->options : options;
     result->targets = task.targets;
+    result->cloth = task.cloth;
     result->exact = task.exact;
     result->plan = task.plan;
     return result;
@@ -65,8 +65,10 @@ void take(PieceResult& result, FlatPiece flat) {
 void flattenInto(PieceResult& result, std::optional<PieceFlattener>& flattener,
                  const Progress& progress) {
     const Progress part(progress, kFlatteningShare);
-    auto flat = flattener ? flattener->flatten(result.piece, result.options, part, result.targets)
-                          : flatten(*result.piece, result.options, part, result.targets);
+    auto flat =
+        flattener
+            ? flattener->flatten(result.piece, result.options, part, result.targets, result.cloth)
+            : flatten(*result.piece, result.options, part, result.targets, result.cloth);
     if (!flat) {
         result.error = flat.error();
         return;
@@ -86,7 +88,7 @@ Result<FlatPiece> drawn(const Piece& piece, const PieceResult& exact, const Outl
         return line.error();
     }
     auto flat = flattenInside(piece, *exact.flat, verticesOn(*line, piece), exact.options,
-                              Progress(progress, kFlatteningShare));
+                              Progress(progress, kFlatteningShare), exact.cloth);
     if (flat) {
         if (line->hasYielded) {
             flat->notes.push_back({ErrorCode::LineYields, subjectOf(piece)});
@@ -243,56 +245,19 @@ private:
     std::exception_ptr failure_;
 };
 
-using Workers = std::vector<std::future<void>>;
-
-/// Workers left behind by a cancel, because a factorisation cannot be interrupted. They own their
-/// data, end soon, and are joined at the end of the program.
-class LeftBehind {
-public:
-    /// Never destroyed, because the workers outlive the statics of this file.
-    static LeftBehind& workers() {
-        static auto* const all = new LeftBehind;
-        return *all;
-    }
-
-    void take(Workers more) {
-        const std::lock_guard lock(mutex_);
-        std::erase_if(workers_, hasEnded);
-        std::ranges::move(more, std::back_inserter(workers_));
-        // Handlers run in reverse order: this one runs before newer statics are destroyed.
-        std::atexit([] { workers().wait(); });
-    }
-
-    /// How many are still busy and use cores and memory.
-    int count() {
-        const std::lock_guard lock(mutex_);
-        std::erase_if(workers_, hasEnded);
-        return static_cast<int>(workers_.size());
-    }
-
-private:
-    static bool hasEnded(const std::future<void>& worker) {
-        return worker.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    }
-
-    void wait() {
-        const std::lock_guard lock(mutex_);
-        workers_.clear();
-    }
-
-    std::mutex mutex_;
-    Workers workers_;
-};
-
 int coreCount() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// Waits while workers left behind use all cores. Otherwise repeated cancelling would pile up work
-/// and memory.
+bool hasEnded(const std::future<void>& worker) {
+    return worker.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+}
+
+/// Waits while ending workers use all cores. Otherwise repeated cancelling would pile up work and
+/// memory.
 /// @return false if the caller has cancelled
-bool waitForACore(const Progress& progress) {
-    while (!progress.isCancelled() && LeftBehind::workers().count() >= coreCount()) {
+bool waitForACore(const EndingWorkers* ending, const Progress& progress) {
+    while (!progress.isCancelled() && ending != nullptr && ending->count() >= coreCount()) {
         std::this_thread::sleep_for(kLookEvery);
     }
     return !progress.isCancelled();
@@ -300,18 +265,28 @@ bool waitForACore(const Progress& progress) {
 
 }  // namespace
 
-int workersLeftBehind() {
-    return LeftBehind::workers().count();
+void EndingWorkers::take(std::vector<std::future<void>> more) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(workers_, hasEnded);
+    std::ranges::move(more, std::back_inserter(workers_));
+}
+
+int EndingWorkers::count() const {
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(std::ranges::count_if(
+        workers_, [](const std::future<void>& worker) { return !hasEnded(worker); }));
 }
 
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
-                             Progress& progress, int threads, OnPiece onPiece) {
+                             Progress& progress, int threads, EndingWorkers* ending,
+                             OnPiece onPiece) {
     progress.start(1);
     const std::size_t count = tasks.size();
     const auto work = std::make_shared<Work>(std::move(tasks), options, std::move(onPiece));
-    Workers workers;
-    if (count > 0 && waitForACore(progress)) {
-        const int cores = threads > 0 ? threads : coreCount() - LeftBehind::workers().count();
+    std::vector<std::future<void>> workers;
+    if (count > 0 && waitForACore(ending, progress)) {
+        const int busy = ending != nullptr ? ending->count() : 0;
+        const int cores = threads > 0 ? threads : coreCount() - busy;
         const std::size_t wanted = std::min(count, static_cast<std::size_t>(std::max(1, cores)));
         try {
             while (workers.size() < wanted) {
@@ -323,11 +298,13 @@ std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions&
             }
         }
     }
-    if (work->wait(progress)) {
-        workers.clear();
+    const bool isDone = work->wait(progress);
+    if (!isDone && ending != nullptr) {
+        ending->take(std::move(workers));
+    }
+    workers.clear();  // waits for those that remain
+    if (isDone) {
         progress.report(1);
-    } else {
-        LeftBehind::workers().take(std::move(workers));
     }
     return work->done();
 }

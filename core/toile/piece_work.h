@@ -19,6 +19,7 @@ struct PieceTask {
     std::shared_ptr<const Piece> piece;
     std::optional<PieceFlattener> flattener{};
     OutlineTargets targets{};
+    PieceClothPointer cloth{};
     /// Null: flatten the piece. Else the result to draw by a plan.
     std::shared_ptr<const PieceResult> exact{};
     std::shared_ptr<const OutlinePlan> plan{};
@@ -31,12 +32,12 @@ struct DoneTask {
 
 /// Flattens or draws the pieces in parallel and measures them, as `flattenGarment` documents. If an
 /// outline cannot be drawn, the exact one stays, with a note.
+/// @param ending  gets the threads that are still busy after a cancel, at most one per core; null:
+///                the call waits for them
 /// @return one per task, in order; after a cancel the unfinished ones carry ErrorCode::Cancelled
 ///         and no flattener
 std::vector<DoneTask> workOn(std::vector<PieceTask> tasks, const FlattenOptions& options,
-                             Progress& progress, int threads, OnPiece onPiece = {});
-
-/// Number of workers left behind by a cancel that are still busy; at most the number of cores.
-int workersLeftBehind();
+                             Progress& progress, int threads, EndingWorkers* ending = nullptr,
+                             OnPiece onPiece = {});
 
 }  // namespace toile

@@ -23,7 +23,8 @@ std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSet
 }
 
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
-                            Progress& progress, int threads, const LineSettings& lines) {
+                            Progress& progress, int threads, const LineSettings& lines,
+                            const PieceCloths& cloths, EndingWorkers* ending) {
     progress.start(1);
     Progress solving(progress, solvingShare(lines)), drawing(progress, 1 - solvingShare(lines));
     const auto found = symmetryOf(garment, lines, progress);
@@ -31,13 +32,14 @@ PieceResults flattenGarment(const Garment& garment, const FlattenOptions& option
     const std::vector<OutlineTargets> targets = outlineTargets(garment, lines, symmetry);
     std::vector<PieceTask> tasks;
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
-        tasks.push_back({garment.pieces[p], {}, targets[p]});
+        tasks.push_back(
+            {garment.pieces[p], {}, targets[p], p < cloths.size() ? cloths[p] : nullptr});
     }
     PieceResults results;
-    for (DoneTask& done : workOn(std::move(tasks), options, solving, threads)) {
+    for (DoneTask& done : workOn(std::move(tasks), options, solving, threads, ending)) {
         results.push_back(std::move(done.result));
     }
-    results = drawLines(garment, std::move(results), lines, symmetry, {}, drawing, threads);
+    results = drawLines(garment, std::move(results), lines, symmetry, {}, drawing, threads, ending);
     if (!progress.isCancelled()) {
         progress.report(1);
     }

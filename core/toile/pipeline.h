@@ -19,6 +19,8 @@
 
 namespace toile {
 
+class EndingWorkers;
+
 /// The whole way from files to flat pieces as three calls, for the command line, the window's jobs
 /// and tests. All functions are re-entrant; the garment and the results are immutable and may be
 /// shared between threads.
@@ -57,26 +59,29 @@ std::optional<Garment> easedGarment(const Garment& garment,
 
 /// Flattens and measures every piece, in parallel over pieces, and finds a helpful cut for an
 /// outline that crosses itself (nameCrossingCut); a piece that fails does not affect others. Same
-/// input, same bytes, with any number of threads. After a cancel it returns within `kCancelSeconds`
-/// at any size of garment: threads share ownership of their data, and a stage that cannot be
-/// stopped (a factorisation) runs out in the background and holds its memory and core until then.
-/// If such stages use all cores, a new call waits until one ends or the call is cancelled. If the
-/// system has no threads left, the work runs on the caller's thread without progress: a cancel
-/// comes too late then, and `kCancelSeconds` does not hold.
+/// input, same bytes, with any number of threads. A stage that cannot be stopped (a factorisation)
+/// runs to its end after a cancel and holds its memory and core until then: without `ending` the
+/// call waits for it; with `ending` it returns within `kCancelSeconds` at any size of garment, and
+/// what the stage finds is dropped. If such stages use all cores, a new call with the same `ending`
+/// waits until one ends or the call is cancelled. If the system has no threads left, the work runs
+/// on the caller's thread without progress, and a cancel comes too late.
 /// @param progress  grows by triangles done, within a piece by the stages and iterations of the
 ///                  method; reaches 1 only at the end. Not used after the return.
 /// @param threads   number of threads; 0: one per core
 /// @param lines     how the outlines are drawn, and their lengths; default: as in 3D. If they
 ///                  are mirrored, a cancel may take up to a quarter of a second longer, at a
 ///                  million triangles, while the mirror plane is searched for
+/// @param cloths    one per piece (`pieceCloths`), or empty: nothing is known
+/// @param ending    takes the threads of a cancelled call that have not ended; null: waits
 /// @return one result per piece, in the garment's order; after a cancel the unfinished ones carry
 ///         ErrorCode::Cancelled
 /// For a garment that is being edited see garment_flattener.h.
 PieceResults flattenGarment(const Garment& garment, const FlattenOptions& options,
-                            Progress& progress, int threads = 0, const LineSettings& lines = {});
+                            Progress& progress, int threads = 0, const LineSettings& lines = {},
+                            const PieceCloths& cloths = {}, EndingWorkers* ending = nullptr);
 
-/// Longest time from `Progress::cancel` to the return of `flattenGarment`, at a million triangles
-/// and with free threads.
+/// Longest time from `Progress::cancel` to the return of `flattenGarment` with `ending`, at a
+/// million triangles and with free threads.
 inline constexpr double kCancelSeconds = 0.05;
 
 /// The symmetry that mirrors pieces; null if `lines` does not mirror, or if the garment has none.

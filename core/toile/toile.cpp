@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/pattern/piece_grain.h"
 #include "core/project/layer_materials.h"
 #include "core/project/place_pieces.h"
 #include "core/toile/pipeline.h"
@@ -36,8 +37,15 @@ Result<Garment> read(const std::vector<std::filesystem::path>& files, const Load
 }
 
 PieceResults flatten(const Garment& garment, const PatternOrder& order, const Progress& progress) {
+    const std::vector<PieceSettings> settings = settingsOf(order, garment);
+    const MaterialList materials = materialsOf(order, settings);
+    std::vector<Fabric> fabrics;
+    for (const PieceSettings& piece : settings) {
+        fabrics.push_back(fabricOf(piece.material, materials, order.fabric));
+    }
     Progress own(progress, 1);
-    return flattenGarment(garment, order.flattening, own, order.threads, order.lines);
+    return flattenGarment(garment, order.flattening, own, order.threads, order.lines,
+                          pieceCloths(garment, order.lines.grain, fabrics));
 }
 
 FinishedPattern makePattern(Garment garment, PieceResults results, const PatternOrder& order,

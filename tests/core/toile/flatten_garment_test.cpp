@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <limits>
+#include <optional>
 #include <thread>
 
 #include <gtest/gtest.h>
 
 #include "core/base/sanitized.h"
+#include "core/toile/ending_workers.h"
 #include "core/toile/piece_work.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
@@ -38,7 +41,8 @@ Garment smallGarment() {
 }
 
 /// Seconds from the cancel, given after `delay`, to the return; 0 where that came first.
-double secondsToReturn(const Garment& garment, Method method, double delay, PieceResults& results) {
+double secondsToReturn(const Garment& garment, Method method, double delay, PieceResults& results,
+                       EndingWorkers& ending) {
     Progress progress;
     std::chrono::steady_clock::time_point cancelled;
     std::thread other([&] {
@@ -46,7 +50,7 @@ double secondsToReturn(const Garment& garment, Method method, double delay, Piec
         cancelled = std::chrono::steady_clock::now();
         progress.cancel();
     });
-    results = flattenGarment(garment, {method}, progress);
+    results = flattenGarment(garment, {method}, progress, 0, {}, {}, &ending);
     const auto returned = std::chrono::steady_clock::now();
     other.join();
     return std::max(0.0, std::chrono::duration<double>(returned - cancelled).count());
@@ -56,12 +60,13 @@ class CancelOfALargePanelClock : public testing::TestWithParam<Method> {};
 
 TEST_P(CancelOfALargePanelClock, GivesControlBackAtOnce) {
     const Garment garment = garmentOf({test::asPiece(test::bentPanel(kPanelSide), "panel")});
+    EndingWorkers ending;
     for (const double delay : {0.05, 0.2, 0.6}) {
         SCOPED_TRACE(delay);
         double least = std::numeric_limits<double>::infinity();
         PieceResults results;
         for (int attempt = 0; attempt < kTries && least > kAllowed; ++attempt) {
-            least = std::min(least, secondsToReturn(garment, GetParam(), delay, results));
+            least = std::min(least, secondsToReturn(garment, GetParam(), delay, results, ending));
         }
         EXPECT_LE(least, kAllowed);
         ASSERT_EQ(results.size(), 1U);
@@ -161,22 +166,57 @@ TEST(FlattenGarment, CancelledBeforeItBeginsDoesNothing) {
     EXPECT_EQ(progress.fraction(), 0);
 }
 
-TEST(FlattenGarment, CancelledAgainAndAgainLeavesNoMoreBehindThanThereAreCores) {
+TEST(FlattenGarment, CancelledRepeatedlyHasNoMoreEndingWorkersThanCores) {
     const Garment garment = garmentOf({test::asPiece(test::bentPanel(kPanelSide / 2), "panel")});
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    EndingWorkers ending;
     for (int k = 0; k < 12; ++k) {
         Progress progress;
         std::thread other([&progress] {
             std::this_thread::sleep_for(std::chrono::milliseconds(30));
             progress.cancel();
         });
-        const PieceResults results = flattenGarment(garment, {}, progress);
+        const PieceResults results = flattenGarment(garment, {}, progress, 0, {}, {}, &ending);
         other.join();
         ASSERT_EQ(results.size(), 1U);
-        EXPECT_LE(workersLeftBehind(), cores);
+        EXPECT_LE(ending.count(), cores);
     }
     Progress progress;
     EXPECT_TRUE(flattenGarment(smallGarment(), {}, progress)[0]->flat);
+}
+
+/// Number of threads of this process.
+int threadCount() {
+    int count = 0;
+    for ([[maybe_unused]] const auto& entry :
+         std::filesystem::directory_iterator("/proc/self/task")) {
+        ++count;
+    }
+    return count;
+}
+
+TEST(FlattenGarment, LeavesNoThreadBehind) {
+    if (!std::filesystem::exists("/proc/self/task")) {
+        GTEST_SKIP() << "the system does not list threads";
+    }
+    const Garment garment = garmentOf({test::asPiece(test::bentPanel(kPanelSide / 4), "panel")});
+    Progress first;
+    flattenGarment(garment, {}, first);  // libraries start threads of their own, once
+    const int before = threadCount();
+    for (const bool waits : {true, false}) {
+        std::optional<EndingWorkers> ending(std::in_place);
+        Progress progress;
+        std::thread other([&progress] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));
+            progress.cancel();
+        });
+        flattenGarment(garment, {}, progress, 0, {}, {}, waits ? nullptr : &*ending);
+        other.join();
+        if (!waits) {
+            ending.reset();
+        }
+        EXPECT_EQ(threadCount(), before);
+    }
 }
 
 TEST(FlattenGarment, GivesTheSameBytesWithOneThreadAndWithMany) {

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/flatten/isometric/dirichlet_energy.h"
 #include "core/quality/piece_quality.h"
 #include "tests/core/support/piece_edits.h"
 #include "tests/core/support/shapes.h"
@@ -260,6 +261,65 @@ TEST(GarmentFlattener, TakesWhatCannotBeFlattened) {
     EXPECT_TRUE(results[1]->flat);
     EXPECT_EQ(flat(flattener, garment, Method::Curvature), results);
     EXPECT_TRUE(flat(flattener, Garment{}, Method::Curvature).empty());
+}
+
+/// An energy that reads the cloth, for tests: the isotropic one, which takes note of what it gets.
+const isometric::EnergyKind kReadsCloth{
+    "reads-cloth", true,
+    [](const MeshArrays& mesh, const EdgeTable& table,
+       const PieceCloth& cloth) -> std::unique_ptr<isometric::FlatEnergy> {
+        EXPECT_TRUE(cloth.warp.rows() <= mesh.V.rows());
+        if (cloth.warp.rows() > 0) {
+            // In this test the warp runs along x everywhere, on coarse meshes too.
+            for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+                const Eigen::Vector3d warp = warpIn(cloth, mesh, f);
+                EXPECT_TRUE(warp.isZero() || std::abs(warp.z()) + std::abs(warp.y()) < 1);
+            }
+        }
+        return std::make_unique<isometric::SymmetricDirichlet>(mesh, table);
+    }};
+
+PieceCloths clothsOf(const Garment& garment, const Eigen::RowVector3d& warp,
+                     std::string_view fabric) {
+    PieceCloths cloths;
+    for (const auto& piece : garment.pieces) {
+        PieceCloth cloth;
+        cloth.warp = warp.replicate(piece->mesh.V.rows(), 1);
+        cloth.fabric = *fabricPreset(fabric);
+        cloths.push_back(std::make_shared<const PieceCloth>(std::move(cloth)));
+    }
+    return cloths;
+}
+
+TEST(GarmentFlattener, SolvesAgainForOtherClothOnlyIfTheEnergyReadsIt) {
+    const Garment garment = fourPieces();
+    const Eigen::RowVector3d along(1, 0, 0), other(0.9, 0.1, 0);
+    for (const bool reads : {false, true}) {
+        GarmentFlattener flattener;
+        FlattenOptions options;
+        if (reads) {
+            options.energy = &kReadsCloth;
+        }
+        const auto flattened = [&](const PieceCloths& cloths) {
+            Progress progress;
+            return flattener.flatten(garment, options, progress, 0, {}, {}, {}, cloths);
+        };
+        const PieceResults first = flattened(clothsOf(garment, along, "woven"));
+        EXPECT_EQ(flattened(clothsOf(garment, along, "woven")), first);  // equal cloth
+        const PieceResults turned = flattened(clothsOf(garment, other, "woven"));
+        const PieceResults denim = flattened(clothsOf(garment, other, "denim"));
+        for (std::size_t p = 0; p < first.size(); ++p) {
+            EXPECT_EQ(turned[p] == first[p], !reads);
+            EXPECT_EQ(denim[p] == turned[p], !reads);
+            ASSERT_TRUE(denim[p]->flat);
+            // This energy is the isotropic one, solved cold: no memory of other cloth is used.
+            EXPECT_FALSE(denim[p]->flat->warm);
+            EXPECT_EQ(denim[p]->fingerprint, first[p]->fingerprint);
+        }
+        Progress progress;
+        const PieceResults settled = flattener.settle(garment, denim, progress);
+        EXPECT_EQ(settled, denim);
+    }
 }
 
 }  // namespace
