@@ -16,6 +16,8 @@ namespace toile::linalg {
 /// tree of fronts are eliminated in parallel, and each front sums its children in their order, so
 /// that the bytes do not depend on the number of threads. Unlike `SparseCholesky`, which suits few
 /// factorisations of many matrices, it precomputes the position of each entry and keeps its memory.
+/// `toile prove` of 43 000 triangles with two threads took 10.1 to 11.0 s with it, and 25 s with
+/// CHOLMOD's supernodal factor and two threads of OpenBLAS, which gain little on small fronts.
 /// Not thread-safe. Side effect: as there.
 class FrontalCholesky {
 public:
