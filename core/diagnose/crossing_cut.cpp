@@ -63,10 +63,7 @@ private:
     bool hasLeftOut_ = false;
 };
 
-
-
 constexpr double kFar = std::numeric_limits<double>::infinity();
-
 
 InteriorPaths::InteriorPaths(const Piece& piece)
     : piece_(piece),
@@ -150,7 +147,6 @@ std::vector<InteriorPath> InteriorPaths::find(const std::vector<int>& sources,
     reached_.clear();
     return paths;
 }
-
 
 /// Largest number of crossings examined; of more, evenly chosen ones represent the others.
 constexpr std::size_t kMaxCrossings = 256;

@@ -22,7 +22,6 @@ namespace {
 /// polygon is.
 using EarTriangles = std::vector<std::array<int, 3>>;
 
-
 using Eigen::Vector2d;
 
 /// Twice the signed area of a triangle: positive if it runs anti-clockwise.
@@ -167,7 +166,6 @@ private:
     Strictness level_{};
     int anyLeft_ = 0;
 };
-
 
 /// Divides a simple polygon into #corners - 2 triangles, cutting the best-shaped ear first, so that
 /// corners on a straight line give no flat triangle if that can be avoided. Repeated positions and

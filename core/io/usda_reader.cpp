@@ -23,7 +23,6 @@ namespace {
 /// operations of its `xformOpOrder`. Nothing if one is not understood. Pure.
 std::optional<Eigen::Matrix4d> usdPlacement(const UsdPrim& prim, const Eigen::Matrix4d& parent);
 
-
 using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 using Eigen::Matrix4d;
@@ -70,7 +69,6 @@ std::optional<Affine3d> operation(std::string_view kind, const std::vector<doubl
     }
     return kind.starts_with("rotate") ? rotation(kind.substr(6), numbers) : std::nullopt;
 }
-
 
 std::optional<Matrix4d> usdPlacement(const UsdPrim& prim, const Matrix4d& parent) {
     Matrix4d placed = parent;

@@ -27,7 +27,6 @@ inline Eigen::Vector2d mirroredIn(const Eigen::Vector2d& from, const Eigen::Vect
     return from + 2 * along.dot(rest) * along - rest;
 }
 
-
 using Eigen::RowVector2d;
 using Eigen::Vector2d;
 using geometry::cross;
@@ -236,7 +235,6 @@ private:
     int tried_ = 0;
 };
 
-
 /// Adds caps and the ends of folds to the otherwise complete darts of a piece (see `findDarts`).
 void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
                  std::vector<PieceDart>& darts) {
@@ -267,7 +265,6 @@ void addDartCaps(const PatternPiece& piece, const geometry::Line& outline,
         }
     }
 }
-
 
 using Eigen::Vector2d;
 using geometry::cross;

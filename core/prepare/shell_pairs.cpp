@@ -70,7 +70,6 @@ private:
     std::vector<SidePair> open_;
 };
 
-
 /// How many times farther apart, or closer, a pair of corners may be than its neighbours: a corner
 /// paired with its copy's neighbour is farther away if triangles are larger than the thickness.
 constexpr double kDistanceRatio = 2;
@@ -83,7 +82,6 @@ constexpr int kMaxFaceCorners = 64;
 std::uint64_t keyOf(int a, int b) {
     return static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
 }
-
 
 Copies::Copies(const Surface& surface, Facing facing, double farthest)
     : surface_(surface), facing_(facing), farthest_(farthest) {
@@ -276,7 +274,6 @@ void Copies::follow(const Seed& seed) {
         pairUp(next, distance(v, partner_[v]));
     }
 }
-
 
 /// No cloth is thicker, including quilted down.
 constexpr double kThickest = 30;

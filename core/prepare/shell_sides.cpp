@@ -25,7 +25,6 @@ struct Neighbours {
     double length;  ///< of the edge, mm
 };
 
-
 /// If more than two meet, as at a seam of thick panels, none continues smoothly.
 constexpr double kManyMeet = 2;
 /// At most this many triangles at one edge are all neighbours; of more, those adjacent in the file.
@@ -125,7 +124,6 @@ void takeOverIslands(const Surface& surface, const std::vector<Neighbours>& neig
         }
     }
 }
-
 
 /// All pairs that share an edge. Cost: linear.
 std::vector<Neighbours> neighboursOf(const Surface& surface, const EdgeTable& table) {
@@ -244,7 +242,6 @@ void dropFolded(const Surface& surface, const EdgeTable& table, TwoSided& sets, 
         }
     }
 }
-
 
 /// Maximum share of a shell's area that is opposite itself.
 constexpr double kMaxConflicts = 0.05;

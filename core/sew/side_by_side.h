@@ -14,8 +14,8 @@ namespace toile::sew {
 /// exceptions on the calling thread after all threads have ended.
 template <class Work>
 void stretchesSideBySide(int threads, std::size_t count, const Work& work) {
-    constexpr std::size_t kLeast = 500;  // smaller stretches are not worth a thread
-    const std::size_t most = count / kLeast;
+    constexpr std::size_t kMinStretch = 500;  // smaller stretches are not worth a thread
+    const std::size_t most = count / kMinStretch;
     const std::size_t parts =
         threads > 1 && most > 1 ? std::min(static_cast<std::size_t>(threads), most) : 1;
     std::vector<std::exception_ptr> faults(parts);

@@ -95,8 +95,9 @@ TEST(GrainLine, KeepsOffHoles) {
 
 TEST(GrainLine, IsDrawnOnALayerOfItsOwnWhereStated) {
     Pattern pattern = test::sewingPattern();
-    EXPECT_EQ(test::DxfFile(writePlainDxf(draw(pattern, placeCopies(pattern)))).layers.count("GRAIN"),
-              0U);
+    EXPECT_EQ(
+        test::DxfFile(writePlainDxf(draw(pattern, placeCopies(pattern)))).layers.count("GRAIN"),
+        0U);
     pattern.pieces[0].grain = 0.5;
     const Drawing drawing = draw(pattern, placeCopies(pattern, {Placement{{0, 0}, 0.3, true}}));
     const test::DxfFile file(writePlainDxf(drawing));

@@ -11,9 +11,9 @@
 #include "core/assemble/file_space.h"
 #include "core/pattern/fair_outline.h"
 #include "core/toile/pipeline.h"
-#include "tests/core/toile/mirror_images.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
+#include "tests/core/toile/mirror_images.h"
 
 namespace toile {
 namespace {

@@ -15,9 +15,9 @@
 #include "core/seam/seam_measure.h"
 #include "core/toile/garment_flattener.h"
 #include "core/toile/pipeline.h"
-#include "tests/core/toile/mirror_images.h"
 #include "tests/core/support/shared_data.h"
 #include "tests/core/symmetry/mirror_shapes.h"
+#include "tests/core/toile/mirror_images.h"
 
 namespace toile {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/pattern/half_pattern.h"
 #include "core/symmetry/symmetry.h"
 #include "core/toile/pipeline.h"
-#include "tests/core/toile/mirror_images.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/toile/mirror_images.h"
 
 namespace toile {
 namespace {
