@@ -324,7 +324,7 @@ std::vector<Eigen::Vector3d> positionsOn(const MeshArrays& mesh, const PathPolyl
 
 /// The share of a line that runs along edges of a piece.
 double shareBesideEdges(const Piece& piece, const std::vector<Eigen::Vector3d>& line) {
-    constexpr double kStep = 2 * kBesideEdge;  // mm
+    constexpr double kSpacing = 2 * kBesideEdge;  // mm
     std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> edges;
     const auto addLoop = [&](const std::vector<int>& loop) {
         for (std::size_t k = 0; k < loop.size(); ++k) {
@@ -343,7 +343,7 @@ double shareBesideEdges(const Piece& piece, const std::vector<Eigen::Vector3d>& 
     for (std::size_t i = 1; i < line.size(); ++i) {
         const Eigen::Vector3d &a = line[i - 1], &b = line[i];
         const double part = (b - a).norm();
-        const int steps = 1 + static_cast<int>(std::min(part / kStep, 1e4));
+        const int steps = 1 + static_cast<int>(std::min(part / kSpacing, 1e4));
         for (int k = 0; k < steps; ++k) {
             const bool is = isBeside(a + (k + 0.5) / steps * (b - a));
             beside += is ? part / steps : 0;

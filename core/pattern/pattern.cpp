@@ -141,7 +141,7 @@ void addNotches(Pattern& pattern, const SeamGraph& graph,
 /// Adds internal lines as they lie flat, without points on straight stretches.
 void addInternals(Pattern& pattern, const Garment& garment, const PieceResults& results,
                   const std::vector<InternalLine>& lines) {
-    constexpr double kStraight = 1e-5;  // mm
+    constexpr double kMaxBend = 1e-5;  // mm
     for (InternalRun& run : findInternalRuns(garment, results, lines)) {
         const auto i = static_cast<std::size_t>(run.piece);
         PieceInternal added{.line = run.line,
@@ -157,7 +157,7 @@ void addInternals(Pattern& pattern, const Garment& garment, const PieceResults& 
                 added.length += points.empty() ? 0 : (next - points.back()).norm();
                 const std::size_t n = points.size();
                 if (n > 1 &&
-                    geometry::distanceToSegment(points[n - 1], points[n - 2], next) < kStraight) {
+                    geometry::distanceToSegment(points[n - 1], points[n - 2], next) < kMaxBend) {
                     points.pop_back();
                 }
                 points.push_back(next);
