@@ -363,8 +363,8 @@ std::array<double, 3> anglesOf(const Eigen::Matrix3d& turn) {
     const double across = std::hypot(turn(0, 0), turn(1, 0));
     constexpr double kNoTilt = 1e-9;
     const double y = std::atan2(-turn(2, 0), across);
-    const double x = across > kNoTilt ? std::atan2(turn(2, 1), turn(2, 2))
-                                       : std::atan2(-turn(1, 2), turn(1, 1));
+    const double x =
+        across > kNoTilt ? std::atan2(turn(2, 1), turn(2, 2)) : std::atan2(-turn(1, 2), turn(1, 1));
     const double z = across > kNoTilt ? std::atan2(turn(1, 0), turn(0, 0)) : 0;
     return {rounded(x / kDegree, kFinest), rounded(y / kDegree, kFinest),
             rounded(z / kDegree, kFinest)};
