@@ -21,7 +21,7 @@ struct CrossingCut {
     double folded3d = 0;    ///< mm of outline between the crossing edges, on the shorter side
 
     /// Whether the cut is shorter than the stretches that it frees. If not, corners of a ragged
-    /// edge fold over, and a cut through the piece would help nobody.
+    /// edge fold over, and a cut would take off a strip without need.
     bool isWorthIt() const { return length3d <= folded3d; }
 };
 

@@ -205,7 +205,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description="Trials of toile batch with many garments.")
     parser.add_argument("trial", choices=trials)
     parser.add_argument("--count", type=int, help="of garments [500; throughput: 120]")
-    parser.add_argument("--toile", type=Path, default=ROOT / "build" / "ci" / "app" / "toile")
+    parser.add_argument("--toile", type=Path, default=ROOT / "build" / "release" / "app" / "toile")
     parser.add_argument("--docs", action="store_true", help="throughput: the plan into the docs")
     parser.add_argument(
         "--least", type=float, default=0, help="throughput: what two cores are to do, of one's"
