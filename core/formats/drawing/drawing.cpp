@@ -109,17 +109,17 @@ void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& plac
     const std::vector<PieceDart> darts = findDarts(piece);
     for (std::size_t k = 0; k < darts.size(); ++k) {
         const std::string id = "piece-" + piece.slug + "--dart-" + std::to_string(k + 1);
-        const auto add = [&](const char* what, const Points2& line, bool closed) {
+        const auto add = [&](const char* what, const Points2& line, bool closed, bool isDrill) {
             if (line.rows() > 0) {
                 drawing.paths.push_back(
-                    {id + what, LayerKind::Internal, placedLine(line, placement), closed});
+                    {id + what, LayerKind::Internal, placedLine(line, placement), closed, isDrill});
             }
         };
         const DartMarks marks = dartMarks(darts[k]);
-        add("-fold", marks.fold, false);
-        add("-drill", marks.drill, true);
-        add("-tip-1", marks.cross[0], false);
-        add("-tip-2", marks.cross[1], false);
+        add("-fold", marks.fold, false, false);
+        add("-drill", marks.drill, true, true);
+        add("-tip-1", marks.cross[0], false, true);
+        add("-tip-2", marks.cross[1], false, true);
     }
 }
 
@@ -136,7 +136,7 @@ void addInternals(Drawing& drawing, const PatternPiece& piece, const Placement& 
             const int number = k > 0 ? points : isPoint ? ++points : ++lines;
             drawing.paths.push_back(
                 {id + std::to_string(number) + (k > 0 ? "-" + std::to_string(k + 1) : ""),
-                 LayerKind::Internal, placedLine(line, placement), isClosed});
+                 LayerKind::Internal, placedLine(line, placement), isClosed, isPoint});
         }
     }
 }

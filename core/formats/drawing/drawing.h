@@ -17,6 +17,7 @@ struct DrawnPath {
     LayerKind layer;
     Points2 points;  ///< mm, y up; if closed, the first point is not repeated
     bool closed = true;
+    bool isDrill = false;  ///< of the symbol of a drill point: a circle, or a stroke of a cross
 };
 
 struct DrawnText {

@@ -31,12 +31,6 @@ const PatternPiece& pieceOf(const Pattern& pattern, const DrawnBlock& block) {
     return pattern.pieces[static_cast<std::size_t>(block.piece)];
 }
 
-bool isDrillSymbol(const DrawnPath& path) {
-    return path.layer == LayerKind::Internal &&
-           (path.id.find("--point-") != std::string::npos || path.id.ends_with("-drill") ||
-            path.id.ends_with("-tip-1") || path.id.ends_with("-tip-2"));
-}
-
 /// Darts whose cloth stays; the cutting line goes round the others.
 std::vector<PieceDart> cappedDarts(const Pattern& pattern, const PatternPiece& piece) {
     std::vector<PieceDart> darts;
@@ -241,7 +235,7 @@ std::string apparelName(std::string_view name, std::string_view otherwise) {
 ApparelDrawing apparelDrawing(const ExportSource& source) {
     ApparelDrawing made{source.drawing(), {}};
     for (DrawnPath& path : made.drawing.paths) {
-        path.layer = isDrillSymbol(path) ? LayerKind::Marks : path.layer;
+        path.layer = path.isDrill ? LayerKind::Marks : path.layer;
     }
     made.lines.resize(made.drawing.blocks.size());
     for (std::size_t b = 0; b < made.lines.size(); ++b) {

@@ -324,10 +324,7 @@ private:
         std::size_t next = 0;
         for (std::size_t k = drawn_.path; k < drawn_.path + drawn_.pathCount; ++k) {
             const DrawnPath& path = made_.drawing.paths[k];
-            const bool isDrill =
-                path.closed && path.layer == LayerKind::Marks &&
-                (path.id.ends_with("-drill") || path.id.find("--point-") != std::string::npos);
-            if (!isDrill) {
+            if (!(path.isDrill && path.closed && path.layer == LayerKind::Marks)) {
                 continue;
             }
             const Eigen::Vector2d middle = path.points.colwise().mean().transpose();

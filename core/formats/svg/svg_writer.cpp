@@ -135,7 +135,7 @@ private:
     /// The name at the start of its label; else its id.
     std::string nameOf(const DrawnBlock& block) const {
         for (std::size_t k = block.text; k < block.text + block.textCount; ++k) {
-            if (drawing_.texts[k].id == block.id + "-name" && !drawing_.texts[k].lines.empty()) {
+            if (drawing_.texts[k].layer == LayerKind::Text && !drawing_.texts[k].lines.empty()) {
                 return cleanText(drawing_.texts[k].lines.front());
             }
         }
