@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
-#include "core/formats/tables/html_report.h"
+#include "core/formats/writers.h"
 
 namespace toile {
 struct Proof;

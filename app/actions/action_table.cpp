@@ -19,7 +19,7 @@
 #include "app/document/piece_edits.h"
 #include "app/render/scene.h"
 #include "app/text/figures.h"
-#include "core/assemble/opening_cuts.h"
+#include "core/assemble/cut_pieces.h"
 
 namespace toile::app {
 

@@ -8,9 +8,9 @@
 #include "app/document/document.h"
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
-#include "core/assemble/opening_cuts.h"
+#include "core/assemble/cut_pieces.h"
 #include "core/project/piece_settings.h"
-#include "core/toile/solve_advice.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

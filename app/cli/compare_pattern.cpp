@@ -10,7 +10,6 @@
 #include "core/base/text.h"
 #include "core/formats/read_pattern.h"
 #include "core/formats/tables/pattern_match.h"
-#include "core/formats/tables/pattern_match_writer.h"
 #include "core/formats/writers.h"
 #include "core/toile/pipeline.h"
 

@@ -9,7 +9,7 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
 #include "app/cli/input.h"
-#include "core/assemble/opening_cuts.h"
+#include "core/assemble/cut_pieces.h"
 #include "core/assemble/slits.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
@@ -23,8 +23,8 @@
 #include "core/io/assimp_reader.h"
 #include "core/project/layer_materials.h"
 #include "core/seam/seam_measure.h"
-#include "core/tailor/file_borders.h"
-#include "core/toile/solve_advice.h"
+#include "core/tailor/mesh_lines.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 namespace {
@@ -42,7 +42,7 @@ std::string textOf(const std::optional<DartIntake>& intake) {
 /// The user's cuts in a piece.
 std::vector<UserCut> ownCutsOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     const auto record = std::ranges::find(garment.cutRecords, piece, &CutRecord::whole);
-    return record == garment.cutRecords.end() ? std::vector<UserCut>{} : record->asked;
+    return record == garment.cutRecords.end() ? std::vector<UserCut>{} : record->requested;
 }
 
 void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& own,

@@ -17,7 +17,7 @@
 #include "core/formats/export_file.h"
 #include "core/formats/formats.h"
 #include "core/formats/hide_file.h"
-#include "core/formats/tables/marker_report.h"
+#include "core/formats/writers.h"
 #include "core/marker/cloth_marker.h"
 
 namespace toile::app {

@@ -8,7 +8,7 @@
 #include "app/document/disposal.h"
 #include "app/document/document.h"
 #include "app/render/scene_builder.h"
-#include "core/toile/ending_workers.h"
+#include "core/toile/piece_work.h"
 #include "core/toile/pipeline.h"
 
 namespace toile::app {

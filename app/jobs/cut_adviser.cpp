@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/text/error_text.h"
-#include "core/tailor/file_borders.h"
-#include "core/toile/solve_advice.h"
+#include "core/tailor/mesh_lines.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

@@ -9,7 +9,7 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "core/quality/grain_cost.h"
+#include "core/quality/metric_tensor.h"
 #include "core/toile/garment_flattener.h"
 
 namespace toile::app {

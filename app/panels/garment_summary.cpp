@@ -13,7 +13,7 @@
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
-#include "core/assemble/opening_cuts.h"
+#include "core/assemble/cut_pieces.h"
 #include "core/project/layer_materials.h"
 #include "core/symmetry/symmetry.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/panels/unprepared_scan.h"
-#include "core/assemble/opening_cuts.h"
+#include "core/assemble/cut_pieces.h"
 
 namespace toile::app {
 namespace {

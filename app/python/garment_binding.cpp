@@ -7,7 +7,7 @@
 
 #include "app/python/array_views.h"
 #include "app/python/option_words.h"
-#include "core/mesh/surface_area.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/seam/seam_measure.h"
 
 namespace toile::python {

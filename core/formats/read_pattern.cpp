@@ -5,9 +5,7 @@
 
 #include "core/base/file.h"
 #include "core/base/text.h"
-#include "core/formats/dxf/dxf_pattern.h"
 #include "core/formats/garmentcode/garmentcode_reader.h"
-#include "core/formats/svg/svg_pattern.h"
 
 namespace toile {
 

@@ -13,7 +13,6 @@
 
 #include "core/base/result.h"
 #include "core/base/wording.h"
-#include "core/io/byte_order.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"

@@ -6,7 +6,6 @@
 
 #include "core/base/text.h"
 #include "core/geometry/point_index.h"
-#include "core/io/byte_order.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"

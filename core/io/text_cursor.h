@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cstddef>
+#include <cstring>
 #include <string_view>
 #include <system_error>
 
@@ -111,5 +114,18 @@ private:
 
 /// True if a digit, a comma and a digit follow each other: numbers with decimal commas.
 bool hasDecimalComma(std::string_view text);
+
+/// Reads a number in the given byte order. @param bytes at least sizeof(T) of them
+template <class T>
+T readBytes(const char* bytes, std::endian order) {
+    char own[sizeof(T)];
+    std::memcpy(own, bytes, sizeof(T));
+    if (order != std::endian::native) {
+        std::reverse(own, own + sizeof(T));
+    }
+    T value;
+    std::memcpy(&value, own, sizeof(T));
+    return value;
+}
 
 }  // namespace toile::io

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/geometry/segment.h"
 #include "core/io/soup_builder.h"
 

@@ -7,7 +7,6 @@
 #include <new>
 
 #include "core/linalg/cholmod_workspace.h"
-#include "core/linalg/front_schedule.h"
 #include "core/linalg/front_tree.h"
 
 // The functions of BLAS and LAPACK that we call ourselves. Matrices are stored by columns; call

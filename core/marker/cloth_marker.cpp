@@ -8,7 +8,7 @@
 
 #include "core/geometry/polygon.h"
 #include "core/marker/laid_pieces.h"
-#include "core/nest/exact_overlap.h"
+#include "core/nest/collision.h"
 #include "core/pattern/half_pattern.h"
 
 namespace toile::cloth {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/geometry/polygon.h"
+#include "core/marker/cloth_fit.h"
 #include "core/marker/cloth_marker.h"
 #include "core/marker/laid_pieces.h"
-#include "core/marker/stripes.h"
 #include "core/nest/item_rings.h"
 #include "core/nest/nest.h"
 #include "core/pattern/line_settings.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/base/wording.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/mesh/mesh_arrays.h"

@@ -77,4 +77,13 @@ inline void joinCorners(const Triangles& F, int side, int other, geometry::Disjo
     fans.join(nextSide(side), alike ? nextSide(other) : other);
 }
 
+/// Sum of the triangles' areas, in the mesh's unit squared. Cost: linear. Pure.
+inline double surfaceArea(const MeshArrays& mesh) {
+    double doubled = 0;
+    for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
+        doubled += doubleAreaNormal(mesh, f).norm();
+    }
+    return doubled / 2;
+}
+
 }  // namespace toile

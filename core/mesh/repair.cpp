@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/error.h"
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/base/wording.h"
 #include "core/geometry/buckets.h"
 #include "core/geometry/disjoint_sets.h"

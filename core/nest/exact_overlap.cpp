@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nest/exact_overlap.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/geometry/segment.h"
+#include "core/nest/collision.h"
 
 namespace toile::nest {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/nest/exact_overlap.h"
+#include "core/nest/collision.h"
 #include "core/nest/nest.h"
 
 // For the sources of this folder, of core/marker and core/formats.

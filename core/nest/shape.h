@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "core/geometry/polygon.h"
-#include "core/nest/exact_overlap.h"
 
 // For the sources of this folder only.
 namespace toile::nest {
+
+/// The outline of a shape and its holes.
+using Rings = std::vector<geometry::Polygon>;
 
 struct Box {
     double left = 0, bottom = 0, right = 0, top = 0;

@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "core/geometry/line.h"
 #include "core/mesh/mesh_arrays.h"
+#include "core/pattern/pattern.h"
 
 namespace toile {
 
@@ -74,5 +76,14 @@ inline constexpr double kCurveLengthTolerance = 0.01;  // mm, of a whole segment
 /// @param length  mm: the sum of the steps, which a fair line keeps exactly
 /// Cost: about twenty fits per curve, each linear in its steps. Pure.
 std::vector<CubicCurve> fitCurves(const Points2& line, double length);
+
+/// One segment of a piece's seam line as curves, from end to end, computed on demand. If the
+/// outline represents a curve (`isFine`), those of `fitCurves`, with a joint at corners that are no
+/// turn points; else its straight edges. Their length is that of the segment in the plane, to
+/// kCurveLengthTolerance.
+/// @param outline  the piece's  @param segment  one of the piece's
+/// Cost: linear in the segment, and that of `fitCurves`. Pure.
+std::vector<CubicCurve> curvesOf(const PatternPiece& piece, const geometry::Line& outline,
+                                 const PatternSegment& segment);
 
 }  // namespace toile

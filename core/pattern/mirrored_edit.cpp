@@ -14,7 +14,7 @@
 #include "core/geometry/segment.h"
 #include "core/pattern/fair_outline.h"
 #include "core/seam/outline.h"
-#include "core/symmetry/garment_surface.h"
+#include "core/symmetry/mirror_plane.h"
 
 namespace toile {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/base/units.h"
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
-#include "core/quality/grain_cost.h"
 #include "core/quality/measures.h"
+#include "core/quality/metric_tensor.h"
 
 namespace toile {
 namespace {

@@ -9,9 +9,9 @@
 #include "core/mesh/disk_check.h"
 #include "core/mesh/repair.h"
 #include "core/mesh/weld.h"
-#include "core/prepare/debris.h"
 #include "core/prepare/file_surface.h"
 #include "core/prepare/holes.h"
+#include "core/prepare/recognise.h"
 #include "core/prepare/remesh.h"
 #include "core/prepare/smooth.h"
 

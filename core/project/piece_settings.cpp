@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/flatten/base/match_versions.h"
-#include "core/mesh/surface_area.h"
+#include "core/mesh/mesh_arrays.h"
 
 namespace toile {
 

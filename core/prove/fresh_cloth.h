@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/garment/garment.h"
 #include "core/prove/proof.h"
 #include "core/sew/cloth.h"
 
@@ -23,5 +25,10 @@ struct FreshCloth {
 /// Errors: NoGeometry, NotReadBack, Cancelled.
 Result<FreshCloth> freshCloth(const ExportSource& source, const ProofOrder& order,
                               const Progress& progress);
+
+/// The surface of the designed garment: its pieces, joined along their seams
+/// (`sew::cutAlongSeams`), all oriented like the first of those joined to each other.
+/// Errors: NoGeometry.  Cost: that of joining. Pure.
+Result<MeshArrays> designSurface(const Garment& garment);
 
 }  // namespace toile::prove

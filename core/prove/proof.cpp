@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "core/base/progress.h"
-#include "core/prove/design_surface.h"
 #include "core/prove/fresh_cloth.h"
 #include "core/prove/pattern_faults.h"
 #include "core/prove/proof_words.h"

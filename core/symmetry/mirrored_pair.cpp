@@ -12,7 +12,7 @@
 #include "core/geometry/buckets.h"
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
-#include "core/symmetry/garment_surface.h"
+#include "core/symmetry/mirror_plane.h"
 
 namespace toile {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/cut/fill_holes.h"
 #include "core/cut/surface_paths.h"
 #include "core/mesh/cotangents.h"
-#include "core/mesh/surface_area.h"
+#include "core/mesh/mesh_arrays.h"
 #include "core/tailor/cut_order.h"
 #include "core/tailor/form_lines.h"
 #include "core/tailor/part_names.h"

@@ -7,6 +7,8 @@
 #include "core/base/progress.h"
 #include "core/cut/surface_paths.h"
 #include "core/cut/user_cuts.h"
+#include "core/garment/piece.h"
+#include "core/io/soup.h"
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
@@ -78,3 +80,14 @@ MarkedMesh markedMesh(const MeshArrays& mesh, const EdgeTable& table,
                       const std::vector<UserCut>& cuts, const Progress& progress);
 
 }  // namespace toile::tailor
+
+namespace toile {
+
+/// Per edge of a piece: whether its two triangles have different materials, groups or objects in
+/// the file, or different UV points. The author of the mesh intended such lines as borders.
+/// @param soup  the polygons that the piece was divided from
+/// @return empty if there are no borders, or too many to be seams: a UV map of single triangles
+/// Cost: linear. Pure.
+std::vector<char> fileBorders(const Piece& piece, const PolygonSoup& soup);
+
+}  // namespace toile

@@ -15,7 +15,6 @@
 #include "core/geometry/segment.h"
 #include "core/tailor/form_lines.h"
 #include "core/tailor/seam_pull.h"
-#include "core/tailor/top_seams.h"
 
 namespace toile::tailor {
 namespace {

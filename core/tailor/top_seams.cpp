@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/tailor/top_seams.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include <numeric>
 
 #include "core/geometry/segment.h"
+#include "core/tailor/tailor_seams.h"
 
 namespace toile::tailor {
 namespace {

@@ -13,7 +13,7 @@
 #include "core/seam/find_seams.h"
 #include "core/seam/seam_settings.h"
 #include "core/tailor/cut_advice.h"
-#include "core/tailor/file_borders.h"
+#include "core/tailor/mesh_lines.h"
 #include "core/toile/garment_flattener.h"
 #include "core/toile/pipeline.h"
 

@@ -12,15 +12,10 @@
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/symmetry/symmetry.h"
-#include "core/toile/ending_workers.h"
+#include "core/toile/piece_work.h"
 #include "core/toile/pipeline.h"
 
 namespace toile {
-
-/// Called when a piece is begun. @param done, count  pieces that are flat by then, of how many
-/// Called on the workers, one call at a time, also after a cancel by workers that have not ended
-/// yet: it must own everything it uses.
-using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
 
 /// `flattenGarment` for a garment that is being edited: keeps the results of the last call and
 /// solves only changed pieces again, starting from their last solution.

@@ -8,7 +8,6 @@
 
 #include <Eigen/Geometry>
 
-#include "core/assemble/better_division.h"
 #include "core/assemble/divide.h"
 #include "core/assemble/slits.h"
 #include "core/assemble/weld_soup.h"

@@ -1,14 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
-#include "core/toile/garment_flattener.h"
+
+namespace toile {
+
+/// Called when a piece is begun. @param done, count  pieces that are flat by then, of how many
+/// Called on the workers, one call at a time, also after a cancel by workers that have not ended
+/// yet: it must own everything it uses.
+using OnPiece = std::function<void(int done, int count, const Piece& begun)>;
+
+/// Threads of cancelled calls that are still in a stage that cannot be interrupted (a
+/// factorisation). They share ownership of their data, end soon, and their results are dropped.
+/// The owner of this object decides how long they may run: its destructor waits for them.
+/// Thread-safe.
+class EndingWorkers {
+public:
+    void take(std::vector<std::future<void>> more);
+    /// How many are still busy and use cores and memory.
+    int count() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::future<void>> workers_;  ///< of std::async: their destructors join
+};
+
+}  // namespace toile
 
 // Internal header of this folder.
 namespace toile {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,11 +13,13 @@
 #include "core/base/result.h"
 #include "core/base/wording.h"
 #include "core/compare/comparison.h"
+#include "core/flatten/base/flat_piece.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/flatten/flatten.h"
 #include "core/garment/garment.h"
 #include "core/pattern/line_settings.h"
 #include "core/symmetry/symmetry.h"
+#include "core/tailor/cut_advice.h"
 
 namespace toile {
 
@@ -96,5 +100,17 @@ std::shared_ptr<const Symmetry> symmetryOf(const Garment& garment, const LineSet
 /// Cost: `flattenGarment` once per method; all flat pieces are kept. Re-entrant.
 Comparison compareMethods(const Garment& garment, std::span<const Method> methods,
                           const FlattenOptions& options, Progress& progress);
+
+/// So many of the first advised cuts are solved, to compare with the estimate.
+constexpr std::size_t kSolvedAhead = 5;
+
+/// The actual strain with the first `count` advised cuts: makes them and the piece's own cuts,
+/// opens closed parts by the shortest cuts, and flattens all parts.
+/// @errors  of the first part that cannot be flattened; Cancelled
+/// Cost: that of flattening the piece. Re-entrant.
+Result<StrainFigures> solvedStrain(const std::shared_ptr<const Piece>& piece,
+                                   const std::vector<UserCut>& own, const CutAdvice& advice,
+                                   std::size_t count, const FlattenOptions& options,
+                                   Progress& progress);
 
 }  // namespace toile

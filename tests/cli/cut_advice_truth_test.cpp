@@ -15,7 +15,6 @@
 
 #include "core/base/text.h"
 #include "core/toile/pipeline.h"
-#include "core/toile/solve_advice.h"
 #include "tests/cli/docs_table.h"
 #include "tests/core/support/shared_data.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/flatten/interior/interior.h"
-#include "core/linalg/sparse_lu.h"
+#include "core/linalg/sparse_cholesky.h"
 #include "core/mesh/cotangents.h"
 #include "core/quality/measures.h"
 

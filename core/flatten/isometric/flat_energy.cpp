@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "core/flatten/isometric/quadratic_roots.h"
 #include "core/geometry/buckets.h"
 
 namespace toile::isometric {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -13,7 +15,15 @@
 #include "core/mesh/edge_table.h"
 #include "core/mesh/mesh_arrays.h"
 
+// For the sources of this folder only.
 namespace toile::isometric {
+
+/// The roots of a t² + b t + c, without cancellation. NaN if there are none; if there is only one,
+/// the other is infinite or NaN.
+inline std::array<double, 2> quadraticRoots(double a, double b, double c) {
+    const double q = -0.5 * (b + std::copysign(std::sqrt(b * b - 4 * a * c), b));
+    return {q / a, c / q};
+}
 
 /// An energy of a flattening that the isometric descent lowers: a sum over the triangles of area,
 /// divided by the total area, times a density of the map J from the triangle's shape in 3D to the

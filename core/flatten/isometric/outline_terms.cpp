@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/flatten/isometric/quadratic_roots.h"
+#include "core/flatten/isometric/flat_energy.h"
 #include "core/geometry/segment.h"
 
 namespace toile::isometric {

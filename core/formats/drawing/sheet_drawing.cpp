@@ -9,8 +9,8 @@
 
 #include "core/formats/read_back.h"
 #include "core/geometry/line.h"
+#include "core/pattern/curve_fit.h"
 #include "core/pattern/label.h"
-#include "core/pattern/piece_curves.h"
 
 namespace toile {
 namespace {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/dxf/dxf_pattern.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,6 +12,7 @@
 #include "core/formats/dxf/dxf_curve.h"
 #include "core/formats/dxf/dxf_document.h"
 #include "core/formats/dxf/dxf_piece.h"
+#include "core/formats/read_pattern.h"
 #include "core/geometry/polygon.h"
 
 namespace toile {

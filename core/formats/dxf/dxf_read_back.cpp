@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/dxf/dxf_read_back.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +17,7 @@
 #include "core/formats/dxf/dxf_curve.h"
 #include "core/formats/dxf/dxf_document.h"
 #include "core/formats/dxf/dxf_piece.h"
+#include "core/formats/read_backs.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

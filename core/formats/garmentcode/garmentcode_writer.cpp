@@ -10,7 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/formats/json.h"
-#include "core/pattern/piece_curves.h"
+#include "core/pattern/curve_fit.h"
 
 namespace toile {
 namespace {

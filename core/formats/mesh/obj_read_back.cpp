@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/mesh/obj_read_back.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
 #include "core/base/text.h"
+#include "core/formats/read_backs.h"
 #include "core/io/soup.h"
 
 namespace toile {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/plot/plt_writer.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/formats/drawing/text_outlines.h"
+#include "core/formats/writers.h"
 #include "core/geometry/segment.h"
 
 namespace toile {

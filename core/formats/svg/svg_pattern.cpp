@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/svg/svg_pattern.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "core/base/characters.h"
 #include "core/formats/dxf/dxf_piece.h"
+#include "core/formats/read_pattern.h"
 #include "core/formats/svg/svg_reader.h"
 #include "core/geometry/polygon.h"
 

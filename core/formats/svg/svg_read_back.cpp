@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/svg/svg_read_back.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -10,6 +8,7 @@
 #include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/wording.h"
+#include "core/formats/read_backs.h"
 #include "core/formats/svg/svg_style.h"
 
 namespace toile {

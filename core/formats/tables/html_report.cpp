@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/tables/html_report.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/tables/marker_report.h"
-
 #include <algorithm>
 
 #include "core/base/units.h"
 #include "core/base/version.h"
 #include "core/formats/json.h"
+#include "core/formats/writers.h"
 
 namespace toile {
 namespace {

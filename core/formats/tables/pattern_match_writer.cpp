@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/tables/pattern_match_writer.h"
-
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "core/base/text.h"
 #include "core/formats/json.h"
+#include "core/formats/writers.h"
 #include "core/layout/marker.h"
 
 namespace toile {

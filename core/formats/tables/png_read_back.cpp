@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/tables/png_read_back.h"
-
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -8,6 +6,7 @@
 #include <zlib.h>
 
 #include "core/base/text.h"
+#include "core/formats/read_backs.h"
 
 namespace toile {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/assemble/better_division.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
+
+#include "core/assemble/divide.h"
 
 namespace toile {
 namespace {

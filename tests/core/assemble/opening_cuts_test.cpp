@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/assemble/opening_cuts.h"
-
 #include <gtest/gtest.h>
 
 #include "core/assemble/cut_pieces.h"

@@ -8,7 +8,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/shapes.h"
 

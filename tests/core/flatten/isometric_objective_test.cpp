@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The terms of the isometric objective against finite differences and known values.
-#include "core/flatten/isometric/isometric_objective.h"
-
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/flatten/boundary/length_constraints.h"
+#include "core/flatten/isometric/kkt_solver.h"
 #include "core/garment/piece.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/generator.h"

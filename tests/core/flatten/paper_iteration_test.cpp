@@ -6,7 +6,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/flatten/boundary/boundary_problem.h"
 #include "core/quality/measures.h"
 #include "tests/core/support/random_piece.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/sanitized.h"
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "core/flatten/flatten.h"
 #include "core/quality/measures.h"
 #include "core/quality/piece_quality.h"

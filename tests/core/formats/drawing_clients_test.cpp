@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/formats/plot/plt_writer.h"
 #include "core/formats/writers.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/support/temporary_folder.h"

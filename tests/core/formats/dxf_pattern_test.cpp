@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/dxf/dxf_pattern.h"
-
 #include <algorithm>
 #include <random>
 

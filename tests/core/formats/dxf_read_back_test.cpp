@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/dxf/dxf_read_back.h"
-
 #include <algorithm>
 #include <cctype>
 #include <set>
@@ -9,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/formats/read_backs.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/formats/exported_garments.h"
 #include "tests/core/support/generator.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/file.h"
-#include "core/formats/dxf/dxf_pattern.h"
+#include "core/formats/read_pattern.h"
 #include "tests/core/formats/dxf_builder.h"
 #include "tests/core/support/shared_data.h"
 

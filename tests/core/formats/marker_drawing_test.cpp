@@ -7,8 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/formats/pdf/pdf_writer.h"
-#include "core/formats/plot/plt_writer.h"
-#include "core/formats/tables/marker_report.h"
+#include "core/formats/writers.h"
 #include "tests/core/marker/marker_fixtures.h"
 #include "tests/core/readers/pdf_read_back.h"
 #include "tests/core/readers/plt_read_back.h"

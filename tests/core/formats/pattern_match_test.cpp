@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/formats/dxf/dxf_pattern.h"
-#include "core/formats/tables/pattern_match_writer.h"
+#include "core/formats/read_pattern.h"
 #include "core/formats/writers.h"
 #include "core/geometry/polygon.h"
 #include "tests/core/formats/export_fixtures.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/plot/plt_writer.h"
-
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -8,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/formats/writers.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/readers/plt_read_back.h"
 #include "tests/core/support/generator.h"

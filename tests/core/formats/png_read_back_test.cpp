@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/tables/png_read_back.h"
-
 #include <cstdint>
 
 #include <gtest/gtest.h>
 #include <zlib.h>
+
+#include "core/formats/read_backs.h"
 
 namespace toile {
 namespace {

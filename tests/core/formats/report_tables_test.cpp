@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "core/formats/export_file.h"
-#include "core/formats/tables/html_report.h"
+#include "core/formats/writers.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/support/laid_rows.h"
 #include "tests/core/support/shared_data.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/svg/svg_pattern.h"
-
 #include <algorithm>
 
 #include <gtest/gtest.h>
 
 #include "core/base/file.h"
+#include "core/formats/read_pattern.h"
 #include "core/formats/tables/pattern_match.h"
 #include "core/formats/writers.h"
 #include "core/geometry/polygon.h"

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/svg/svg_read_back.h"
-
 #include <array>
 #include <cmath>
 #include <set>
@@ -10,6 +8,7 @@
 #include <pugixml.hpp>
 
 #include "core/formats/drawing/text_outlines.h"
+#include "core/formats/read_backs.h"
 #include "core/formats/writers.h"
 #include "tests/core/formats/export_fixtures.h"
 

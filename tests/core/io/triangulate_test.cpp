@@ -12,7 +12,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "core/base/tolerances.h"
+#include "core/base/units.h"
 #include "tests/core/io/soup_checks.h"
 
 namespace toile::test {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linalg/front_schedule.h"
-
 #include <atomic>
 #include <new>
 
 #include <gtest/gtest.h>
+
+#include "core/linalg/front_tree.h"
 
 namespace toile::linalg {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/linalg/sparse_lu.h"
-
 #include <gtest/gtest.h>
+
+#include "core/linalg/sparse_cholesky.h"
 
 namespace toile {
 namespace {

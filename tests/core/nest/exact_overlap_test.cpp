@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nest/exact_overlap.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <polyclipping/clipper.hpp>
 
+#include "core/nest/collision.h"
 #include "tests/core/nest/nest_shapes.h"
 
 namespace {

@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/geometry/segment.h"
-#include "core/nest/exact_overlap.h"
+#include "core/nest/collision.h"
 
 namespace toile::test {
 namespace {

@@ -12,7 +12,6 @@
 
 #include "core/formats/writers.h"
 #include "core/pattern/curve_fit.h"
-#include "core/pattern/piece_curves.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/formats/dxf_reader.h"
 #include "tests/core/support/shared_data.h"

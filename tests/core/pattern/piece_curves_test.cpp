@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segments of pattern pieces, and their curves.
-#include "core/pattern/piece_curves.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>

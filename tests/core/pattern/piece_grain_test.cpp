@@ -10,7 +10,7 @@
 
 #include "core/pattern/half_pattern.h"
 #include "core/pattern/mirrored_edit.h"
-#include "core/quality/grain_cost.h"
+#include "core/quality/metric_tensor.h"
 #include "core/seam/find_seams.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"

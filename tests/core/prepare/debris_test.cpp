@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/prepare/debris.h"
-
 #include <gtest/gtest.h>
 
+#include "core/prepare/recognise.h"
 #include "tests/core/prepare/scan_shapes.h"
 
 namespace toile {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/prove/design_surface.h"
+#include "core/prove/fresh_cloth.h"
 #include "core/prove/proof.h"
 #include "core/seam/find_seams.h"
 #include "core/toile/pipeline.h"

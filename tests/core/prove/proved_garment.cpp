@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/prove/design_surface.h"
+#include "core/prove/fresh_cloth.h"
 #include "tests/core/support/laid_rows.h"
 
 namespace toile::test {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/quality/grain_cost.h"
-
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "core/base/units.h"
+#include "core/quality/metric_tensor.h"
 #include "tests/core/support/shapes.h"
 
 namespace toile {

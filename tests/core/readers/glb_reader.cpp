@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/io/byte_order.h"
+#include "core/io/text_cursor.h"
 #include "tests/core/readers/mesh_file.h"
 
 namespace toile {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/formats/formats.h"
-#include "core/formats/mesh/obj_read_back.h"
+#include "core/formats/read_backs.h"
 #include "tests/core/readers/mesh_file.h"
 
 namespace toile {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/formats/plot/plt_writer.h"
+#include "core/formats/writers.h"
 
 namespace toile {
 namespace {

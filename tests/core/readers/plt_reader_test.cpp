@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/formats/plot/plt_writer.h"
+#include "core/formats/writers.h"
 #include "tests/core/support/generator.h"
 
 namespace toile {

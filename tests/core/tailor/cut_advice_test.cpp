@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/toile/solve_advice.h"
+#include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
 #include "tests/core/tailor/worn_shapes.h"
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What borders within the skin, of materials, groups or a UV map, say about where it is cut.
-#include "core/tailor/file_borders.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "core/tailor/cut_advice.h"
+#include "core/tailor/mesh_lines.h"
 #include "tests/core/tailor/worn_shapes.h"
 
 namespace toile {

@@ -11,7 +11,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/sanitized.h"
-#include "core/toile/ending_workers.h"
 #include "core/toile/piece_work.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/support/shapes.h"
