@@ -107,10 +107,10 @@ OrderedJson figuresOf(const Garment& garment, const PieceResults& results,
     addStrain(figures, results);
     figures["fingerprint"] = fingerprintOf(results);
     const auto doubts = findDoubts(garment, results, fabrics);
-    for (const Doubt& doubt : doubts) {
-        figures["doubts"].push_back(doubtWords(doubt.kind).name);
-        if (doubt.isFault) {
-            fail({doubtWords(doubt.kind).name, sentence(doubt), doubt.subject.name});
+    for (const Finding& doubt : doubts) {
+        figures["doubts"].push_back(name(doubt.kind));
+        if (doubt.severity == Severity::Fault) {
+            fail({std::string(name(doubt.kind)), sentence(doubt), doubt.subject.name});
         }
     }
     if (hasFaults(garment, results, doubts) && figures["error"].is_null()) {

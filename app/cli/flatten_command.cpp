@@ -117,8 +117,8 @@ int runFlatten(const Arguments& arguments, std::ostream& out, std::ostream& err)
     const Pattern& pattern = made.laid.pattern;
     printUnequal(*garment, pattern.symmetry.get(), out);
     const auto doubts = findDoubts(*garment, results, fabricsOf(pattern, made.fabric));
-    for (const Doubt& doubt : doubts) {
-        err << "toile: " << (doubt.isFault ? "fault: " : "doubt: ") << sentence(doubt) << '\n';
+    for (const Finding& doubt : doubts) {
+        err << "toile: " << name(doubt.severity) << ": " << sentence(doubt) << '\n';
     }
     const bool lacksMemory = std::ranges::any_of(results, [](const auto& result) -> bool {
         return result->error && result->error->code == ErrorCode::OutOfMemory;

@@ -426,7 +426,7 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         }
     }
     int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
-    for (const Doubt& doubt : findDoubts(*garment, {})) {
+    for (const Finding& doubt : findDoubts(*garment, {})) {
         err << "toile: doubt: " << sentence(doubt) << '\n';
     }
     for (const auto& piece : garment->pieces) {

@@ -135,8 +135,8 @@ void printProof(const Garment& garment, const Proof& proof, std::ostream& out) {
     printProvenPieces(garment, proof, out);
     printSlips(garment, proof, out);
     out << '\n';
-    for (const ProofFault& fault : proof.faults) {
-        out << "fault: " << shownText(fault.told, kMaxOfPlace) << '\n';
+    for (const Finding& fault : proof.faults) {
+        out << "fault: " << shownText(fault.reason, kMaxOfPlace) << '\n';
     }
     printHow(proof, out);
 }

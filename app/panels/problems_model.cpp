@@ -13,7 +13,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 
 namespace toile::app {
 namespace {

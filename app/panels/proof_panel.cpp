@@ -272,21 +272,21 @@ std::vector<ProofPanel::Misfit> ProofPanel::misfits() const {
     const auto seamText = [&](int seam) -> QString {
         return isOfThis() ? seamName(document_, seam) : tr("seam %1").arg(seam + 1);
     };
-    for (const ProofFault& fault : shown_->proof->faults) {
+    for (const Finding& fault : shown_->proof->faults) {
         QStringList names;
         for (const int piece : fault.pieces) {
             names << (isOfThis() ? pieceName(document_, piece)
                                  : QString::fromStdString(
                                        garment.pieces[static_cast<std::size_t>(piece)]->name));
         }
-        found.push_back({largeFirst(wordingText(fault.told)),
+        found.push_back({largeFirst(wordingText(fault.reason)),
                          fault.seam >= 0 ? seamText(fault.seam) : names.join(", "),
                          QList<int>(fault.pieces.begin(), fault.pieces.end()), fault.seam});
     }
     for (const ProvenSeam& seam : shown_->proof->seams) {
-        const bool isTold = std::ranges::any_of(
-            shown_->proof->faults,
-            [&seam](const ProofFault& fault) { return fault.seam == seam.seam; });
+        const bool isTold =
+            std::ranges::any_of(shown_->proof->faults,
+                                [&seam](const Finding& fault) { return fault.seam == seam.seam; });
         if (!isTold && std::abs(seam.slip) >= kWorthSlip) {
             found.push_back({tr("Slips by %1").arg(lengthWithUnit(std::abs(seam.slip))),
                              seamText(seam.seam),

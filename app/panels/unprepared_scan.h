@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 #include "core/garment/garment.h"
 
 namespace toile::app {

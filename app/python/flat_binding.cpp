@@ -223,7 +223,7 @@ Problems flatProblemsOf(const PyFlat& flat) {
     return problems;
 }
 
-std::vector<Doubt> doubtsOf(const PyFlat& flat) {
+std::vector<Finding> doubtsOf(const PyFlat& flat) {
     const HeldFlat& held = *flat.held;
     return findDoubts(held.garment(), held.results,
                       fabricsOf(held.laid().pattern, held.pattern().fabric));
@@ -274,7 +274,7 @@ FlatPiece.error. Raises UsageError.)");
             "doubts",
             [](const PyFlat& self) {
                 std::vector<std::string> doubts;
-                for (const Doubt& doubt : doubtsOf(self)) {
+                for (const Finding& doubt : doubtsOf(self)) {
                     doubts.push_back(sentence(doubt));
                 }
                 return doubts;

@@ -125,14 +125,14 @@ std::vector<py::dict> provenSeamsOf(const PyProof& self) {
 
 std::vector<py::dict> faultsOf(const PyProof& self) {
     std::vector<py::dict> faults;
-    for (const ProofFault& fault : self.proof->faults) {
+    for (const Finding& fault : self.proof->faults) {
         py::dict told;
         told["kind"] = std::string(name(fault.kind));
         told["subject"] = fault.subject.name;
         told["pieces"] = fault.pieces;
         told["seam"] = fault.seam < 0 ? py::object(py::none()) : py::object(py::int_(fault.seam));
-        told["amount"] = fault.amount;
-        told["told"] = std::string(fault.told);
+        told["amount"] = fault.badness;
+        told["told"] = std::string(fault.reason);
         faults.push_back(told);
     }
     return faults;

@@ -49,7 +49,8 @@ void checkOutline(const PieceToCut& checked, FindingList& found) {
             finding.error = note;  // it names the cut that helps
         }
     }
-    found.add(std::move(finding), static_cast<double>(crossingCount));
+    finding.badness = static_cast<double>(crossingCount);
+    found.add(std::move(finding));
 }
 
 void checkFlips(const PieceToCut& checked, FindingList& found) {
@@ -68,7 +69,8 @@ void checkFlips(const PieceToCut& checked, FindingList& found) {
     Finding finding = findingOf(checked, FindingKind::FlippedTriangles, Severity::Fault);
     finding.place = placeInTriangle(piece, result.flat->Q, worst);
     finding.figures = {count(flipped), count(static_cast<double>(areas.size()))};
-    found.add(std::move(finding), flipped);
+    finding.badness = flipped;
+    found.add(std::move(finding));
 }
 
 void addStrain(const PieceToCut& checked, FindingKind kind, const StrainExcess& excess,
@@ -85,7 +87,8 @@ void addStrain(const PieceToCut& checked, FindingKind kind, const StrainExcess& 
     if (const std::string& material = checked.settings.material; !material.empty()) {
         finding.reason = " (" + shownText(material, kMaxLabelText) + ")";
     }
-    found.add(std::move(finding), excess.severity);
+    finding.badness = excess.severity;
+    found.add(std::move(finding));
 }
 
 void checkStrain(const PieceToCut& checked, FindingList& found) {
@@ -151,16 +154,6 @@ Eigen::Vector3d vertexNormal(const MeshArrays& mesh, int vertex) {
 FindingPlace placeAtVertex(const Piece& piece, const Points2& Q, int vertex) {
     return {Q.row(vertex).transpose(), piece.mesh.V.row(vertex).transpose(),
             vertexNormal(piece.mesh, vertex)};
-}
-
-FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face) {
-    FindingPlace place;
-    for (int k = 0; k < 3; ++k) {
-        place.flat += Q.row(piece.mesh.F(face, k)).transpose() / 3;
-        place.position += piece.mesh.V.row(piece.mesh.F(face, k)).transpose() / 3;
-    }
-    place.normal = unit(doubleAreaNormal(piece.mesh, face));
-    return place;
 }
 
 FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,

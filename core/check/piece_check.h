@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "core/check/finding.h"
 #include "core/check/ready_to_cut.h"
+#include "core/diagnose/finding.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/piece.h"
@@ -33,8 +33,6 @@ void checkPiece(const PieceToCut& piece, FindingList& found);
 /// Places of a flat piece, Q in mm. Cost: linear in the triangles (for the normal). Pure.
 
 FindingPlace placeAtVertex(const Piece& piece, const Points2& Q, int vertex);
-/// In the middle of the triangle.
-FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face);
 /// At the point `flat` on the outline edge that starts at boundary[edge].
 FindingPlace placeOnOutline(const Piece& piece, const Points2& Q, int edge,
                             const Eigen::RowVector2d& flat);

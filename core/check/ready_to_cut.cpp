@@ -66,10 +66,6 @@ std::string verdictText(const Readiness& readiness) {
     return "Ready to cut";
 }
 
-void FindingList::add(Finding finding, double badness) {
-    found_.push_back({std::move(finding), badness});
-}
-
 void FindingList::add(const Error& error, std::vector<int> pieces) {
     Finding finding;
     finding.severity = isNote(error.code) ? Severity::Note : Severity::Fault;
@@ -80,15 +76,11 @@ void FindingList::add(const Error& error, std::vector<int> pieces) {
 }
 
 Readiness FindingList::inOrder() {
-    std::ranges::stable_sort(found_, [](const Rated& a, const Rated& b) -> bool {
-        return std::tuple(a.finding.severity, a.finding.kind, -a.badness) <
-               std::tuple(b.finding.severity, b.finding.kind, -b.badness);
+    std::ranges::stable_sort(found_, {}, [](const Finding& finding) {
+        return std::tuple(finding.severity, finding.kind, -finding.badness);
     });
     Readiness readiness;
-    for (Rated& rated : found_) {
-        readiness.findings.push_back(std::move(rated.finding));
-    }
-    found_.clear();
+    readiness.findings = std::exchange(found_, {});
     return readiness;
 }
 
@@ -102,14 +94,9 @@ const PieceResult* flatResult(const CutPlan& plan, int piece) {
     return result && result->flat && result->piece == plan.garment->pieces[i] ? result : nullptr;
 }
 
-Severity severityOf(ProofFaultKind kind) {
-    // A method with a free outline changes both sides alike, so the seam can still be sewn.
-    return kind == ProofFaultKind::LengthDiffers ? Severity::Doubt : Severity::Fault;
-}
-
 /// Whether another finding already reports it.
-bool isToldElsewhere(const CutPlan& plan, const ProofFault& fault) {
-    if (fault.kind == ProofFaultKind::NotThere) {
+bool isToldElsewhere(const CutPlan& plan, const Finding& fault) {
+    if (fault.kind == FindingKind::NotThere) {
         return std::ranges::none_of(fault.pieces, [&](int piece) {
             const PieceResult* result = flatResult(plan, piece);
             return result && !(result->quality && result->quality->outlineCrossings > 0);
@@ -117,7 +104,7 @@ bool isToldElsewhere(const CutPlan& plan, const ProofFault& fault) {
     }
     const auto& seams = plan.garment->seams.seams;
     const auto seam = static_cast<std::size_t>(fault.seam);
-    if (fault.kind != ProofFaultKind::SeamSlips || fault.seam < 0 || seam >= seams.size() ||
+    if (fault.kind != FindingKind::SeamSlips || fault.seam < 0 || seam >= seams.size() ||
         !flatResult(plan, seams[seam].left.piece) || !flatResult(plan, seams[seam].right.piece)) {
         return false;
     }
@@ -126,21 +113,11 @@ bool isToldElsewhere(const CutPlan& plan, const ProofFault& fault) {
 }
 
 void checkFaults(const CutPlan& plan, FindingList& found) {
-    for (const ProofFault& fault : plan.proof->faults) {
+    for (const Finding& fault : plan.proof->faults) {
         if (isToldElsewhere(plan, fault)) {
             continue;
         }
-        Finding finding;
-        finding.kind = FindingKind::ProofFault;
-        finding.severity = severityOf(fault.kind);
-        finding.subject = fault.subject;
-        finding.pieces = fault.pieces;
-        finding.seam = fault.seam;
-        finding.reason = fault.told;
-        if (fault.amount > 0) {
-            finding.figures = {{fault.amount, Figure::Unit::Length}};
-        }
-        found.add(std::move(finding), fault.amount);
+        found.add(fault);
     }
 }
 
@@ -182,7 +159,8 @@ void checkGap(const CutPlan& plan, FindingList& found) {
     if (result && vertex >= 0 && vertex < piece.mesh.V.rows()) {
         finding.place = placeAtVertex(piece, result->flat->Q, vertex);
     }
-    found.add(std::move(finding), proof.gap.mean);
+    finding.badness = proof.gap.mean;
+    found.add(std::move(finding));
 }
 
 /// Adds the findings of the proof (the pattern sewn back together): a doubtful mean gap, and faults
@@ -338,38 +316,13 @@ private:
             fabrics.push_back(
                 fabricOf(settingsOf(static_cast<int>(i)).material, plan_.materials, plan_.fabric));
         }
-        for (const Doubt& doubt : findDoubts(garment_, plan_.results, fabrics)) {
-            if (doubt.kind == DoubtKind::UpAxisInDoubt && plan_.guessesKept) {
+        for (Finding& doubt : findDoubts(garment_, plan_.results, fabrics)) {
+            if (doubt.kind == FindingKind::UpAxisInDoubt && plan_.guessesKept) {
                 continue;
             }
-            Finding finding;
-            finding.kind = kindOf(doubt.kind);
-            finding.severity = doubt.isFault ? Severity::Fault : Severity::Doubt;
-            finding.subject = doubt.subject;
-            finding.reason = doubt.what;
-            finding.pieces = piecesOf(doubt.subject);
-            if (doubt.face >= 0) {
-                const PieceResult& result = *resultOf(doubt.piece);
-                finding.place = placeInTriangle(*result.piece, result.flat->Q, doubt.face);
-            }
-            found_.add(std::move(finding), doubt.badness);
+            doubt.pieces = piecesOf(doubt.subject);
+            found_.add(std::move(doubt));
         }
-    }
-
-    static FindingKind kindOf(DoubtKind kind) {
-        switch (kind) {
-            case DoubtKind::UpAxisInDoubt:
-                return FindingKind::UpAxisInDoubt;
-            case DoubtKind::InsideOut:
-                return FindingKind::InsideOut;
-            case DoubtKind::StrainBeyondCloth:
-                return FindingKind::StrainBeyondCloth;
-            case DoubtKind::ManyScraps:
-                return FindingKind::ManyScraps;
-            case DoubtKind::LongCuts:
-                break;
-        }
-        return FindingKind::LongCuts;
     }
 
     void checkSeams() {
@@ -397,7 +350,8 @@ private:
             const double error = std::abs(measure->errorMm);
             finding.figures = {length(error), length(measure->length2dLeft),
                                length(measure->length2dRight)};
-            found_.add(std::move(finding), error);
+            finding.badness = error;
+            found_.add(std::move(finding));
         }
     }
 
@@ -421,7 +375,8 @@ private:
             finding.seam = end.seam;
             finding.place = placeOf(end.left, segments);
             finding.figures = {{std::abs(end.kink), Figure::Unit::Angle}};
-            found_.add(std::move(finding), std::abs(end.kink));
+            finding.badness = std::abs(end.kink);
+            found_.add(std::move(finding));
         }
     }
 
@@ -502,7 +457,8 @@ private:
                     : Subject::piece(wide.facing);
             finding.pieces = {wide.piece};
             finding.figures = {length(wide.extent), length(wide.room)};
-            found_.add(std::move(finding), wide.extent - wide.room);
+            finding.badness = wide.extent - wide.room;
+            found_.add(std::move(finding));
         }
         return clothNeeds(laid, plan_.fabric);
     }

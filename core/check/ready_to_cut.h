@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 #include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
@@ -43,20 +43,14 @@ std::string verdictText(const Readiness& readiness);
 /// Collects findings and sorts them.
 class FindingList {
 public:
-    /// @param badness  orders findings of one severity and kind, the worst first
-    void add(Finding finding, double badness = 0);
+    void add(Finding finding) { found_.push_back(std::move(finding)); }
     /// Adds an error or a note; its code decides whether it is a fault or a note.
     void add(const Error& error, std::vector<int> pieces);
     /// Takes all findings and leaves the list empty. Equal ones keep the order they were added in.
     Readiness inOrder();
 
 private:
-    struct Rated {
-        Finding finding;
-        double badness;
-    };
-
-    std::vector<Rated> found_;
+    std::vector<Finding> found_;
 };
 
 struct Proof;

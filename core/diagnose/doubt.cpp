@@ -97,7 +97,7 @@ double largestLimit(const Fabric& fabric) {
     return largest;
 }
 
-std::optional<Doubt> strainDoubt(const PieceResult& result, int index, const Fabric& fabric) {
+std::optional<Finding> strainDoubt(const PieceResult& result, int index, const Fabric& fabric) {
     const Piece& piece = *result.piece;
     const StrainSizes sizes = strainSizes(result);
     const bool isFault = hasLimits(fabric)
@@ -108,26 +108,31 @@ std::optional<Doubt> strainDoubt(const PieceResult& result, int index, const Fab
     if (!isBeyond && !isFault && apart <= kApartStrain) {
         return std::nullopt;
     }
-    Doubt doubt{DoubtKind::StrainBeyondCloth, subjectOf(piece), index, sizes.worst};
-    doubt.isFault = isFault;
+    Finding doubt{FindingKind::StrainBeyondCloth,
+                  isFault ? Severity::Fault : Severity::Doubt,
+                  subjectOf(piece),
+                  {index}};
+    if (sizes.worst >= 0) {
+        doubt.place = placeInTriangle(piece, result.flat->Q, sizes.worst);
+    }
     if (!isBeyond && !isFault) {
         doubt.badness = apart;
-        doubt.what = worded("moving its crossing outline apart adds %1 % of strain",
-                            {figure(kPercent * apart, 1)});
+        doubt.reason = worded("moving its crossing outline apart adds %1 % of strain",
+                              {figure(kPercent * apart, 1)});
         return doubt;
     }
     doubt.badness = std::max(sizes.beyond, sizes.mean);
     const Wording mean = figure(kPercent * sizes.mean, 1);
-    doubt.what =
+    doubt.reason =
         isBeyond
             ? worded("strain is beyond %1 % on %2 % of the area, which no cloth takes",
                      {figure(kPercent * kStrainBeyondCloth), figure(kPercent * sizes.beyond, 1)})
             : worded("strain is %1 % on average, which only cloth that stretches takes", {mean});
-    doubt.what += closedWords(piece, result.quality ? &*result.quality : nullptr);
+    doubt.reason += closedWords(piece, result.quality ? &*result.quality : nullptr);
     return doubt;
 }
 
-std::optional<Doubt> scrapsDoubt(const Garment& garment, const PieceResults& results) {
+std::optional<Finding> scrapsDoubt(const Garment& garment, const PieceResults& results) {
     int scraps = 0;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
         const bool isIn = i >= results.size() || !results[i] || !isLeftOut(*results[i]);
@@ -136,10 +141,10 @@ std::optional<Doubt> scrapsDoubt(const Garment& garment, const PieceResults& res
     if (scraps <= kManyScraps) {
         return std::nullopt;
     }
-    Doubt doubt{DoubtKind::ManyScraps};
+    Finding doubt{FindingKind::ManyScraps, Severity::Doubt};
     doubt.badness = scraps;
-    doubt.what = worded("%1 of %2 pieces are smaller than 1 cm²",
-                        {figure(scraps), figure(static_cast<double>(garment.pieces.size()))});
+    doubt.reason = worded("%1 of %2 pieces are smaller than 1 cm²",
+                          {figure(scraps), figure(static_cast<double>(garment.pieces.size()))});
     return doubt;
 }
 
@@ -154,7 +159,7 @@ std::set<PieceId> leftOutOf(const PieceResults& results) {
     return pieces;
 }
 
-std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>& leftOut) {
+std::optional<Finding> cutsDoubt(const CutRecord& record, const std::set<PieceId>& leftOut) {
     const auto isOut = [&leftOut](const auto& piece) { return leftOut.contains(piece->id); };
     if (!record.pieces.empty() && std::ranges::all_of(record.pieces, isOut)) {
         return std::nullopt;
@@ -169,52 +174,39 @@ std::optional<Doubt> cutsDoubt(const CutRecord& record, const std::set<PieceId>&
     if (outline <= 0 || cuts <= kLongCuts * outline) {
         return std::nullopt;
     }
-    Doubt doubt{DoubtKind::LongCuts, subjectOf(*record.whole)};
+    Finding doubt{FindingKind::LongCuts, Severity::Doubt, subjectOf(*record.whole)};
     doubt.badness = cuts / outline;
-    doubt.what = worded("its cuts are %1 mm long, longer than its outline of %2 mm",
-                        {figure(cuts), figure(outline)});
+    doubt.reason = worded("its cuts are %1 mm long, longer than its outline of %2 mm",
+                          {figure(cuts), figure(outline)});
     return doubt;
 }
 
-void addFileDoubts(const Garment& garment, std::vector<Doubt>& doubts) {
+void addFileDoubts(const Garment& garment, std::vector<Finding>& doubts) {
     const std::vector<FileId> ids = fileIds(garment.files);
+    const auto add = [&doubts](FindingKind kind, const Subject& subject, const Wording& reason) {
+        Finding doubt{kind, Severity::Doubt, subject};
+        doubt.reason = reason;
+        doubts.push_back(std::move(doubt));
+    };
     for (std::size_t f = 0; f < ids.size(); ++f) {
         const SourceFile& file = *garment.files[f];
         const Subject subject = Subject::file(pathText(file.path.filename()), ids[f]);
         if (file.upInDoubt) {
-            doubts.push_back({DoubtKind::UpAxisInDoubt, subject, -1, -1, 0, file.upReason});
+            add(FindingKind::UpAxisInDoubt, subject, file.upReason);
         }
         if (file.side.way == ClothSide::Way::Inwards) {
-            doubts.push_back({DoubtKind::InsideOut, subject, -1, -1, 0, file.side.evidence});
+            add(FindingKind::InsideOut, subject, file.side.evidence);
         }
     }
 }
 
 }  // namespace
 
-const DoubtWords& doubtWords(DoubtKind kind) {
-    return kDoubtWords[static_cast<std::size_t>(kind)];
-}
-
-std::string sentence(const Doubt& doubt) {
-    std::string text =
-        doubt.subject.name.empty() ? "" : shownText(doubt.subject.name, kMaxOfPlace) + ": ";
-    const DoubtWords& words = doubtWords(doubt.kind);
-    const std::string_view describe = words.describe;
-    const std::size_t place = describe.find("%0");
-    text += std::string(describe.substr(0, place)) + doubt.what;
-    text += describe.substr(place + 2);
-    std::string advice = words.advice;
-    advice.front() = lowered(advice.front());
-    text += "; " + advice;
-    return *words.option == '\0' ? text + "." : text + " (" + words.option + ").";
-}
-
-std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& results,
-                              const std::vector<Fabric>& fabrics) {
-    std::vector<Doubt> doubts;
+std::vector<Finding> findDoubts(const Garment& garment, const PieceResults& results,
+                                const std::vector<Fabric>& fabrics) {
+    std::vector<Finding> doubts;
     addFileDoubts(garment, doubts);
-    const auto add = [&doubts](std::optional<Doubt> doubt) {
+    const auto add = [&doubts](std::optional<Finding> doubt) {
         if (doubt) {
             doubts.push_back(std::move(*doubt));
         }
@@ -235,7 +227,7 @@ std::vector<Doubt> findDoubts(const Garment& garment, const PieceResults& result
 }
 
 bool hasFaults(const Garment& garment, const PieceResults& results,
-               const std::vector<Doubt>& doubts) {
+               const std::vector<Finding>& doubts) {
     const auto isFaulty = [](const auto& result) {
         const bool isBad =
             result && result->quality &&
@@ -243,7 +235,8 @@ bool hasFaults(const Garment& garment, const PieceResults& results,
         return isBad || (result && result->error && !isLeftOut(*result));
     };
     return std::ranges::any_of(results, isFaulty) ||
-           std::ranges::any_of(doubts, [](const Doubt& doubt) { return doubt.isFault; }) ||
+           std::ranges::any_of(
+               doubts, [](const Finding& doubt) { return doubt.severity == Severity::Fault; }) ||
            std::ranges::any_of(garment.problems,
                                [](const Error& problem) { return !isNote(problem.code); });
 }

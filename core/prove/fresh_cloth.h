@@ -18,7 +18,7 @@ struct FreshCloth {
     /// piece has no cloth.
     std::vector<std::vector<SurfacePoint>> placeOf;
     std::vector<ProvenSeam> seams;  ///< without their strain
-    std::vector<ProofFault> faults;
+    std::vector<Finding> faults;
     Wording source;
 };
 

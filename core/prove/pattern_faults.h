@@ -11,7 +11,7 @@ namespace toile::prove {
 /// Lengths of the two sides of each sewn seam, and mismatches.
 struct SeamLengths {
     std::vector<ProvenSeam> seams;
-    std::vector<ProofFault> faults;
+    std::vector<Finding> faults;
 };
 
 /// A seam slips if its sides differ by more than kNearlyMm beyond its ease. Its length differs if

@@ -10,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/wording.h"
+#include "core/diagnose/finding.h"
 #include "core/formats/export_source.h"
 #include "core/formats/pattern_file.h"
 #include "core/prove/proof_settings.h"
@@ -59,35 +60,15 @@ struct ProvenSeam {
     double strain = 0;  ///< mean along it of the sewn cloth; positive is tension
 };
 
-enum class ProofFaultKind {
-    Mirrored,       ///< the file has the piece mirrored
-    OtherFits,      ///< the file's piece for this one fits another piece better
-    SeamSlips,      ///< the two sides of a seam do not fit each other
-    LengthDiffers,  ///< a side of a seam has another length than on the design
-    NotThere,       ///< the pattern lacks this piece
-    NotNeeded,      ///< the file has a piece that is not the garment's
-    FarOff,         ///< the cloth came to rest nowhere near the design
-};
-
-/// "mirrored", "other-fits", "seam-slips", "length-differs", "not-there", "not-needed", "far-off".
-std::string_view name(ProofFaultKind kind);
-
-/// A fault of a pattern before sewing, or of the whole pattern afterwards.
-struct ProofFault {
-    ProofFaultKind kind = ProofFaultKind::NotThere;
-    Subject subject{};
-    std::vector<int> pieces{};  ///< indices into the garment's pieces
-    int seam = -1;              ///< index into the garment's seams, or -1
-    double amount = 0;          ///< mm; 0 if not applicable
-    Wording told{};             ///< a sentence without a full stop
-};
-
 /// A pattern sewn back together over its design, and measured.
 struct Proof {
     std::vector<ProvenPiece> pieces{};  ///< one per piece of the garment
     std::vector<Fabric> fabrics{};      ///< fabric of each piece
     std::vector<ProvenSeam> seams{};    ///< of those that are sewn
-    std::vector<ProofFault> faults{};
+    /// Faults of the pattern before sewing, or of all of it afterwards: Mirrored to FarOff.
+    /// `reason` is the sentence, `badness` the amount in mm or 0. LengthDiffers is a doubt: a
+    /// method with a free outline changes both sides alike, so the seam can still be sewn.
+    std::vector<Finding> faults{};
     sew::SpreadFigures gap{};     ///< mm, over all cloth, by area; without any rigid motion
     int gapPiece = -1;            ///< piece with the largest; `gap.place` is a vertex of it
     sew::SpreadFigures strain{};  ///< absolute values, 1 is 100 %

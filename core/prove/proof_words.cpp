@@ -14,22 +14,32 @@
 namespace toile {
 namespace {
 
-ProofFault pieceFault(ProofFaultKind kind, const Garment& garment, int piece, Wording told) {
-    ProofFault fault{kind, subjectOf(*garment.pieces[static_cast<std::size_t>(piece)])};
+/// @param amount  mm
+void setAmount(Finding& fault, double amount) {
+    fault.badness = amount;
+    if (amount > 0) {
+        fault.figures = {{amount, Figure::Unit::Length}};
+    }
+}
+
+Finding pieceFault(FindingKind kind, const Garment& garment, int piece, Wording told) {
+    Finding fault{kind, Severity::Fault,
+                  subjectOf(*garment.pieces[static_cast<std::size_t>(piece)])};
     fault.pieces = {piece};
-    fault.told = std::move(told);
+    fault.reason = std::move(told);
     return fault;
 }
 
-ProofFault seamFault(ProofFaultKind kind, const Garment& garment, int index, double amount) {
+Finding seamFault(FindingKind kind, const Garment& garment, int index, double amount,
+                  Severity severity) {
     const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
-    ProofFault fault{kind, Subject::seam(seam.name, seam.id)};
+    Finding fault{kind, severity, Subject::seam(seam.name, seam.id)};
     fault.pieces = {seam.left.piece};
     if (seam.right.piece != seam.left.piece) {
         fault.pieces.push_back(seam.right.piece);
     }
     fault.seam = index;
-    fault.amount = std::abs(amount);
+    setAmount(fault, std::abs(amount));
     return fault;
 }
 
@@ -39,10 +49,10 @@ const std::string& calledInFile(const FilePiece& piece) {
 
 }  // namespace
 
-ProofFault clothNowhereNear(double gap, double size) {
-    ProofFault fault{ProofFaultKind::FarOff};
-    fault.amount = gap;
-    fault.told = worded(
+Finding clothNowhereNear(double gap, double size) {
+    Finding fault{FindingKind::FarOff, Severity::Fault};
+    setAmount(fault, gap);
+    fault.reason = worded(
         "the cloth ended %1 mm from the design on average, which is %2 mm large; the pattern or "
         "its unit is not that of this garment",
         {figure(gap, 0), figure(size, 0)});
@@ -98,74 +108,69 @@ Wording sourceIsReadBack() {
     return worded("ASTM DXF, read back");
 }
 
-ProofFault pieceNotThere(const Garment& garment, int piece) {
-    return pieceFault(ProofFaultKind::NotThere, garment, piece,
+Finding pieceNotThere(const Garment& garment, int piece) {
+    return pieceFault(FindingKind::NotThere, garment, piece,
                       worded("the pattern has no piece %1", {garment.pieces[piece]->name}));
 }
 
-ProofFault pieceCrossesItself(const Garment& garment, int piece) {
-    return pieceFault(ProofFaultKind::NotThere, garment, piece,
+Finding pieceCrossesItself(const Garment& garment, int piece) {
+    return pieceFault(FindingKind::NotThere, garment, piece,
                       worded("the outline of %1 crosses itself in the pattern; it is left out",
                              {garment.pieces[piece]->name}));
 }
 
-ProofFault pieceSewnAway(const Garment& garment, int piece) {
+Finding pieceSewnAway(const Garment& garment, int piece) {
     return pieceFault(
-        ProofFaultKind::NotThere, garment, piece,
+        FindingKind::NotThere, garment, piece,
         worded("the sides of %1 are sewn to each other, so that nothing of it is left",
                {garment.pieces[piece]->name}));
 }
 
-ProofFault pieceNotNeeded(const FilePiece& piece) {
-    ProofFault fault{ProofFaultKind::NotNeeded};
-    fault.told = worded("%1 of the pattern is no piece of the garment", {calledInFile(piece)});
+Finding pieceNotNeeded(const FilePiece& piece) {
+    Finding fault{FindingKind::NotNeeded, Severity::Fault};
+    fault.reason = worded("%1 of the pattern is no piece of the garment", {calledInFile(piece)});
     return fault;
 }
 
-ProofFault pieceMirrored(const Garment& garment, int piece) {
-    return pieceFault(ProofFaultKind::Mirrored, garment, piece,
+Finding pieceMirrored(const Garment& garment, int piece) {
+    return pieceFault(FindingKind::Mirrored, garment, piece,
                       worded("%1 is mirrored in the pattern; it is turned over to be sewn",
                              {garment.pieces[piece]->name}));
 }
 
-ProofFault otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there) {
-    ProofFault fault = pieceFault(
-        ProofFaultKind::OtherFits, garment, piece,
+Finding otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there) {
+    Finding fault = pieceFault(
+        FindingKind::OtherFits, garment, piece,
         worded("what the pattern calls %1 does not fit %2 but %3",
                {calledInFile(there), garment.pieces[piece]->name, garment.pieces[other]->name}));
     fault.pieces.push_back(other);
     return fault;
 }
 
-ProofFault seamSlips(const Garment& garment, int seam, double slip) {
-    ProofFault fault = seamFault(ProofFaultKind::SeamSlips, garment, seam, slip);
+Finding seamSlips(const Garment& garment, int seam, double slip) {
+    Finding fault = seamFault(FindingKind::SeamSlips, garment, seam, slip, Severity::Fault);
     const Seam& at = garment.seams.seams[static_cast<std::size_t>(seam)];
     const bool isOfOne = at.left.piece == at.right.piece;
     const int longer = slip > 0 ? at.left.piece : at.right.piece;
-    fault.told = isOfOne ? worded("%1: the two sides differ by %2 mm more than their ease",
-                                  {at.name, figure(fault.amount, 1)})
-                         : worded("%1: the side of %2 is %3 mm longer than what it is sewn to",
-                                  {at.name, garment.pieces[longer]->name, figure(fault.amount, 1)});
+    fault.reason = isOfOne
+                       ? worded("%1: the two sides differ by %2 mm more than their ease",
+                                {at.name, figure(fault.badness, 1)})
+                       : worded("%1: the side of %2 is %3 mm longer than what it is sewn to",
+                                {at.name, garment.pieces[longer]->name, figure(fault.badness, 1)});
     return fault;
 }
 
-ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer) {
-    ProofFault fault = seamFault(ProofFaultKind::LengthDiffers, garment, seam, longer);
+Finding seamLengthDiffers(const Garment& garment, int seam, double longer) {
+    Finding fault = seamFault(FindingKind::LengthDiffers, garment, seam, longer, Severity::Doubt);
     const std::string& name = garment.seams.seams[static_cast<std::size_t>(seam)].name;
-    fault.told = longer > 0 ? worded("%1 is %2 mm longer in the pattern than on the design",
-                                     {name, figure(fault.amount, 1)})
-                            : worded("%1 is %2 mm shorter in the pattern than on the design",
-                                     {name, figure(fault.amount, 1)});
+    fault.reason = longer > 0 ? worded("%1 is %2 mm longer in the pattern than on the design",
+                                       {name, figure(fault.badness, 1)})
+                              : worded("%1 is %2 mm shorter in the pattern than on the design",
+                                       {name, figure(fault.badness, 1)});
     return fault;
 }
 
 namespace {
-
-constexpr Word<ProofFaultKind> kFaultWords[] = {
-    {ProofFaultKind::Mirrored, "mirrored"},    {ProofFaultKind::OtherFits, "other-fits"},
-    {ProofFaultKind::SeamSlips, "seam-slips"}, {ProofFaultKind::LengthDiffers, "length-differs"},
-    {ProofFaultKind::NotThere, "not-there"},   {ProofFaultKind::NotNeeded, "not-needed"},
-    {ProofFaultKind::FarOff, "far-off"}};
 
 /// From these values on strain and the free share are reported; 1 is 100 %.
 constexpr double kToldStrain = 0.01, kToldFree = 0.1;
@@ -247,10 +252,6 @@ Wording typedFigure(double value) {
 
 }  // namespace
 
-std::string_view name(ProofFaultKind kind) {
-    return wordOf(kFaultWords, kind);
-}
-
 Wording sentence(const Proof& proof, const Garment& garment) {
     Wording said =
         worded("Sewn back it sits %1 mm from the design on average, %2 mm at the worst twentieth",
@@ -260,8 +261,7 @@ Wording sentence(const Proof& proof, const Garment& garment) {
         said += worded("; %1 % of it hangs free", {figure(100 * proof.freeShare)});
     }
     // Pieces that the user left out do not count.
-    const auto missing =
-        std::ranges::count(proof.faults, ProofFaultKind::NotThere, &ProofFault::kind);
+    const auto missing = std::ranges::count(proof.faults, FindingKind::NotThere, &Finding::kind);
     if (missing > 0) {
         said += worded("; %1 of %2 pieces are not in it",
                        {figure(static_cast<double>(missing)),

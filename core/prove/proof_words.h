@@ -7,22 +7,22 @@ namespace toile {
 
 /// Faults of a pattern, with their texts.
 
-ProofFault pieceNotThere(const Garment& garment, int piece);
-ProofFault pieceNotNeeded(const FilePiece& piece);
-ProofFault pieceMirrored(const Garment& garment, int piece);
+Finding pieceNotThere(const Garment& garment, int piece);
+Finding pieceNotNeeded(const FilePiece& piece);
+Finding pieceMirrored(const Garment& garment, int piece);
 /// @param other  the piece that fits the pattern's piece for `piece` better
-ProofFault otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there);
+Finding otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there);
 /// The piece is left out: its outline crosses itself.
-ProofFault pieceCrossesItself(const Garment& garment, int piece);
+Finding pieceCrossesItself(const Garment& garment, int piece);
 /// The piece disappears: all of it is between sides that are sewn to each other.
-ProofFault pieceSewnAway(const Garment& garment, int piece);
+Finding pieceSewnAway(const Garment& garment, int piece);
 /// @param slip  see `ProvenSeam`
-ProofFault seamSlips(const Garment& garment, int seam, double slip);
+Finding seamSlips(const Garment& garment, int seam, double slip);
 /// @param longer  mm; negative: shorter
-ProofFault seamLengthDiffers(const Garment& garment, int seam, double longer);
+Finding seamLengthDiffers(const Garment& garment, int seam, double longer);
 
 /// All cloth is far from the design. @param gap  mean, mm
-ProofFault clothNowhereNear(double gap, double size);
+Finding clothNowhereNear(double gap, double size);
 
 /// Error detail: the lengths of the pattern suggest another unit than `read`.
 /// @param times  ratio of its lengths to the design's

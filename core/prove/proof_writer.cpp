@@ -53,15 +53,15 @@ Json provenSeamJson(const Garment& garment, const ProvenSeam& seam) {
             {"strain", number(seam.strain)}};
 }
 
-Json proofFaultJson(const Garment& garment, const ProofFault& fault) {
+Json proofFaultJson(const Garment& garment, const Finding& fault) {
     Json json{{"code", text(name(fault.kind))}, {"subject", text(fault.subject.name)}};
     json["pieces"] = Json::array();
     for (const int piece : fault.pieces) {
         json["pieces"].push_back(provenPieceName(garment, piece));
     }
     json["seam"] = provenSeamName(garment, fault.seam);
-    json["amount_mm"] = number(fault.amount);
-    json["sentence"] = text(fault.told);
+    json["amount_mm"] = number(fault.badness);
+    json["sentence"] = text(fault.reason);
     return json;
 }
 
@@ -105,7 +105,7 @@ std::string writeProof(const Garment& garment, const Proof& proof) {
         json["seams"].push_back(provenSeamJson(garment, seam));
     }
     json["faults"] = Json::array();
-    for (const ProofFault& fault : proof.faults) {
+    for (const Finding& fault : proof.faults) {
         json["faults"].push_back(proofFaultJson(garment, fault));
     }
     json["source"] = text(proof.source);

@@ -50,7 +50,7 @@ struct RestPiece {
 
 struct RestPattern {
     std::vector<std::optional<RestPiece>> pieces;  ///< one per piece; nothing: it has no cloth
-    std::vector<ProofFault> faults;                ///< of whole pieces
+    std::vector<Finding> faults;                   ///< of whole pieces
     Wording source;
 };
 

@@ -55,9 +55,8 @@ std::shared_ptr<const PieceResult> asOf(const std::shared_ptr<const Piece>& piec
 
 /// Improved patterns differ from the design's lengths on purpose, so drop those faults.
 std::shared_ptr<const Proof> withoutLengths(Proof proof) {
-    std::erase_if(proof.faults, [](const ProofFault& fault) {
-        return fault.kind == ProofFaultKind::LengthDiffers;
-    });
+    std::erase_if(proof.faults,
+                  [](const Finding& fault) { return fault.kind == FindingKind::LengthDiffers; });
     return std::make_shared<const Proof>(std::move(proof));
 }
 

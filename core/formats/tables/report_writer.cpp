@@ -407,11 +407,11 @@ Json pieceJson(const Garment& garment, const Piece& piece, const PieceResult& re
 Json doubtsJson(const Garment& garment, const PieceResults& results,
                 const std::vector<Fabric>& fabrics) {
     Json doubts = Json::array();
-    for (const Doubt& doubt : findDoubts(garment, results, fabrics)) {
+    for (const Finding& doubt : findDoubts(garment, results, fabrics)) {
         const bool isOfPiece = doubt.subject.kind == Subject::Kind::Piece;
-        doubts.push_back({{"code", text(doubtWords(doubt.kind).name)},
+        doubts.push_back({{"code", text(name(doubt.kind))},
                           {"piece", textOrNull(isOfPiece ? doubt.subject.name : "")},
-                          {"fault", doubt.isFault},
+                          {"fault", doubt.severity == Severity::Fault},
                           {"message", sentence(doubt)}});
     }
     return doubts;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 
 namespace toile {
 namespace {

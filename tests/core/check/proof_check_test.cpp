@@ -53,9 +53,10 @@ TEST(ProofCheck, ClothThatHasNotComeToRestIsADoubtInPlaceOfItsGap) {
 
 TEST(ProofCheck, ALengthThatDiffersIsADoubt) {
     auto proof = proofWithGap(test::readyPlan(), 0.1);
-    ProofFault longer;
-    longer.kind = ProofFaultKind::LengthDiffers;
-    longer.told = "side left is 3.0 mm longer in the pattern than on the design";
+    Finding longer;
+    longer.kind = FindingKind::LengthDiffers;
+    longer.severity = Severity::Doubt;
+    longer.reason = "side left is 3.0 mm longer in the pattern than on the design";
     proof->faults = {longer};
     EXPECT_EQ(readyToCut(provedPlan(proof)).verdict(), Verdict::Doubts);
 }
@@ -85,11 +86,12 @@ TEST(ProofCheck, APieceWithoutClothIsNotTheFarthest) {
 
 TEST(ProofCheck, WrongPiecesAreFaultsInTheProofsOwnWords) {
     auto proof = proofWithGap(test::readyPlan(), 0.1);
-    ProofFault mirrored;
-    mirrored.kind = ProofFaultKind::Mirrored;
+    Finding mirrored;
+    mirrored.kind = FindingKind::Mirrored;
     mirrored.subject = Subject::piece("front", {1});
     mirrored.pieces = {0};
-    mirrored.told = "front is mirrored in the pattern";
+    mirrored.severity = Severity::Fault;
+    mirrored.reason = "front is mirrored in the pattern";
     proof->faults = {mirrored};
     const Readiness readiness = readyToCut(provedPlan(proof));
     EXPECT_EQ(readiness.verdict(), Verdict::Faults);
@@ -101,17 +103,18 @@ TEST(ProofCheck, WrongPiecesAreFaultsInTheProofsOwnWords) {
 
 TEST(ProofCheck, APieceThatIsNotFlatIsNotToldTwice) {
     auto proof = proofWithGap(test::readyPlan(), 0.1);
-    ProofFault missing;
-    missing.kind = ProofFaultKind::NotThere;
+    Finding missing;
+    missing.kind = FindingKind::NotThere;
+    missing.severity = Severity::Fault;
     missing.pieces = {0};
     proof->faults = {missing};
     CutPlan plan = provedPlan(proof);
-    EXPECT_EQ(test::findingsOf(readyToCut(plan), FindingKind::ProofFault).size(), 1U);
+    EXPECT_EQ(test::findingsOf(readyToCut(plan), FindingKind::NotThere).size(), 1U);
     auto leftOut = test::copyOfResult(plan, 0);
     leftOut->flat.reset();
     leftOut->error = Error{ErrorCode::LeftOut};
     plan.results[0] = leftOut;
-    EXPECT_TRUE(test::findingsOf(readyToCut(plan), FindingKind::ProofFault).empty());
+    EXPECT_TRUE(test::findingsOf(readyToCut(plan), FindingKind::NotThere).empty());
 }
 
 TEST(ProofCheck, SeamsThatSlipAreToldOnce) {
@@ -131,19 +134,20 @@ TEST(ProofCheck, SeamsThatSlipAreToldOnce) {
         plan.results[i] = result;
     }
     auto proof = proofWithGap(plan, 0.1);
-    ProofFault slips;
-    slips.kind = ProofFaultKind::SeamSlips;
+    Finding slips;
+    slips.kind = FindingKind::SeamSlips;
     slips.seam = 0;
     slips.pieces = {0, 1};
-    slips.amount = 5;
+    slips.severity = Severity::Fault;
+    slips.badness = 5;
     proof->faults = {slips};
     plan.proof = proof;
     // The pattern that was sewn has a fault that the flat pieces do not show.
-    EXPECT_EQ(test::findingsOf(readyToCut(plan), FindingKind::ProofFault).size(), 1U);
+    EXPECT_EQ(test::findingsOf(readyToCut(plan), FindingKind::SeamSlips).size(), 1U);
     auto longer = test::copyOfResult(plan, 1);
     longer->flat->Q.col(1) *= 1 + 5 / 200.0;
     plan.results[1] = longer;
-    EXPECT_TRUE(test::findingsOf(readyToCut(plan), FindingKind::ProofFault).empty());
+    EXPECT_TRUE(test::findingsOf(readyToCut(plan), FindingKind::SeamSlips).empty());
     EXPECT_EQ(test::findingsOf(readyToCut(plan), FindingKind::SeamLengths).size(), 1U);
 }
 

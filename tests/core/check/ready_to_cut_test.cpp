@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/seam/find_seams.h"
 #include "core/toile/pipeline.h"

@@ -29,7 +29,7 @@ struct FlatGarment {
         return result;
     }
 
-    std::vector<Doubt> doubts() const { return findDoubts(garment, results); }
+    std::vector<Finding> doubts() const { return findDoubts(garment, results); }
 };
 
 /// A strip of ten cells of which so many are wider on the cloth by a factor.
@@ -56,8 +56,8 @@ TEST(Doubt, StrainBeyondClothIsOneWhereItIsOfMoreThanSingleTriangles) {
         widenFirstCells(*strained, 2, factor);
         const auto doubts = flat.doubts();
         ASSERT_EQ(doubts.size(), 1U) << factor;
-        EXPECT_EQ(doubts[0].kind, DoubtKind::StrainBeyondCloth);
-        EXPECT_EQ(doubts[0].piece, 0);
+        EXPECT_EQ(doubts[0].kind, FindingKind::StrainBeyondCloth);
+        EXPECT_EQ(doubts[0].pieces, std::vector<int>{0});
         EXPECT_NEAR(doubts[0].badness, 0.2, 1e-12);  // a fifth of the worn area
         EXPECT_NE(sentence(doubts[0]).find("strip: strain is beyond 25 % on 20.0 %"),
                   std::string::npos)
@@ -85,7 +85,8 @@ TEST(Doubt, StrainIsAFaultByItsMeanOrWhereMuchOfItIsHigh) {
                         1 / (1 + known.strain));
         const auto doubts = flat.doubts();
         EXPECT_EQ(!doubts.empty(), known.isDoubt) << known.cells << " of " << known.strain;
-        EXPECT_EQ(!doubts.empty() && doubts[0].isFault, known.isFault) << known.strain;
+        EXPECT_EQ(!doubts.empty() && doubts[0].severity == Severity::Fault, known.isFault)
+            << known.strain;
         EXPECT_EQ(hasFaults(flat.garment, flat.results, doubts), known.isFault);
         if (known.isDoubt) {
             EXPECT_NE(sentence(doubts[0]).find("(--auto-cut --enough 5)"), std::string::npos);
@@ -142,7 +143,7 @@ TEST(Doubt, FilesAreInDoubtByTheirAxisAndTheirSide) {
     EXPECT_EQ(sentence(doubts[0]),
               "skirt.obj: the file does not say which axis points up (z may be up); state the "
               "axis, or keep it if the garment stands upright (--up y or --up z).");
-    EXPECT_EQ(doubts[1].kind, DoubtKind::InsideOut);
+    EXPECT_EQ(doubts[1].kind, FindingKind::InsideOut);
     EXPECT_NE(sentence(doubts[1]).find("(--turn-over)."), std::string::npos);
     EXPECT_FALSE(hasFaults(garment, {}, doubts));
 }
@@ -161,8 +162,8 @@ TEST(Doubt, ManyScrapsAreOneButNotThoseLeftOut) {
     }
     const auto doubts = flat.doubts();
     ASSERT_EQ(doubts.size(), 1U);
-    EXPECT_EQ(doubts[0].kind, DoubtKind::ManyScraps);
-    EXPECT_EQ(doubts[0].piece, -1);
+    EXPECT_EQ(doubts[0].kind, FindingKind::ManyScraps);
+    EXPECT_TRUE(doubts[0].pieces.empty());
 
     const auto left = std::make_shared<PieceResult>(*flat.results[3]);
     left->flat.reset();
@@ -192,7 +193,7 @@ TEST(Doubt, CutsOfOurOwnThatAreLongerThanTheOutlineAreOne) {
     garment.cutRecords = {recordOf(square, CutAuthor::Automatic, 401)};
     const auto doubts = findDoubts(garment, {});
     ASSERT_EQ(doubts.size(), 1U);
-    EXPECT_EQ(doubts[0].kind, DoubtKind::LongCuts);
+    EXPECT_EQ(doubts[0].kind, FindingKind::LongCuts);
     EXPECT_EQ(doubts[0].subject.name, "whole");
 
     garment.cutRecords = {recordOf(square, CutAuthor::Automatic, 399)};
@@ -223,13 +224,11 @@ TEST(Doubt, WhatIsNotThereIsNotLookedAt) {
 }
 
 TEST(Doubt, EveryKindSaysWhatToTry) {
-    std::set<std::string_view> names;
-    for (const DoubtWords& words : kDoubtWords) {
-        names.insert(words.name);
-        EXPECT_NE(*words.advice, '\0');
-        EXPECT_NE(*words.title, '\0');
+    for (const FindingKind kind :
+         {FindingKind::UpAxisInDoubt, FindingKind::InsideOut, FindingKind::StrainBeyondCloth,
+          FindingKind::ManyScraps, FindingKind::LongCuts}) {
+        EXPECT_NE(*findingWords(kind).advice, '\0');
     }
-    EXPECT_EQ(names.size(), std::size(kDoubtWords));
 }
 
 }  // namespace

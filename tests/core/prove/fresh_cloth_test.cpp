@@ -118,8 +118,8 @@ TEST_P(FreshSharedCloth, SewsGarmentsOfOthers) {
     const test::ProvedGarment garment(path, options, flattening);
     const auto fresh = freshCloth(garment.source(), {}, {});
     ASSERT_TRUE(fresh) << sentence(fresh.error());
-    for (const ProofFault& fault : fresh->faults) {
-        ADD_FAILURE() << fault.told;
+    for (const Finding& fault : fresh->faults) {
+        ADD_FAILURE() << fault.reason;
     }
     EXPECT_GT(fresh->cloth.F.rows(), 1000);
 }

@@ -89,8 +89,8 @@ TEST(OddProof, ClothThatEndsNowhereNearTheDesignIsAFault) {
     order.scale = 6;
     const auto proof = proofOf(source, order, {});
     ASSERT_TRUE(proof) << sentence(proof.error());
-    EXPECT_TRUE(std::ranges::any_of((*proof)->faults, [](const ProofFault& fault) {
-        return fault.kind == ProofFaultKind::FarOff && fault.amount > 0;
+    EXPECT_TRUE(std::ranges::any_of((*proof)->faults, [](const Finding& fault) {
+        return fault.kind == FindingKind::FarOff && fault.badness > 0;
     })) << (*proof)->gap.mean;
 }
 

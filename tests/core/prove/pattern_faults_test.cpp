@@ -21,18 +21,18 @@ const test::ProvedGarment& trousers() {
     return garment;
 }
 
-std::vector<ProofFault> faultsOf(const PatternFile& file) {
+std::vector<Finding> faultsOf(const PatternFile& file) {
     ProofOrder order;
     order.file = file;
     const auto fresh = freshCloth(trousers().source(), order, {});
     EXPECT_TRUE(fresh);
-    return fresh ? fresh->faults : std::vector<ProofFault>();
+    return fresh ? fresh->faults : std::vector<Finding>();
 }
 
-std::string kindsOf(const std::vector<ProofFault>& faults) {
+std::string kindsOf(const std::vector<Finding>& faults) {
     std::string kinds;
-    for (const ProofFault& fault : faults) {
-        kinds += std::string(name(fault.kind)) + ": " + fault.told + "\n";
+    for (const Finding& fault : faults) {
+        kinds += std::string(name(fault.kind)) + ": " + fault.reason + "\n";
     }
     return kinds;
 }
@@ -82,8 +82,8 @@ TEST(PatternFaults, NamesPiecesThatWereSwapped) {
     for (const auto& [piece, other] :
          {std::pair("front_left", "front_right"), std::pair("front_right", "front_left")}) {
         const int number = trousers().pieceCalled(piece), rather = trousers().pieceCalled(other);
-        EXPECT_TRUE(std::ranges::any_of(faults, [&](const ProofFault& fault) {
-            return fault.kind == ProofFaultKind::OtherFits &&
+        EXPECT_TRUE(std::ranges::any_of(faults, [&](const Finding& fault) {
+            return fault.kind == FindingKind::OtherFits &&
                    fault.pieces == std::vector{number, rather};
         })) << kindsOf(faults);
     }
@@ -97,9 +97,9 @@ TEST(PatternFaults, NamesAPieceThatIsMirroredAndTurnsItOver) {
     const auto fresh = freshCloth(trousers().source(), order, {});
     ASSERT_TRUE(fresh);
     ASSERT_EQ(fresh->faults.size(), 1u) << kindsOf(fresh->faults);
-    EXPECT_EQ(fresh->faults[0].kind, ProofFaultKind::Mirrored);
+    EXPECT_EQ(fresh->faults[0].kind, FindingKind::Mirrored);
     EXPECT_EQ(fresh->faults[0].subject.name, "back_left");
-    EXPECT_EQ(fresh->faults[0].told,
+    EXPECT_EQ(fresh->faults[0].reason,
               "back_left is mirrored in the pattern; it is turned over to be sewn");
     for (const ProvenSeam& seam : fresh->seams) {
         EXPECT_LT(std::abs(seam.slip), 0.01);
@@ -172,9 +172,9 @@ TEST(PatternFaults, NamesSeamsThatWereShortened) {
     const auto faults = faultsOf(file);
     ASSERT_FALSE(faults.empty());
     const int number = trousers().pieceCalled("front_left");
-    for (const ProofFault& fault : faults) {
-        EXPECT_EQ(fault.kind, ProofFaultKind::SeamSlips) << kindsOf(faults);
-        EXPECT_NEAR(fault.amount, 10, 1) << kindsOf(faults);
+    for (const Finding& fault : faults) {
+        EXPECT_EQ(fault.kind, FindingKind::SeamSlips) << kindsOf(faults);
+        EXPECT_NEAR(fault.badness, 10, 1) << kindsOf(faults);
         EXPECT_TRUE(std::ranges::find(fault.pieces, number) != fault.pieces.end());
     }
 }
@@ -243,8 +243,8 @@ TEST(PatternFaults, NamesSeamsOfAPatternThatIsTooLarge) {
     }
     const auto faults = faultsOf(file);
     EXPECT_FALSE(faults.empty());
-    for (const ProofFault& fault : faults) {
-        EXPECT_EQ(fault.kind, ProofFaultKind::LengthDiffers) << kindsOf(faults);
+    for (const Finding& fault : faults) {
+        EXPECT_EQ(fault.kind, FindingKind::LengthDiffers) << kindsOf(faults);
     }
 }
 

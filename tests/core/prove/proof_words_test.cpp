@@ -110,13 +110,13 @@ TEST(ProofWriter, WritesWhatWasFoundAndNeverNaN) {
     Proof proof = proofOfSquares(garment, 1);
     proof.pieces[0] = {};
     proof.pieces[1].gapFigures.max = std::numeric_limits<double>::quiet_NaN();
-    ProofFault fault;
-    fault.kind = ProofFaultKind::SeamSlips;
+    Finding fault;
+    fault.kind = FindingKind::SeamSlips;
     fault.subject = Subject::seam("side left");
     fault.pieces = {0, 1};
     fault.seam = 0;
-    fault.amount = 10;
-    fault.told = "the sides of side left do not fit";
+    fault.badness = 10;
+    fault.reason = "the sides of side left do not fit";
     proof.faults.push_back(fault);
     const auto json = nlohmann::json::parse(writeProof(garment, proof));
     EXPECT_EQ(json["gap_mm"]["mean"], 0.34);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/finding.h"
+#include "core/diagnose/finding.h"
 
 #include <algorithm>
 #include <cctype>
@@ -9,11 +9,7 @@
 
 #include "core/base/characters.h"
 #include "core/base/text.h"
-#include "core/base/version.h"
 #include "core/base/wording.h"
-#include "core/check/ready_to_cut.h"
-#include "core/diagnose/doubt.h"
-#include "core/formats/json.h"
 
 namespace toile {
 namespace {
@@ -24,10 +20,8 @@ namespace {
 constexpr Word<Severity> kSeverities[] = {
     {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
 
-constexpr FindingWords doubtRow(DoubtKind kind) {
-    const DoubtWords& words = kDoubtWords[static_cast<std::size_t>(kind)];
-    return {words.name, words.title, words.describe, words.advice};
-}
+constexpr const char* kSewingAdvice =
+    TR("Look at it in the pattern, put it right, and prove again");
 
 constexpr FindingWords kWords[] = {
     {"not-flattened", TR("Not flattened"),
@@ -37,12 +31,32 @@ constexpr FindingWords kWords[] = {
     {"flipped-triangles", TR("Flipped cloth"),
      TR("triangles are flipped or without area in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
-    {"proof-fault", TR("Faults found by sewing"), "%0",
-     TR("Look at it in the pattern, put it right, and prove again")},
-    doubtRow(DoubtKind::InsideOut),
-    doubtRow(DoubtKind::StrainBeyondCloth),
-    doubtRow(DoubtKind::ManyScraps),
-    doubtRow(DoubtKind::LongCuts),
+    {"proof-fault", TR("Cloth that did not come to rest"), "%0", kSewingAdvice},
+    {"mirrored", TR("Pieces that are mirrored"), "%0", kSewingAdvice},
+    {"other-fits", TR("Pieces that fit another place"), "%0", kSewingAdvice},
+    {"seam-slips", TR("Seams that slip"), "%0", kSewingAdvice},
+    {"length-differs", TR("Seams of another length than the design"), "%0", kSewingAdvice},
+    {"not-there", TR("Pieces that the pattern lacks"), "%0", kSewingAdvice},
+    {"not-needed", TR("Pieces that the garment lacks"), "%0", kSewingAdvice},
+    {"far-off", TR("Cloth nowhere near the design"), "%0", kSewingAdvice},
+    {"inside-out", TR("Inside out"),
+     TR("faces of the garment look inwards (%0): their pieces come out mirrored, wrong "
+        "side up"),
+     TR("Turn the garment; if only parts of it look inwards, make the normals consistent "
+        "in the modelling program"),
+     "--turn-over"},
+    {"strain-beyond-cloth", TR("Strain beyond any cloth"), "%0",
+     TR("Cut the piece open or put darts where it curves most; if the file is a thick "
+        "shell or a scan, make one sheet of it first"),
+     "--auto-cut --enough 5"},
+    {"many-scraps", TR("Scraps instead of pieces"), "%0",
+     TR("State the unit if the garment is too small; else leave the scraps out, or divide "
+        "the file by something else; if it is a scan, make one sheet of it first"),
+     ""},
+    {"long-cuts", TR("Cuts longer than the outline"), "%0",
+     TR("Divide the garment by its own seams, or draw the cuts where seams are to be; "
+        "if the file is a thick shell or a scan, make one sheet of it first"),
+     ""},
     {"seam-lengths", TR("Seams that do not match"),
      TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
      TR("Choose a method that keeps seam lengths, or state the ease that is meant")},
@@ -79,7 +93,9 @@ constexpr FindingWords kWords[] = {
     {"unit-in-doubt", TR("Unit in doubt"),
      TR("the file states no unit, and its size leaves doubt (%0)"),
      TR("State the unit, or keep it if the size is right")},
-    doubtRow(DoubtKind::UpAxisInDoubt),
+    {"up-axis-in-doubt", TR("Up axis in doubt"),
+     TR("the file does not say which axis points up (%0)"),
+     TR("State the axis, or keep it if the garment stands upright"), "--up y or --up z"},
     {"grain-missing", TR("Grain not set"), TR("no grain is set: it is taken to run upwards"),
      TR("Turn the grain arrow, or let Toile find the best grain")},
     {"reference-note", TR("Notes on the reference pattern"), "%0", ""},
@@ -95,14 +111,14 @@ constexpr const char* kTube =
 static_assert(std::size(kWords) == kFindingKindCount);
 
 std::string written(const Figure& figure) {
-    constexpr double kPercent = 100, kFine = 100, kDegrees = 180 / std::numbers::pi;
+    constexpr double kInPercent = 100, kFine = 100, kDegrees = 180 / std::numbers::pi;
     switch (figure.unit) {
         case Figure::Unit::Length:
             return fixed(figure.value, std::abs(figure.value) < kFine ? 2 : 1) + " mm";
         case Figure::Unit::Percent:
-            return fixed(kPercent * figure.value, 1) + " %";
+            return fixed(kInPercent * figure.value, 1) + " %";
         case Figure::Unit::Strain: {
-            const std::string number = fixed(kPercent * figure.value, 1);
+            const std::string number = fixed(kInPercent * figure.value, 1);
             return (number.front() == '-' ? "" : "+") + number + " %";
         }
         case Figure::Unit::Angle:
@@ -111,13 +127,6 @@ std::string written(const Figure& figure) {
             return fixed(figure.value, 0);
     }
     return {};
-}
-
-/// The command line option that answers a doubt.
-std::string_view optionOf(FindingKind kind) {
-    const std::string_view wanted = findingWords(kind).name;
-    const auto* const found = std::ranges::find(kDoubtWords, wanted, &DoubtWords::name);
-    return found == std::end(kDoubtWords) ? std::string_view() : found->option;
 }
 
 }  // namespace
@@ -165,21 +174,35 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    // The text of a proof fault is a full sentence that contains the names.
-    const bool isNamed = finding.subject.name.empty() || finding.kind == FindingKind::ProofFault;
-    std::string text = isNamed ? "" : readableName(finding.subject.name) + ": ";
+    // What sewing finds is told in a full sentence, with the names.
+    const bool isFoundBySewing =
+        FindingKind::ProofFault <= finding.kind && finding.kind <= FindingKind::FarOff;
+    const bool isNamed = finding.subject.name.empty() || isFoundBySewing;
+    std::string text = isNamed ? "" : shownText(finding.subject.name, kMaxOfPlace) + ": ";
     text += description(finding);
     std::string help = adviceFor(finding);
     if (!help.empty()) {
         help.front() = lowered(help.front());
         text += "; " + help;
     }
-    const auto option =
-        finding.error ? commandLineOption(finding.error->code) : optionOf(finding.kind);
+    const std::string_view option =
+        finding.error ? commandLineOption(finding.error->code) : findingWords(finding.kind).option;
     if (!option.empty()) {
         text += " (" + std::string(option) + ")";
     }
     return text + ".";
+}
+
+FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face) {
+    FindingPlace place;
+    for (int k = 0; k < 3; ++k) {
+        place.flat += Q.row(piece.mesh.F(face, k)).transpose() / 3;
+        place.position += piece.mesh.V.row(piece.mesh.F(face, k)).transpose() / 3;
+    }
+    const Eigen::Vector3d normal = doubleAreaNormal(piece.mesh, face);
+    const double length = normal.norm();
+    place.normal = length > 0 ? Eigen::Vector3d(normal / length) : Eigen::Vector3d::Zero();
+    return place;
 }
 
 std::string_view name(Severity severity) {
@@ -188,73 +211,6 @@ std::string_view name(Severity severity) {
 
 std::string_view name(FindingKind kind) {
     return findingWords(kind).name;
-}
-
-namespace {
-
-constexpr int kCheckVersion = 1;  // increase it when a field changes its meaning or is removed
-
-std::string_view unitName(Figure::Unit unit) {
-    switch (unit) {
-        case Figure::Unit::Length:
-            return "mm";
-        case Figure::Unit::Angle:
-            return "radians";
-        case Figure::Unit::Count:
-            return "count";
-        default:
-            return "fraction";
-    }
-}
-
-Json placeJson(const FindingPlace& place) {
-    return {{"position",
-             {number(place.position.x()), number(place.position.y()), number(place.position.z())}},
-            {"flat", {number(place.flat.x()), number(place.flat.y())}}};
-}
-
-Json findingJson(const Garment& garment, const Finding& finding) {
-    Json pieces = Json::array();
-    for (const int piece : finding.pieces) {
-        pieces.push_back(garment.pieces[static_cast<std::size_t>(piece)]->name);
-    }
-    Json figures = Json::array();
-    for (const Figure& figure : finding.figures) {
-        figures.push_back({{"value", number(figure.value)}, {"unit", text(unitName(figure.unit))}});
-    }
-    return {{"kind", text(name(finding.kind))},
-            {"severity", text(name(finding.severity))},
-            {"code", finding.error ? text(name(finding.error->code)) : Json(nullptr)},
-            {"where", textOrNull(finding.subject.name)},
-            {"pieces", std::move(pieces)},
-            {"seam", finding.seam < 0 ? Json(nullptr) : Json(finding.subject.name)},
-            {"place", finding.place ? placeJson(*finding.place) : Json(nullptr)},
-            {"figures", std::move(figures)},
-            {"message", sentence(finding)}};
-}
-
-}  // namespace
-
-std::string writeReadiness(const Garment& garment, const Readiness& readiness) {
-    Json json{{"version", kCheckVersion},
-              {"toile", text(version())},
-              {"verdict", text(name(readiness.verdict()))},
-              {"faults", readiness.count(Severity::Fault)},
-              {"doubts", readiness.count(Severity::Doubt)},
-              {"notes", readiness.count(Severity::Note)}};
-    json["findings"] = Json::array();
-    for (const Finding& finding : readiness.findings) {
-        json["findings"].push_back(findingJson(garment, finding));
-    }
-    json["cloth"] = Json::array();
-    for (const ClothNeed& need : readiness.cloth) {
-        json["cloth"].push_back({{"material", textOrNull(need.material)},
-                                 {"length_mm", number(need.length)},
-                                 {"across_mm", number(need.across)},
-                                 {"width_mm", number(need.width)},
-                                 {"fits", need.fits()}});
-    }
-    return jsonText(json);
 }
 
 }  // namespace toile

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "core/base/error.h"
+#include "core/garment/piece.h"
 
 namespace toile {
 
@@ -25,8 +26,15 @@ enum class FindingKind {
     NotFlat,            ///< a piece could not be flattened
     OutlineCrosses,     ///< a flat outline crosses itself
     FlippedTriangles,   ///< cloth is flipped in the pattern
-    ProofFault,         ///< the pieces to sew do not form a pattern (core/prove/proof.h)
-    InsideOut,          ///< the faces of a file point inwards (core/diagnose/doubt.h)
+    ProofFault,         ///< sewn, the cloth did not come to rest
+    Mirrored,           ///< the pattern's file has the piece mirrored
+    OtherFits,          ///< the file's piece for this one fits another piece better
+    SeamSlips,          ///< the two sides of a seam do not fit each other
+    LengthDiffers,      ///< a side of a seam has another length than on the design
+    NotThere,           ///< the pattern lacks this piece
+    NotNeeded,          ///< the file has a piece that is not the garment's
+    FarOff,             ///< the cloth came to rest nowhere near the design
+    InsideOut,          ///< the faces of a file point inwards, so that its pieces are mirrored
     StrainBeyondCloth,  ///< no fabric can take the strain
     ManyScraps,         ///< there are more scraps than pieces
     LongCuts,           ///< cuts found by Toile are longer than the outline
@@ -78,7 +86,8 @@ struct FindingPlace {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< towards the right side, unit; or zero
 };
 
-/// One thing to know before the cloth is cut.
+/// One thing to know before the cloth is cut: found in files and flat pieces (`findDoubts`), by
+/// sewing (`Proof::faults`) or by the list of checks (`readyToCut`).
 struct Finding {
     FindingKind kind = FindingKind::Message;
     Severity severity = Severity::Note;
@@ -89,9 +98,13 @@ struct Finding {
     std::optional<FindingPlace> place{};  ///< the worst place, on the first piece
     /// The measured numbers, the most important first; `findingWords` places them in the text.
     std::vector<Figure> figures{};
-    Wording reason{};  ///< why something is guessed or in doubt; or the fabric's name; or empty
+    Wording reason{};    ///< why something is guessed or in doubt; or the fabric's name; or empty
+    double badness = 0;  ///< orders findings of one severity and kind, the worst first
     std::optional<Error> error{};  ///< full text of NotFlat, OutlineCrosses and Message
 };
+
+/// The place of a triangle's middle. @param Q  flat coordinates of the piece's vertices, mm
+FindingPlace placeInTriangle(const Piece& piece, const Points2& Q, Eigen::Index face);
 
 /// Stable kebab-case name, for example "seam-lengths".
 std::string_view name(FindingKind kind);
@@ -101,10 +114,11 @@ std::string_view name(Severity severity);
 /// The wording of a kind of finding. %1, %2 ... are the figures in order, %0 is the reason. The
 /// window translates these words and writes the numbers in the user's units.
 struct FindingWords {
-    const char* name;      ///< kebab-case, as in the report
-    const char* title;     ///< for several findings of the kind: "Seams that do not match"
-    const char* describe;  ///< the problem; empty if the finding's error describes it
-    const char* advice;    ///< how to solve it; likewise
+    const char* name;         ///< kebab-case, as in the report
+    const char* title;        ///< for several findings of the kind: "Seams that do not match"
+    const char* describe;     ///< the problem; empty if the finding's error describes it
+    const char* advice;       ///< how to solve it; likewise
+    const char* option = "";  ///< the command line's answer, or empty
 };
 
 const FindingWords& findingWords(FindingKind kind);
