@@ -27,7 +27,7 @@ struct Folder {
     Folders mayUse;
 };
 
-const char* const kCoreTable = "| Folder | May use |";
+const char* const kCoreTable = "| Core folder | Holds | May use |";
 const char* const kAppTable = "| Folder | Holds | May use |";
 
 /// The words of a cell between commas and "and".
