@@ -28,7 +28,7 @@ AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole == piece ||
             std::ranges::find(record.pieces, piece) != record.pieces.end()) {
-            return questionOf(garment, record.whole, record.asked);
+            return questionOf(garment, record.whole, record.requested);
         }
     }
     return questionOf(garment, piece);
@@ -38,7 +38,7 @@ AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece
 std::optional<AdviceQuestion> wholeWith(const Garment& garment, PieceId id) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole->id == id) {
-            return questionOf(garment, record.whole, record.asked);
+            return questionOf(garment, record.whole, record.requested);
         }
     }
     const auto piece =

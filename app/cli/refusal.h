@@ -28,7 +28,7 @@ struct Refusal {
     std::string code;
     std::string message;  ///< a sentence that says what may help
     std::string subject;  ///< the file, piece, seam or cut that it is about; empty: everything
-    std::vector<ToldPlace> places{};  ///< that the message tells
+    std::vector<PlaceInText> places{};  ///< that the message tells
 
     Refusal(std::string what, std::string says, std::string about = {});
     Refusal(const Error& error);

@@ -40,7 +40,7 @@ CornerRule turnedRule(CornerRule rule) {
     }
 }
 
-LineSettings saidOf(LineSettings lines, const Segment& segment, std::optional<CornerRule> rule) {
+LineSettings statedOf(LineSettings lines, const Segment& segment, std::optional<CornerRule> rule) {
     SegmentSettings said = segment.settings;
     said.corner = rule;
     return withSegment(std::move(lines), said);
@@ -89,14 +89,14 @@ LineSettings withAllowance(LineSettings lines, const LineFacts& facts,
 
 LineSettings withCorner(LineSettings lines, const LineFacts& facts, const SegmentAt& one,
                         const std::optional<SegmentAt>& image, std::optional<CornerRule> rule) {
-    lines = saidOf(std::move(lines), facts.at(one), rule);
+    lines = statedOf(std::move(lines), facts.at(one), rule);
     if (image) {
         const auto& there = facts.segments[static_cast<std::size_t>(image->piece)].segments;
         const std::size_t next = (static_cast<std::size_t>(image->segment) + 1) % there.size();
         const SegmentAt after{image->piece, static_cast<int>(next)};
         if (!(after == one) && there[next].place.line) {
-            lines = saidOf(std::move(lines), there[next],
-                           rule ? std::optional(turnedRule(*rule)) : std::nullopt);
+            lines = statedOf(std::move(lines), there[next],
+                             rule ? std::optional(turnedRule(*rule)) : std::nullopt);
         }
     }
     return rule ? withAllowances(std::move(lines)) : lines;

@@ -62,7 +62,7 @@ DartLay mirroredLay(DartLay lay) {
 }  // namespace
 
 DartSettings saidOfDart(const Garment& garment, const LineSettings& lines, int dart) {
-    const std::map<int, DartSettings> said = saidOfDarts(garment.seams, lines);
+    const std::map<int, DartSettings> said = statedDarts(garment.seams, lines);
     const auto found = said.find(dart);
     return found != said.end() ? found->second : DartSettings{};
 }

@@ -114,14 +114,14 @@ public:
         }
     }
 
-    void cut(const PiecePointer& whole, std::vector<UserCut> asked, const Progress& progress) {
+    void cut(const PiecePointer& whole, std::vector<UserCut> requested, const Progress& progress) {
         const int way = automatic_ && proposer_.propose ? proposer_.way : 0;
-        if (asked.empty() && !isToOpen(*whole) && !isToAskAbout(*whole) && !mayCross(*whole)) {
+        if (requested.empty() && !isToOpen(*whole) && !isToAskAbout(*whole) && !mayCross(*whole)) {
             made_.pieces.push_back(whole);
             return;
         }
         const auto known = before_.find(whole.get());
-        if (known != before_.end() && known->second->asked == asked &&
+        if (known != before_.end() && known->second->requested == requested &&
             known->second->proposer == way && known->second->namesPiece == namesPiece_ &&
             known->second->automatic == automatic_ && areFree(*known->second)) {
             done_ = *known->second;
@@ -129,7 +129,7 @@ public:
                 names_.take(part->name);
             }
         } else {
-            done_ = {whole, std::move(asked), automatic_, way, namesPiece_};
+            done_ = {whole, std::move(requested), automatic_, way, namesPiece_};
             cutAnew(whole, progress);
             partCrossings(Progress(progress, 0));
         }
@@ -170,7 +170,8 @@ private:
     }
 
     void cutAnew(const PiecePointer& whole, const Progress& progress) {
-        std::vector<Piece> parts = byHand(*whole, done_.asked, Progress(progress, kByHandShare));
+        std::vector<Piece> parts =
+            byHand(*whole, done_.requested, Progress(progress, kByHandShare));
         if (parts.empty()) {  // no cut of the user, or none could be made
             if (!isToOpen(*whole) && !isToAskAbout(*whole)) {
                 done_.pieces.push_back(whole);
@@ -228,8 +229,8 @@ private:
     PartNames byProposal(const PiecePointer& piece, std::vector<Piece>& parts,
                          const Progress& progress) {
         ProposedCuts proposed =
-            proposer_.propose(piece, done_.asked, Progress(progress, kProposingShare));
-        std::vector<UserCut> cuts = done_.asked;
+            proposer_.propose(piece, done_.requested, Progress(progress, kProposingShare));
+        std::vector<UserCut> cuts = done_.requested;
         const std::size_t own = cuts.size();
         for (ProposedCut& one : proposed.cuts) {
             cuts.push_back(std::move(one.cut));
@@ -258,7 +259,7 @@ private:
         }
         for (AppliedCut& cut : done_.cuts) {
             const auto at = std::ranges::find(cuts, cut.id, &UserCut::id) - cuts.begin();
-            if (at >= std::ssize(done_.asked)) {
+            if (at >= std::ssize(done_.requested)) {
                 cut.author = CutAuthor::Automatic;
                 cut.evidence = proposed.cuts[static_cast<std::size_t>(at) - own].evidence;
             }

@@ -282,7 +282,8 @@ std::optional<std::array<double, 3>> placeOf(const Wording& wording) {
     return isSomewhere ? std::optional(place) : std::nullopt;
 }
 
-void collectPlaces(const Wording& wording, std::string_view after, std::vector<ToldPlace>& places) {
+void collectPlaces(const Wording& wording, std::string_view after,
+                   std::vector<PlaceInText>& places) {
     if (const auto place = placeOf(wording)) {
         places.push_back({wording + std::string(after.starts_with(kUnit) ? kUnit : ""), *place});
         return;
@@ -304,12 +305,12 @@ Wording barePlaceWording(double x, double y, double z) {
     return worded("%1, %2, %3", {figure(x, 1), figure(y, 1), figure(z, 1)});
 }
 
-std::vector<ToldPlace> placesIn(const Error& error) {
-    std::vector<ToldPlace> places;
+std::vector<PlaceInText> placesIn(const Error& error) {
+    std::vector<PlaceInText> places;
     collectPlaces(error.detail, {}, places);
     const std::string shown = shownText(error.detail, kMaxOfDetail);  // as `sentence` shows it
     std::size_t from = 0;
-    const auto lost = std::ranges::find_if(places, [&](const ToldPlace& place) {
+    const auto lost = std::ranges::find_if(places, [&](const PlaceInText& place) {
         const std::size_t found = shown.find(place.words, from);
         from = found + place.words.size();
         return found == std::string::npos;

@@ -30,7 +30,7 @@ public:
     JsonFields& fields() { return fields_; }
     /// Sets the value that a following field keeps if it is missing.
     template <class Value>
-    void unlessSaid(Value& value, const Value& usual) {
+    void unlessStated(Value& value, const Value& usual) {
         value = usual;
     }
 
@@ -114,7 +114,7 @@ public:
     void fail(std::string_view, std::string_view) {}
     OrderedJson& json() { return json_; }
     template <class Value>
-    void unlessSaid(const Value&, const Value&) {}
+    void unlessStated(const Value&, const Value&) {}
 
     template <class Value, class... Limits>
     void field(const char* key, const Value& value, Limits...) {

@@ -95,7 +95,7 @@ const PieceResult* flatResult(const CutPlan& plan, int piece) {
 }
 
 /// Whether another finding already reports it.
-bool isToldElsewhere(const CutPlan& plan, const Finding& fault) {
+bool isReportedElsewhere(const CutPlan& plan, const Finding& fault) {
     if (fault.kind == FindingKind::NotThere) {
         return std::ranges::none_of(fault.pieces, [&](int piece) {
             const PieceResult* result = flatResult(plan, piece);
@@ -114,7 +114,7 @@ bool isToldElsewhere(const CutPlan& plan, const Finding& fault) {
 
 void checkFaults(const CutPlan& plan, FindingList& found) {
     for (const Finding& fault : plan.proof->faults) {
-        if (isToldElsewhere(plan, fault)) {
+        if (isReportedElsewhere(plan, fault)) {
             continue;
         }
         found.add(fault);

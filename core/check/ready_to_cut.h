@@ -72,7 +72,7 @@ struct CutPlan {
     std::shared_ptr<const Proof> proof{};
     std::string referenceName{};            ///< of the file that the pieces are compared with
     std::vector<Wording> referenceNotes{};  ///< what reading it left out or put right
-    bool guessesKept = false;  ///< unit and up axis, where guessed, are right: a person said so
+    bool guessesKept = false;  ///< unit and up axis, where guessed, are right: the user stated so
 
     bool operator==(const CutPlan&) const = default;
 };

@@ -117,8 +117,8 @@ void addChanges(Json& json, const std::vector<LengthChange>& changes) {
     }
 }
 
-void addPlaces(Json& json, const std::vector<ToldPlace>& places) {
-    for (const ToldPlace& place : places) {
+void addPlaces(Json& json, const std::vector<PlaceInText>& places) {
+    for (const PlaceInText& place : places) {
         json["places"].push_back({{"words", place.words}, {"at", place.at}});
     }
 }

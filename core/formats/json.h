@@ -30,7 +30,7 @@ Json text(std::string_view words);
 /// in it.
 Json errorJson(const Error& error);
 /// Adds `places` to a sentence that names any.
-void addPlaces(Json& json, const std::vector<ToldPlace>& places);
+void addPlaces(Json& json, const std::vector<PlaceInText>& places);
 /// Adds `changed_by` if there are changes.
 void addChanges(Json& json, const std::vector<LengthChange>& changes);
 /// The text, or null if it is empty.

@@ -74,9 +74,9 @@ struct AppliedCut {
 /// The record of cutting one piece.
 struct CutRecord {
     std::shared_ptr<const Piece> whole;
-    std::vector<UserCut> asked;
+    std::vector<UserCut> requested;
     bool automatic = false;
-    int proposer = 0;         ///< its `way`; 0: no proposals were asked for
+    int proposer = 0;         ///< its `way`; 0: no proposals were requested
     bool namesPiece = false;  ///< proposed cuts are called by their piece, too
     Pieces pieces{};
     std::vector<AppliedCut> cuts{};

@@ -116,8 +116,8 @@ std::string_view lastName(std::string_view path) {
 }
 
 bool says(const UsdPrim& prim, std::string_view attribute, std::string_view value) {
-    const std::string* said = prim.find(attribute);
-    return said && *said == value;
+    const std::string* found = prim.find(attribute);
+    return found && *found == value;
 }
 
 bool isShown(const UsdPrim& prim) {

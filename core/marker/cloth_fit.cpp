@@ -164,9 +164,9 @@ void matchStripes(const Pattern& pattern, const std::vector<LaidPiece>& laid,
             }
         }
     }
-    const auto note = [&](const Wording& said) {
-        if (std::ranges::find(notes, said) == notes.end()) {
-            notes.push_back(said);
+    const auto note = [&](const Wording& stated) {
+        if (std::ranges::find(notes, stated) == notes.end()) {
+            notes.push_back(stated);
         }
     };
     for (const MatchedPair& pair : pairs) {
@@ -239,8 +239,8 @@ std::vector<WidePiece> widerThanCloth(const Pattern& whole, const Fabric& own,
     std::array<std::optional<Pattern>, 2> asLaid;  // on flat cloth, on folded cloth
     std::vector<Wording> ignored;
     for (const std::string& material : markerMaterials(whole)) {
-        const auto said = rules.find(material);
-        const MarkerSettings settings = said == rules.end() ? MarkerSettings{} : said->second;
+        const auto stated = rules.find(material);
+        const MarkerSettings settings = stated == rules.end() ? MarkerSettings{} : stated->second;
         if (!settings.hides.empty()) {
             continue;
         }

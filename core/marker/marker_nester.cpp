@@ -78,7 +78,7 @@ private:
     bool leaveOut(const std::string& name);
     void leaveOutBeyondArea();
     bool layOnTop(const std::string& name);
-    void note(const Wording& said);
+    void note(const Wording& stated);
 
     std::shared_ptr<const Pattern> pattern_;
     MarkerSettings settings_;
@@ -174,9 +174,9 @@ std::vector<Wording> ClothItems::notes() const {
 }
 
 /// Adds a note once for a piece and its image.
-void ClothItems::note(const Wording& said) {
-    if (std::ranges::find(notes_, said) == notes_.end()) {
-        notes_.push_back(said);
+void ClothItems::note(const Wording& stated) {
+    if (std::ranges::find(notes_, stated) == notes_.end()) {
+        notes_.push_back(stated);
     }
 }
 

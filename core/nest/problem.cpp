@@ -158,24 +158,27 @@ Shape shapeOfItem(const Item& item, bool isMirrored, bool isBareToo) {
 /// @param bare, grown  its rings, and its rings offset by half the gap
 /// @param isBareToo  also prepare the shapes without the gap
 /// Errors: PageTooSmall naming an item that fits at none of its angles.
-Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare, Rings grown,
+Result<Item> makeItem(const Problem& problem, const NestItem& requested, Rings bare, Rings grown,
                       bool isBareToo) {
     Item item;
     item.bare = std::move(bare);
     item.grown = std::move(grown);
-    item.isFixed = asked.fixed.has_value();
-    item.touchesEdge = asked.touchesEdge;
-    item.tolerance = asked.fixed || asked.touchesEdge ? 0 : std::min(asked.tolerance, kPi);
-    item.lattice = asked.fixed ? std::nullopt : asked.lattice;
+    item.isFixed = requested.fixed.has_value();
+    item.touchesEdge = requested.touchesEdge;
+    item.tolerance =
+        requested.fixed || requested.touchesEdge ? 0 : std::min(requested.tolerance, kPi);
+    item.lattice = requested.fixed ? std::nullopt : requested.lattice;
     item.leastExtent = HUGE_VAL;
     bool fitsAcross = false;
     for (const bool isMirrored : {false, true}) {
-        if (asked.fixed ? asked.fixed->mirrored != isMirrored : isMirrored && !asked.mayMirror) {
+        if (requested.fixed ? requested.fixed->mirrored != isMirrored
+                            : isMirrored && !requested.mayMirror) {
             continue;
         }
         Shape& shape = item.unturned[isMirrored ? 1 : 0];
         shape = shapeOfItem(item, isMirrored, isBareToo);
-        for (const double angle : asked.fixed ? std::vector{asked.fixed->angle} : asked.angles) {
+        for (const double angle :
+             requested.fixed ? std::vector{requested.fixed->angle} : requested.angles) {
             Variant variant{angle, isMirrored, {}};
             turn(shape, angle, variant.shape);
             const NestItem lain{{}, item.bare};
@@ -198,7 +201,7 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
     }
     if (item.variants.empty()) {
         return Error{
-            ErrorCode::PageTooSmall, Subject::piece(asked.name),
+            ErrorCode::PageTooSmall, Subject::piece(requested.name),
             fitsAcross ? Wording(worded(kTooLong)) : worded(kTooWide, {figure(problem.cloth, 1)})};
     }
     return item;
@@ -206,22 +209,22 @@ Result<Item> makeItem(const Problem& problem, const NestItem& asked, Rings bare,
 
 /// For the copy added last: it lies outside, or on another fixed one.
 std::optional<Error> wrongInFixed(const Problem& problem, const NestInstance& instance) {
-    const auto askedOf = [&](std::size_t copy) -> const NestItem& {
+    const auto requestOf = [&](std::size_t copy) -> const NestItem& {
         return instance.items[static_cast<std::size_t>(problem.copies[copy].item)];
     };
     const std::size_t last = problem.copies.size() - 1;
     const Pose& pose = problem.copies[last].start;
     const Rings own = ringsAt(problem, last, pose);
     if (!keepsRules(problem, problem.itemOf(last), pose, own[0], HUGE_VAL)) {
-        return wrongItem(askedOf(last), kKeptOutside);
+        return wrongItem(requestOf(last), kKeptOutside);
     }
     if (const Obstacle* under = obstacleUnder(problem, last, pose)) {
-        return wrongItem(askedOf(last), worded(kKeptOnOther, {under->name}));
+        return wrongItem(requestOf(last), worded(kKeptOnOther, {under->name}));
     }
     for (std::size_t copy = 0; copy < last; ++copy) {
         if (problem.itemOf(copy).isFixed &&
             doOverlap(own, ringsAt(problem, copy, problem.copies[copy].start))) {
-            return wrongItem(askedOf(last), worded(kKeptOnOther, {askedOf(copy).name}));
+            return wrongItem(requestOf(last), worded(kKeptOnOther, {requestOf(copy).name}));
         }
     }
     return std::nullopt;
@@ -276,20 +279,20 @@ std::optional<Error> addStretches(Problem& problem, const NestInstance& instance
 }
 
 std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance, double border) {
-    for (const NestObstacle& asked : instance.obstacles) {
-        const Subject subject = Subject::piece(asked.name);
-        const auto rings = usableRings(subject, asked.rings);
+    for (const NestObstacle& requested : instance.obstacles) {
+        const Subject subject = Subject::piece(requested.name);
+        const auto rings = usableRings(subject, requested.rings);
         if (!rings) {
             return rings.error();
         }
-        auto grown = grownRings(subject, *rings, asked.apart.value_or(border));
+        auto grown = grownRings(subject, *rings, requested.apart.value_or(border));
         if (!grown) {
             return grown.error();
         }
-        Obstacle obstacle{asked.name, std::move(*grown), {}, {}};
+        Obstacle obstacle{requested.name, std::move(*grown), {}, {}};
         obstacle.shape = makeShape(obstacle.rings);
-        obstacle.isFor.assign(instance.items.size(), asked.items.empty());
-        for (const int item : asked.items) {
+        obstacle.isFor.assign(instance.items.size(), requested.items.empty());
+        for (const int item : requested.items) {
             if (item >= 0 && item < static_cast<int>(obstacle.isFor.size())) {
                 obstacle.isFor[static_cast<std::size_t>(item)] = true;
             }
@@ -312,8 +315,8 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
         return Error{ErrorCode::PageTooSmall, Subject::file(instance.name), kNoStrip};
     }
     std::int64_t copies = 0;
-    for (const NestItem& asked : instance.items) {
-        copies += std::max(asked.demand, 0);
+    for (const NestItem& requested : instance.items) {
+        copies += std::max(requested.demand, 0);
     }
     if (auto fault = wrongCopies(instance.name, copies)) {
         return *std::move(fault);
@@ -327,41 +330,42 @@ Result<Problem> makeProblem(const NestInstance& instance, const NestOptions& opt
     const bool isBareToo = options.gap > 0 && !problem.obstacles.empty();
     double grownArea = 0, lowest = problem.low;
     for (std::size_t i = 0; i < instance.items.size(); ++i) {
-        const NestItem& asked = instance.items[i];
+        const NestItem& requested = instance.items[i];
         if (progress.isCancelled()) {
             return Error{ErrorCode::Cancelled};
         }
-        if (asked.demand == 0) {
+        if (requested.demand == 0) {
             problem.items.emplace_back();
             continue;
         }
-        const auto rings = usableRings(asked);
+        const auto rings = usableRings(requested);
         if (!rings) {
             return rings.error();
         }
-        auto grown = grownRings(Subject::piece(asked.name), *rings, options.gap / 2);
+        auto grown = grownRings(Subject::piece(requested.name), *rings, options.gap / 2);
         if (!grown) {
             return grown.error();
         }
-        auto item = makeItem(problem, asked, *rings, std::move(*grown), isBareToo);
+        auto item = makeItem(problem, requested, *rings, std::move(*grown), isBareToo);
         if (!item) {
             return item.error();
         }
-        problem.area += areaOf(item->bare) * asked.demand;
-        grownArea += areaOf(item->grown) * asked.demand;
+        problem.area += areaOf(item->bare) * requested.demand;
+        grownArea += areaOf(item->grown) * requested.demand;
         Copy copy{static_cast<int>(i)};
         for (const Variant& variant : item->variants) {
             const double least = variant.rest + variant.shape.box.bottom;
             lowest = item->touchesEdge ? std::min(lowest, least) : lowest;
         }
-        if (asked.fixed) {
-            copy.start = {0, 0, asked.fixed->x, asked.fixed->y};
+        if (requested.fixed) {
+            copy.start = {0, 0, requested.fixed->x, requested.fixed->y};
             item->leastExtent = copy.start.x + item->variants[0].shape.box.right - problem.low;
         }
         problem.leastLength = std::max(problem.leastLength, item->leastExtent);
         problem.items.push_back(std::move(*item));
-        problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(asked.demand), copy);
-        if (auto fault = asked.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
+        problem.copies.insert(problem.copies.end(), static_cast<std::size_t>(requested.demand),
+                              copy);
+        if (auto fault = requested.fixed ? wrongInFixed(problem, instance) : std::nullopt) {
             return *std::move(fault);
         }
     }

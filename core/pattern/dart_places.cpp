@@ -68,18 +68,18 @@ std::vector<Eigen::Vector3d> tipsOf(const SurfaceLinks& links, const NearestSurf
 std::optional<CutId> cutFromTip(const CutRecord& record, const std::vector<CutId>& darts) {
     const SurfaceLinks links(record.whole->mesh, record.whole->table);
     const NearestSurface nearest(record.whole->mesh);
-    for (const UserCut& dart : record.asked) {
+    for (const UserCut& dart : record.requested) {
         if (std::ranges::find(darts, dart.id) == darts.end()) {
             continue;
         }
         for (const Eigen::Vector3d& tip : tipsOf(links, nearest, dart)) {
             // If two start there, the later one continues the dart.
             const auto found = std::ranges::find_if(
-                record.asked.rbegin(), record.asked.rend(), [&](const UserCut& cut) {
+                record.requested.rbegin(), record.requested.rend(), [&](const UserCut& cut) {
                     return cut.kind == UserCut::Kind::Path && cut.id != dart.id &&
                            !cut.points.empty() && (cut.points.front() - tip).norm() < kCutAtTip;
                 });
-            if (found != record.asked.rend()) {
+            if (found != record.requested.rend()) {
                 return found->id;
             }
         }
@@ -132,8 +132,8 @@ std::optional<UserCut> cutBeyondDart(const Garment& garment, const PieceResults&
 std::optional<CutId> cutBeyondTip(const Garment& garment, int index) {
     const Seam& seam = garment.seams.seams[static_cast<std::size_t>(index)];
     for (const CutRecord& record : garment.cutRecords) {
-        const bool isHere = record.asked.size() > 1 &&
-                            std::ranges::any_of(record.asked, [&seam](const UserCut& cut) {
+        const bool isHere = record.requested.size() > 1 &&
+                            std::ranges::any_of(record.requested, [&seam](const UserCut& cut) {
                                 return std::ranges::find(seam.cuts, cut.id) != seam.cuts.end();
                             });
         if (const auto found = isHere ? cutFromTip(record, seam.cuts) : std::nullopt) {
@@ -190,24 +190,24 @@ double angleOf(const DartPlace& dart, double intake) {
     return 2 * std::asin(std::sqrt(std::clamp(square, 0.0, 1.0)));
 }
 
-std::map<int, DartSettings> saidOfDarts(const SeamGraph& graph, const LineSettings& settings) {
-    std::map<int, DartSettings> said;
+std::map<int, DartSettings> statedDarts(const SeamGraph& graph, const LineSettings& settings) {
+    std::map<int, DartSettings> stated;
     for (const DartSettings& one : settings.darts) {
         const int seam = seamAt(graph, one.seam);
         if (seam >= 0 && graph.seams[static_cast<std::size_t>(seam)].kind == SeamKind::Dart) {
-            said[seam] = one;
+            stated[seam] = one;
         }
     }
-    return said;
+    return stated;
 }
 
 std::vector<std::vector<TypedDart>> typedDarts(const Garment& garment,
                                                const LineSettings& settings) {
     std::vector<std::vector<TypedDart>> typed(garment.pieces.size());
-    for (const auto& [seam, said] : saidOfDarts(garment.seams, settings)) {
-        const auto place = said.intake ? dartPlace(garment, seam) : std::nullopt;
+    for (const auto& [seam, stated] : statedDarts(garment.seams, settings)) {
+        const auto place = stated.intake ? dartPlace(garment, seam) : std::nullopt;
         if (place) {
-            typed[static_cast<std::size_t>(place->piece)].push_back({*place, *said.intake});
+            typed[static_cast<std::size_t>(place->piece)].push_back({*place, *stated.intake});
         }
     }
     for (std::size_t p = 0; p < typed.size(); ++p) {

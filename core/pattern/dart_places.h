@@ -49,7 +49,7 @@ double angleOf(const DartPlace& dart, double intake);
 
 /// Settings of darts, by seam; ignores seams that are no longer darts. The last of several settings
 /// counts.  Cost: seams times settings. Pure.
-std::map<int, DartSettings> saidOfDarts(const SeamGraph& graph, const LineSettings& settings);
+std::map<int, DartSettings> statedDarts(const SeamGraph& graph, const LineSettings& settings);
 
 /// A dart whose intake the user has set.
 struct TypedDart : DartPlace {

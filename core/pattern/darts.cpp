@@ -361,11 +361,11 @@ std::vector<PieceDart> openDarts(const PatternPiece& piece, const geometry::Line
             darts.pop_back();
             return;
         }
-        const auto said = piece.saidOfDarts.find(first.seam);
-        const bool isSaid = said != piece.saidOfDarts.end();
-        dart.isTyped = isSaid && said->second.intake.has_value();
-        dart.lay =
-            isSaid && said->second.lay ? *said->second.lay : usualLay(dart, grainOf(piece), middle);
+        const auto stated = piece.statedDarts.find(first.seam);
+        const bool isStated = stated != piece.statedDarts.end();
+        dart.isTyped = isStated && stated->second.intake.has_value();
+        dart.lay = isStated && stated->second.lay ? *stated->second.lay
+                                                  : usualLay(dart, grainOf(piece), middle);
     };
     for (const SeamLine& first : piece.seams) {
         for (const SeamLine& second : piece.seams) {

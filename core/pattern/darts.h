@@ -69,7 +69,7 @@ struct PieceDart {
 /// downwards. Up is along the grain. The core does not know the centre and uses the centroid of the
 /// piece's area, for a half pattern that of the whole piece. A dart that points at it is laid over
 /// its first leg.
-/// `PatternPiece::saidOfDarts` takes precedence.
+/// `PatternPiece::statedDarts` takes precedence.
 /// Cost: outline times caps. Pure.
 std::vector<PieceDart> findDarts(const PatternPiece& piece);
 

@@ -74,7 +74,7 @@ bool climb(FairSolver& solver, LineState& settled) {
         settled = solver.state();
         ++stage;
     } else {
-        solver.beginAnew();
+        solver.restart();
         stage = 0;
     }
     for (; stage < kStages; ++stage) {

@@ -413,7 +413,7 @@ bool FairSolver::iterate(double share, double done, int limit) {
     return false;
 }
 
-void FairSolver::beginAnew() {
+void FairSolver::restart() {
     state_ = model_.start();
     share_ = 0;
 }

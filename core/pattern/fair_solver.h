@@ -162,7 +162,7 @@ public:
     /// @param limit  for `iterations()`, which counts over all weights
     /// @return false if it did not converge
     bool iterate(double share, double done, int limit);
-    void beginAnew();
+    void restart();
     /// Moves the state onto the constraints with a small change. False if it cannot.
     bool restore(LineState& state);
 

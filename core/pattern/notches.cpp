@@ -308,10 +308,11 @@ struct SeamSpot {
 };
 
 /// The seams at a place of a line; two if one ends where the next starts.
-std::vector<SeamSpot> spotsOf(const NotchSettings& said, const Garment& garment,
+std::vector<SeamSpot> spotsOf(const NotchSettings& stated, const Garment& garment,
                               const seam::Outlines& outlines) {
-    const double sense = said.reversed ? -1 : 1;
-    const LineStretch place{said.line, said.at - sense * kHalfPlace, said.at + sense * kHalfPlace};
+    const double sense = stated.reversed ? -1 : 1;
+    const LineStretch place{stated.line, stated.at - sense * kHalfPlace,
+                            stated.at + sense * kHalfPlace};
     std::vector<SeamSpot> spots;
     for (std::size_t o = 0; o < outlines.list.size(); ++o) {
         const seam::Outline& outline = outlines.list[o];
@@ -366,8 +367,8 @@ public:
                 mirror(s);
             }
         }
-        for (const NotchSettings& said : rules.notches) {
-            apply(said);
+        for (const NotchSettings& stated : rules.notches) {
+            apply(stated);
         }
         for (int s = 0; s < count(); ++s) {
             if (leaderOf(s) == s) {
@@ -466,8 +467,8 @@ private:
         }
     }
 
-    void apply(const NotchSettings& said) {
-        for (SeamSpot spot : spotsOf(said, garment_, outlines_)) {
+    void apply(const NotchSettings& stated) {
+        for (SeamSpot spot : spotsOf(stated, garment_, outlines_)) {
             if (!isNotched(spot.seam)) {
                 continue;
             }
@@ -477,11 +478,11 @@ private:
                 spot.share = 1 - spot.share;
             }
             spot.seam = leader;
-            if (!said.isThere) {
+            if (!stated.isThere) {
                 takeAway(spot);
                 continue;
             }
-            add(spot, said.count.value_or(places_.countOf(leader)));
+            add(spot, stated.count.value_or(places_.countOf(leader)));
             return;
         }
     }
@@ -501,8 +502,8 @@ private:
 
     void add(const SeamSpot& spot, int marks) {
         std::erase_if(notches_[spot.seam], [&](const Notch& notch) {
-            const bool isSaid = notch.reason == NotchReason::ByHand;
-            return apart(spot, notch) < (isSaid ? kOnePlace : kNotchGap);
+            const bool isStated = notch.reason == NotchReason::ByHand;
+            return apart(spot, notch) < (isStated ? kOnePlace : kNotchGap);
         });
         notches_[spot.seam].push_back({.seam = spot.seam,
                                        .share = spot.share,

@@ -184,7 +184,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
     pattern.pieces.resize(garment.pieces.size());
     const auto segments = findSegments(garment, exactResults(garment, results), lines);
     const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
-    const std::map<int, DartSettings> darts = saidOfDarts(garment.seams, lines);
+    const std::map<int, DartSettings> darts = statedDarts(garment.seams, lines);
     UniqueNames slugs;
     int number = 0;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
@@ -207,8 +207,8 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
         addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
         addSegments(made, *results[i], outline, garment.seams, segments[i], lines);
         for (const SeamLine& seam : made.seams) {
-            if (const auto said = darts.find(seam.number - 1); said != darts.end()) {
-                made.saidOfDarts.emplace(seam.seam, said->second);
+            if (const auto stated = darts.find(seam.number - 1); stated != darts.end()) {
+                made.statedDarts.emplace(seam.seam, stated->second);
             }
         }
         const bool isExtended = std::ranges::any_of(

@@ -144,7 +144,7 @@ struct PatternPiece : Cutting {
     std::vector<Points2> extensions{};             ///< `extensionEdges`, inside the cutting line
     std::vector<PieceNotch> notches{};             ///< sorted by `hole`, then `at`
     std::vector<PieceInternal> internals{};        ///< sorted by `line`
-    std::map<SeamId, DartSettings> saidOfDarts{};  ///< settings of its darts
+    std::map<SeamId, DartSettings> statedDarts{};  ///< settings of its darts
     int number = 0;  ///< from 1 in the garment's order, counting drawn pieces; 0: not drawn
 };
 

@@ -262,9 +262,9 @@ private:
 
 Result<OutlineReference> reshapedOutline(const OutlineReference& reference, const OutlinePlan& plan,
                                          const Progress& progress) {
-    const bool isAsked =
+    const bool isRequested =
         !plan.darts.empty() || std::ranges::any_of(plan.stretches, &OutlinePlan::Stretch::straight);
-    if (!isAsked) {
+    if (!isRequested) {
         return reference;
     }
     Reshaping reshaping(reference, plan);

@@ -81,8 +81,8 @@ public:
     OutlineSegments divided(const LineSettings& settings) {
         addSeamEnds();
         addCorners();
-        for (const TurnPointSettings& said : settings.turnPoints) {
-            apply(said);
+        for (const TurnPointSettings& stated : settings.turnPoints) {
+            apply(stated);
         }
         finishTurns();
         OutlineSegments made;
@@ -175,12 +175,12 @@ private:
         }
     }
 
-    void apply(const TurnPointSettings& said) {
-        const double sense = said.reversed ? -1 : 1;
-        const LineStretch place{said.line, said.at - sense * 1e-9, said.at + sense * 1e-9};
+    void apply(const TurnPointSettings& stated) {
+        const double sense = stated.reversed ? -1 : 1;
+        const LineStretch place{stated.line, stated.at - sense * 1e-9, stated.at + sense * 1e-9};
         for (const geometry::Interval& part : partsOf(place, outline_, piece_)) {
             const double at = (part.low + part.high) / 2;
-            if (said.turns) {
+            if (stated.turns) {
                 add({at, 0, true, false, true});
             } else if (const auto known = near(at, kSameCorner);
                        known != points_.end() && (known->isCorner || known->isSeamEnd)) {
@@ -257,21 +257,21 @@ private:
             }
         }
         made.place = stretchOf(made.at, outline_, piece_);
-        made.settings = saidOf(made.place, settings.segments);
+        made.settings = statedOf(made.place, settings.segments);
         return made;
     }
 
     /// The best fit among settings that cover more than half of a segment; of equals the last.
-    static SegmentSettings saidOf(const LineStretch& place,
-                                  const std::vector<SegmentSettings>& settings) {
+    static SegmentSettings statedOf(const LineStretch& place,
+                                    const std::vector<SegmentSettings>& settings) {
         SegmentSettings found;
         double best = 0;
-        for (const SegmentSettings& said : settings) {
-            const double has = covered(place, said.place);
-            const double fits = has > 0.5 ? has * covered(said.place, place) : 0;
+        for (const SegmentSettings& stated : settings) {
+            const double has = covered(place, stated.place);
+            const double fits = has > 0.5 ? has * covered(stated.place, place) : 0;
             if (fits > 0 && fits >= best) {
                 best = fits;
-                found = said;
+                found = stated;
             }
         }
         found.place = place;

@@ -126,19 +126,19 @@ public:
     TypedLengths(const Garment& garment, const seam::Outlines& outlines, Stretches& stretches)
         : garment_(garment), outlines_(outlines), stretches_(stretches) {}
 
-    void apply(const SegmentSettings& said) {
+    void apply(const SegmentSettings& stated) {
         std::vector<std::pair<int, geometry::Interval>> parts;  // several if a cut divides it
         double length = 0;
         for (std::size_t p = 0; p < garment_.pieces.size(); ++p) {
             for (const geometry::Interval& part :
-                 partsOf(said.place, outlines_.list[p], *garment_.pieces[p])) {
+                 partsOf(stated.place, outlines_.list[p], *garment_.pieces[p])) {
                 parts.emplace_back(static_cast<int>(p), part);
                 length += part.length();
             }
         }
         stretches_.begin(LengthCause::Length);
         for (const auto& [piece, part] : parts) {
-            stretch(piece, part, *said.length / length);
+            stretch(piece, part, *stated.length / length);
         }
     }
 
@@ -217,7 +217,7 @@ bool drawsEase(const Garment& garment) {
 std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSettings& settings,
                                            const Symmetry* symmetry) {
     std::vector<OutlineTargets> targets(garment.pieces.size());
-    const auto isTyped = [](const SegmentSettings& said) { return said.length.has_value(); };
+    const auto isTyped = [](const SegmentSettings& stated) { return stated.length.has_value(); };
     if (!symmetry && std::ranges::none_of(settings.segments, isTyped) && !drawsEase(garment)) {
         return targets;
     }
@@ -227,9 +227,9 @@ std::vector<OutlineTargets> outlineTargets(const Garment& garment, const LineSet
         mirrorLengths(garment, symmetry->lengths, outlines, stretches);
     }
     TypedLengths typed(garment, outlines, stretches);
-    for (const SegmentSettings& said : settings.segments) {
-        if (said.length) {
-            typed.apply(said);
+    for (const SegmentSettings& stated : settings.segments) {
+        if (stated.length) {
+            typed.apply(stated);
         }
     }
     for (const Seam& seam : garment.seams.seams) {

@@ -47,8 +47,9 @@ const TurnPoint& pointOf(const std::vector<OutlineSegments>& segments,
 }
 
 /// Settings of single ends, by seam and end.
-std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSettings& settings) {
-    std::map<std::pair<int, bool>, bool> said;
+std::map<std::pair<int, bool>, bool> statedOf(const SeamGraph& graph,
+                                              const LineSettings& settings) {
+    std::map<std::pair<int, bool>, bool> stated;
     for (const SeamEndSettings& one : settings.seamEnds) {
         const int found = seamAt(graph, one.seam);
         if (found < 0) {
@@ -62,10 +63,10 @@ std::map<std::pair<int, bool>, bool> saidOf(const SeamGraph& graph, const LineSe
         const double off =
             one.atEnd ? there.to - one.seam.left.to : there.from - one.seam.left.from;
         if (std::abs(std::remainder(off, 1)) < kSameEnd) {  // else a cut has removed that end
-            said[{found, one.atEnd != isTurned}] = one.trued;
+            stated[{found, one.atEnd != isTurned}] = one.trued;
         }
     }
-    return said;
+    return stated;
 }
 
 /// Numbers corners in order of occurrence.
@@ -126,7 +127,7 @@ double drawnTurn(const PieceResult& result, const TurnPoint& point) {
 std::vector<SeamEnd> findSeamEnds(const Garment& garment,
                                   const std::vector<OutlineSegments>& segments,
                                   const LineSettings& settings) {
-    const auto said = saidOf(garment.seams, settings);
+    const auto stated = statedOf(garment.seams, settings);
     std::vector<SeamEnd> ends;
     for (std::size_t s = 0; s < garment.seams.seams.size(); ++s) {
         const Seam& seam = garment.seams.seams[s];
@@ -146,9 +147,9 @@ std::vector<SeamEnd> findSeamEnds(const Garment& garment,
             SeamEnd end{static_cast<int>(s), atEnd, *left, *right};
             end.kink = kinkOf(pointOf(segments, *left).turn, pointOf(segments, *right).turn);
             if (std::abs(end.kink) <= kMaxKink) {
-                const auto known = said.find({end.seam, atEnd});
-                end.isTrued =
-                    known != said.end() ? known->second : std::abs(end.kink) <= settings.trueBelow;
+                const auto known = stated.find({end.seam, atEnd});
+                end.isTrued = known != stated.end() ? known->second
+                                                    : std::abs(end.kink) <= settings.trueBelow;
                 ends.push_back(end);
             }
         }
@@ -163,20 +164,20 @@ std::vector<std::vector<double>> truedTurns(const std::vector<OutlineSegments>& 
         turns[p].assign(segments[p].turnPoints.size(), 0);
     }
     Numbers corners;
-    std::vector<const SeamEnd*> asked;
+    std::vector<const SeamEnd*> requested;
     for (const SeamEnd& end : ends) {
         if (end.isTrued) {
-            asked.push_back(&end);
+            requested.push_back(&end);
             corners.of(end.left);
             corners.of(end.right);
         }
     }
     geometry::DisjointSets groups(static_cast<int>(corners.all().size()));
-    for (const SeamEnd* end : asked) {
+    for (const SeamEnd* end : requested) {
         groups.join(corners.of(end->left), corners.of(end->right));
     }
     std::map<int, std::vector<const SeamEnd*>> together;
-    for (const SeamEnd* end : asked) {
+    for (const SeamEnd* end : requested) {
         together[groups.root(corners.of(end->left))].push_back(end);
     }
     for (const auto& [group, members] : together) {

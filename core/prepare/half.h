@@ -23,7 +23,7 @@ double halfTolerance(const MeshArrays& mesh);
 /// other, then those that touch the cloth from outside. An opening entirely within the plane, like
 /// the end of a sleeve, is no evidence unless there is no other rim.
 /// @param surface  in the file's axes   @param up  of the file
-/// @param isStated the user said that it is half: a short rim is enough, as of one flat panel.
+/// @param isStated the user stated that it is half: a short rim is enough, as of one flat panel.
 ///                 Otherwise they must be a large share of all rims and lie apart, like centre
 ///                 front and centre back, in two places unless there are other openings
 /// @return its normal points at the cloth; nothing if there is no such plane
@@ -52,7 +52,7 @@ std::optional<CompletedHalf> completeHalf(const PolygonSoup& half,
                                           double tolerance, double millimetres);
 
 /// Tests whether a file holds half a garment (`findHalfPlane`), and adds its mirror image if the
-/// user said so. The plane found is stored in the file's reading, the change in its problems:
+/// user stated so. The plane found is stored in the file's reading, the change in its problems:
 /// ReadAs; CannotReadAs if there is no mirror plane.
 /// @param file  after the other preparation  @param millimetres  per unit of the file
 /// @param name  of the file, for the notes

@@ -60,9 +60,9 @@ PieceLabels withName(PieceLabels labels, const Garment& garment, int piece, std:
     const auto first = name.find_first_not_of(" \t"), last = name.find_last_not_of(" \t");
     name = first == std::string::npos ? std::string() : name.substr(first, last + 1 - first);
     name = shownText(name, kMaxPieceName);
-    std::string& said = labels[meant.id].name;
+    std::string& stated = labels[meant.id].name;
     if (name.empty() || name == meant.name) {
-        said.clear();
+        stated.clear();
         return labels;
     }
     UniqueNames names;
@@ -71,7 +71,7 @@ PieceLabels withName(PieceLabels labels, const Garment& garment, int piece, std:
             names.take(nameOf(labels, *other));
         }
     }
-    said = names.free(name);
+    stated = names.free(name);
     return labels;
 }
 

@@ -51,9 +51,9 @@ int takeShade(int colour, std::set<int>& taken) {
 
 /// "skirt 2" for the part "front 2" of a piece that the user named "skirt"; else empty.
 std::string inheritedName(const PieceLabels& labels, const Piece& whole, const Piece& part) {
-    const std::string& said = nameOf(labels, whole);
-    return said != whole.name && part.name.starts_with(whole.name)
-               ? said + part.name.substr(whole.name.size())
+    const std::string& stated = nameOf(labels, whole);
+    return stated != whole.name && part.name.starts_with(whole.name)
+               ? stated + part.name.substr(whole.name.size())
                : std::string();
 }
 
@@ -215,9 +215,10 @@ void carrySettings(SettingsById& settings, const std::vector<PieceSettings>& bef
                    const std::vector<CarriedFrom>& from, const Garment& after) {
     std::vector<PieceSettings> carried = carriedSettings(from, before);
     for (std::size_t p = 0; p < after.pieces.size(); ++p) {
-        const auto [said, isNew] = settings.try_emplace(after.pieces[p]->id, std::move(carried[p]));
-        if (!isNew && !from[p].anchors.empty() && said->second.flat == from[p].flat) {
-            said->second.anchors = from[p].anchors;
+        const auto [stated, isNew] =
+            settings.try_emplace(after.pieces[p]->id, std::move(carried[p]));
+        if (!isNew && !from[p].anchors.empty() && stated->second.flat == from[p].flat) {
+            stated->second.anchors = from[p].anchors;
         }
     }
 }

@@ -103,8 +103,8 @@ std::vector<PieceSettings> settingsFor(const Project& project, const Garment& ga
     std::vector<PieceSettings> settings;
     for (const auto& piece : garment.pieces) {
         const ProjectPiece* known = index.find(*piece);
-        PieceSettings& said = settings.emplace_back(known ? known->settings : PieceSettings{});
-        said.anchors = foundAgain(std::move(said.anchors), *piece);
+        PieceSettings& stated = settings.emplace_back(known ? known->settings : PieceSettings{});
+        stated.anchors = foundAgain(std::move(stated.anchors), *piece);
     }
     return settings;
 }

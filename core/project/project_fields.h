@@ -205,8 +205,8 @@ inline constexpr auto kStiffness = [](auto& at, auto& stated) {
 inline constexpr auto kProof = [](auto& at, auto& plan) {
     const ProofPlan usual;
     auto& settings = plan.settings;
-    const auto field = [&at](const char* key, auto& value, const auto& unsaid, auto... limits) {
-        if (at.kReads || !(value == unsaid)) {
+    const auto field = [&at](const char* key, auto& value, const auto& unstated, auto... limits) {
+        if (at.kReads || !(value == unstated)) {
             at.field(key, value, limits...);
         }
     };
@@ -300,18 +300,18 @@ inline constexpr auto kSeamPart = [](auto& at, auto& part) {
     }
 };
 
-inline constexpr auto kSeamSettings = [](auto& at, auto& said) {
+inline constexpr auto kSeamSettings = [](auto& at, auto& chosen) {
     at.need("left");
-    at.object("left", said.place.left, kStretch);
-    if (at.kReads || said.place.right.line) {
-        at.object("right", said.place.right, kStretch);
+    at.object("left", chosen.place.left, kStretch);
+    if (at.kReads || chosen.place.right.line) {
+        at.object("right", chosen.place.right, kStretch);
     }
-    at.field("ease", said.ease, -1, kMaxEase);
-    if (said.ease && *said.ease <= -1) {
+    at.field("ease", chosen.ease, -1, kMaxEase);
+    if (chosen.ease && *chosen.ease <= -1) {
         at.fail("ease", "must be more than -1");
     }
-    at.object("drawn", said.drawn, kSeamPart);
-    at.text("name", said.name);
+    at.object("drawn", chosen.drawn, kSeamPart);
+    at.text("name", chosen.name);
 };
 
 inline constexpr auto kFairing = [](auto& at, auto& fairing) {
@@ -320,33 +320,33 @@ inline constexpr auto kFairing = [](auto& at, auto& fairing) {
     at.field("fixed", fairing.isFixed);
 };
 
-inline constexpr auto kSegment = [](auto& at, auto& said) {
+inline constexpr auto kSegment = [](auto& at, auto& chosen) {
     at.need("place");
-    at.object("place", said.place, kStretch);
-    at.field("length", said.length, kMinSegmentLength, kMaxSegmentLength);
-    at.field("tolerance", said.tolerance, kMinFairTolerance, kMaxFairTolerance);
-    at.field("straight", said.straight);
-    at.field("allowance", said.allowance, 0, kMaxAllowance);
-    at.word("corner", said.corner, kCornerRuleWords);
-    at.field("extension", said.extension, kMinStrip, kMaxStrip);
+    at.object("place", chosen.place, kStretch);
+    at.field("length", chosen.length, kMinSegmentLength, kMaxSegmentLength);
+    at.field("tolerance", chosen.tolerance, kMinFairTolerance, kMaxFairTolerance);
+    at.field("straight", chosen.straight);
+    at.field("allowance", chosen.allowance, 0, kMaxAllowance);
+    at.word("corner", chosen.corner, kCornerRuleWords);
+    at.field("extension", chosen.extension, kMinStrip, kMaxStrip);
 };
 
-inline constexpr auto kTurnPoint = [](auto& at, auto& said) {
+inline constexpr auto kTurnPoint = [](auto& at, auto& chosen) {
     at.need("line");
-    at.id("line", said.line);
-    at.field("at", said.at, -kMaxTurns, kMaxTurns);
-    at.field("reversed", said.reversed);
-    at.field("turns", said.turns);
+    at.id("line", chosen.line);
+    at.field("at", chosen.at, -kMaxTurns, kMaxTurns);
+    at.field("reversed", chosen.reversed);
+    at.field("turns", chosen.turns);
 };
 
-inline constexpr auto kSeamEnd = [](auto& at, auto& said) {
+inline constexpr auto kSeamEnd = [](auto& at, auto& chosen) {
     at.need("left");
-    at.object("left", said.seam.left, kStretch);
-    if (at.kReads || said.seam.right.line) {
-        at.object("right", said.seam.right, kStretch);
+    at.object("left", chosen.seam.left, kStretch);
+    if (at.kReads || chosen.seam.right.line) {
+        at.object("right", chosen.seam.right, kStretch);
     }
-    at.field("atEnd", said.atEnd);
-    at.field("trued", said.trued);
+    at.field("atEnd", chosen.atEnd);
+    at.field("trued", chosen.trued);
 };
 
 inline constexpr auto kAllowance = [](auto& at, auto& widths) {
@@ -354,13 +354,13 @@ inline constexpr auto kAllowance = [](auto& at, auto& widths) {
     at.field("hem", widths.hem, 0, kMaxAllowance);
 };
 
-inline constexpr auto kNotch = [](auto& at, auto& said) {
+inline constexpr auto kNotch = [](auto& at, auto& chosen) {
     at.need("line");
-    at.id("line", said.line);
-    at.field("at", said.at, -kMaxTurns, kMaxTurns);
-    at.field("reversed", said.reversed);
-    at.field("isThere", said.isThere);
-    at.field("count", said.count, 1, 2);
+    at.id("line", chosen.line);
+    at.field("at", chosen.at, -kMaxTurns, kMaxTurns);
+    at.field("reversed", chosen.reversed);
+    at.field("isThere", chosen.isThere);
+    at.field("count", chosen.count, 1, 2);
 };
 
 inline constexpr auto kNotches = [](auto& at, auto& rules) {
@@ -370,12 +370,12 @@ inline constexpr auto kNotches = [](auto& at, auto& rules) {
     at.list("notches", rules.notches, kNotch);
 };
 
-inline constexpr auto kDart = [](auto& at, auto& said) {
+inline constexpr auto kDart = [](auto& at, auto& chosen) {
     at.need("left");
-    at.object("left", said.seam.left, kStretch);
-    at.object("right", said.seam.right, kStretch);
-    at.field("intake", said.intake, kMinIntake, kMaxIntake);
-    at.word("lay", said.lay, kDartLayWords);
+    at.object("left", chosen.seam.left, kStretch);
+    at.object("right", chosen.seam.right, kStretch);
+    at.field("intake", chosen.intake, kMinIntake, kMaxIntake);
+    at.word("lay", chosen.lay, kDartLayWords);
 };
 
 inline constexpr auto kFacing = [](auto& at, auto& facing) {
@@ -476,7 +476,7 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
         in.point("offset", placement.offset, kFarthestOnSheet);
         in.field("turn", placement.turn, -kMaxTurn, kMaxTurn);
         in.field("mirrored", placement.mirrored);
-        in.unlessSaid(settings.placedByHand, true);  // not in older files
+        in.unlessStated(settings.placedByHand, true);  // not in older files
         in.field("byHand", settings.placedByHand);
     });
     at.field("grain", settings.grain, -kMaxTurn, kMaxTurn);
@@ -486,16 +486,16 @@ inline constexpr auto kPiece = [](auto& at, auto& piece) {
         at.field("byHalf", settings.byHalf);
     }
     at.text("material", settings.material);
-    at.unlessSaid(settings.materialByHand, !settings.material.empty());  // as in older files
+    at.unlessStated(settings.materialByHand, !settings.material.empty());  // as in older files
     if (at.kReads || settings.materialByHand == settings.material.empty()) {
         at.field("materialByHand", settings.materialByHand);
     }
     at.id("partOf", settings.partOf);
-    for (const auto& [name, said] :
+    for (const auto& [name, chosen] :
          {std::pair<const char*, decltype(&settings.hidden)>{"hidden", &settings.hidden},
           {"leftOut", &settings.leftOut}}) {
-        if (at.kReads || *said) {
-            at.field(name, *said);
+        if (at.kReads || *chosen) {
+            at.field(name, *chosen);
         }
     }
     if (at.kReads || !settings.anchors.empty()) {

@@ -173,7 +173,7 @@ Finding seamLengthDiffers(const Garment& garment, int seam, double longer) {
 namespace {
 
 /// From these values on strain and the free share are reported; 1 is 100 %.
-constexpr double kToldStrain = 0.01, kToldFree = 0.1;
+constexpr double kReportedStrain = 0.01, kReportedFree = 0.1;
 
 /// Stretch limits of the fabrics of some pieces along warp, weft and bias.
 struct Given {
@@ -217,7 +217,7 @@ Wording pulling(const Wording& subject, double strain, const std::optional<Given
 /// The seam or the piece with most tension or slack; nothing if all is below 1 %.
 Wording tellingPlace(const Proof& proof, const Garment& garment) {
     const auto seam = std::ranges::max_element(proof.seams, {}, &ProvenSeam::strain);
-    if (seam != proof.seams.end() && seam->strain >= kToldStrain) {
+    if (seam != proof.seams.end() && seam->strain >= kReportedStrain) {
         const Seam& sewn = garment.seams.seams[static_cast<std::size_t>(seam->seam)];
         return pulling(sewn.name, seam->strain, givenBy(proof, {sewn.left.piece, sewn.right.piece}),
                        true);
@@ -230,11 +230,11 @@ Wording tellingPlace(const Proof& proof, const Garment& garment) {
     const auto nameOf = [&](const auto& piece) {
         return garment.pieces[static_cast<std::size_t>(piece - proof.pieces.begin())]->name;
     };
-    if (pulled->mostPull >= kToldStrain && pulled->mostPull >= slack->mostSlack) {
+    if (pulled->mostPull >= kReportedStrain && pulled->mostPull >= slack->mostSlack) {
         const auto number = static_cast<int>(pulled - proof.pieces.begin());
         return pulling(nameOf(pulled), pulled->mostPull, givenBy(proof, {number}), false);
     }
-    return slack->mostSlack >= kToldStrain
+    return slack->mostSlack >= kReportedStrain
                ? worded("; %1 bags by %2 %", {nameOf(slack), figure(100 * slack->mostSlack, 1)})
                : Wording();
 }
@@ -253,42 +253,42 @@ Wording typedFigure(double value) {
 }  // namespace
 
 Wording sentence(const Proof& proof, const Garment& garment) {
-    Wording said =
+    Wording stated =
         worded("Sewn back it sits %1 mm from the design on average, %2 mm at the worst twentieth",
                {figure(proof.gap.mean, 1), figure(proof.gap.most95, 1)});
-    said += tellingPlace(proof, garment);
-    if (proof.freeShare >= kToldFree) {
-        said += worded("; %1 % of it hangs free", {figure(100 * proof.freeShare)});
+    stated += tellingPlace(proof, garment);
+    if (proof.freeShare >= kReportedFree) {
+        stated += worded("; %1 % of it hangs free", {figure(100 * proof.freeShare)});
     }
     // Pieces that the user left out do not count.
     const auto missing = std::ranges::count(proof.faults, FindingKind::NotThere, &Finding::kind);
     if (missing > 0) {
-        said += worded("; %1 of %2 pieces are not in it",
-                       {figure(static_cast<double>(missing)),
-                        figure(static_cast<double>(proof.pieces.size()))});
+        stated += worded("; %1 of %2 pieces are not in it",
+                         {figure(static_cast<double>(missing)),
+                          figure(static_cast<double>(proof.pieces.size()))});
     }
-    return said;
+    return stated;
 }
 
 Wording howHeld(const Proof& proof) {
     const ProofSettings& settings = proof.settings;
     const Wording pressure = typedFigure(settings.pressure);
-    Wording said = !proof.hasBody           ? worded("on the design, %1 Pa", {pressure})
-                   : proof.bodyName.empty() ? worded("on a body, %1 Pa", {pressure})
-                                            : worded("on %1, %2 Pa", {proof.bodyName, pressure});
+    Wording stated = !proof.hasBody           ? worded("on the design, %1 Pa", {pressure})
+                     : proof.bodyName.empty() ? worded("on a body, %1 Pa", {pressure})
+                                              : worded("on %1, %2 Pa", {proof.bodyName, pressure});
     if (settings.hasGravity) {
-        said += worded(", gravity");
+        stated += worded(", gravity");
     }
     if (settings.touchesItself) {
-        said += worded(", %1 mm off itself", {typedFigure(settings.thickness)});
+        stated += worded(", %1 mm off itself", {typedFigure(settings.thickness)});
     }
     if (proof.scale != 1) {
-        said += worded(", %1 times as large", {typedFigure(proof.scale)});
+        stated += worded(", %1 times as large", {typedFigure(proof.scale)});
     }
     if (settings.stiffness != StatedStiffness()) {
-        said += worded(", cloth as typed");
+        stated += worded(", cloth as typed");
     }
-    return said;
+    return stated;
 }
 
 }  // namespace toile

@@ -253,17 +253,17 @@ SeamMeasure measureSeam(const Seam& seam, const Piece& l, const FlatPiece& flatL
 }
 
 std::optional<SeamMeasure> measured(const Garment& garment, const PieceResults& results, int seam) {
-    const Seam& asked = garment.seams.seams[static_cast<std::size_t>(seam)];
+    const Seam& requested = garment.seams.seams[static_cast<std::size_t>(seam)];
     const auto result = [&results](const SeamSide& side) -> const PieceResult* {
         const auto at = static_cast<std::size_t>(side.piece);
         return at < results.size() ? results[at].get() : nullptr;
     };
-    const PieceResult* left = result(asked.left);
-    const PieceResult* right = asked.right.piece < 0 ? left : result(asked.right);
+    const PieceResult* left = result(requested.left);
+    const PieceResult* right = requested.right.piece < 0 ? left : result(requested.right);
     if (!left || !right || !left->flat || !right->flat) {
         return std::nullopt;
     }
-    return measureSeam(asked, *left->piece, *left->flat, *right->piece, *right->flat);
+    return measureSeam(requested, *left->piece, *left->flat, *right->piece, *right->flat);
 }
 
 SeamFit seamFit(const Seam& seam, const std::optional<SeamMeasure>& measure) {

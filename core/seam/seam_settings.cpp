@@ -195,13 +195,13 @@ std::optional<double> seenFromRight(std::optional<double> ease) {
     return ease ? std::optional(std::min(kMaxSeenEase, 1 / (1 + *ease) - 1)) : std::nullopt;
 }
 
-SeamSettings turned(SeamSettings said) {
-    said.place = turned(said.place);
-    said.ease = seenFromRight(said.ease);
-    if (said.drawn) {  // sides that swap run the other way
-        said.drawn = SeamPart{1 - said.drawn->to, 1 - said.drawn->from};
+SeamSettings turned(SeamSettings stated) {
+    stated.place = turned(stated.place);
+    stated.ease = seenFromRight(stated.ease);
+    if (stated.drawn) {  // sides that swap run the other way
+        stated.drawn = SeamPart{1 - stated.drawn->to, 1 - stated.drawn->from};
     }
-    return said;
+    return stated;
 }
 
 /// How well a place fits a seam; 0 if it covers at most half of the seam.
@@ -214,10 +214,10 @@ double fit(const SeamPlace& seam, const SeamPlace& place) {
 class SettingsByLine {
 public:
     explicit SettingsByLine(const std::vector<SeamSettings>& settings) {
-        for (const SeamSettings& said : settings) {
-            byLine_[said.place.left.line].push_back(&said);
-            if (said.place.right.line != said.place.left.line) {
-                byLine_[said.place.right.line].push_back(&said);
+        for (const SeamSettings& stated : settings) {
+            byLine_[stated.place.left.line].push_back(&stated);
+            if (stated.place.right.line != stated.place.left.line) {
+                byLine_[stated.place.right.line].push_back(&stated);
             }
         }
     }
@@ -229,13 +229,13 @@ public:
         double best = 0;
         std::optional<SeamSettings> found;
         for (std::size_t k = 0; known != byLine_.end() && k < known->second.size(); ++k) {
-            const SeamSettings& said = *known->second[k];
-            const double direct = fit(seam.place, said.place);
-            const double back = fit(seam.place, turned(said.place));
+            const SeamSettings& stated = *known->second[k];
+            const double direct = fit(seam.place, stated.place);
+            const double back = fit(seam.place, turned(stated.place));
             const double fits = std::max(direct, back);
             if (fits > 0 && fits >= best - kSame) {
                 best = fits;
-                found = direct >= back ? said : turned(said);
+                found = direct >= back ? stated : turned(stated);
             }
         }
         return found;
@@ -284,11 +284,11 @@ void applySettings(SeamGraph& graph, const std::vector<SeamSettings>& settings) 
     }
     const SettingsByLine known(settings);
     for (Seam& seam : graph.seams) {
-        if (const auto said = known.of(seam)) {
-            seam.ease = seam.kind == SeamKind::Free ? std::nullopt : said->ease;
-            seam.drawn = seam.ease ? said->drawn : std::nullopt;
-            if (!said->name.empty() && said->name != seam.name) {
-                seam.name = names.free(said->name);
+        if (const auto stated = known.of(seam)) {
+            seam.ease = seam.kind == SeamKind::Free ? std::nullopt : stated->ease;
+            seam.drawn = seam.ease ? stated->drawn : std::nullopt;
+            if (!stated->name.empty() && stated->name != seam.name) {
+                seam.name = names.free(stated->name);
             }
         }
     }
@@ -301,20 +301,20 @@ std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Sea
 
 std::vector<SeamSettings> withEase(std::vector<SeamSettings> settings, const Seam& seam,
                                    std::optional<double> ease, std::optional<SeamPart> drawn) {
-    SeamSettings said = SettingsByLine(settings).of(seam).value_or(SeamSettings{});
+    SeamSettings stated = SettingsByLine(settings).of(seam).value_or(SeamSettings{});
     std::erase_if(settings, [&seam](const SeamSettings& one) {
         return covered(one.place, seam.place) > 1 - kSame ||
                covered(turned(one.place), seam.place) > 1 - kSame;
     });
-    said.place = seam.place;
-    said.ease = ease;
-    said.drawn = ease ? drawn : std::nullopt;
-    if (!said.place.left.line) {
-        said = turned(said);
+    stated.place = seam.place;
+    stated.ease = ease;
+    stated.drawn = ease ? drawn : std::nullopt;
+    if (!stated.place.left.line) {
+        stated = turned(stated);
     }
-    const bool isSaid = ease || !said.name.empty() || SettingsByLine(settings).of(seam);
-    if (isSaid && said.place.left.line) {
-        settings.push_back(std::move(said));
+    const bool isStated = ease || !stated.name.empty() || SettingsByLine(settings).of(seam);
+    if (isStated && stated.place.left.line) {
+        settings.push_back(std::move(stated));
     }
     return settings;
 }

@@ -22,8 +22,8 @@ Neighbours neighboursOf(const Cloth& cloth) {
 }
 
 void VerticesAround::reach(int vertex) {
-    if (askedAt_[vertex] != asked_) {
-        askedAt_[vertex] = asked_;
+    if (requestedAt_[vertex] != requested_) {
+        requestedAt_[vertex] = requested_;
         wayTo_[vertex] = std::numeric_limits<double>::infinity();
         reached_.push_back(vertex);
     }
@@ -38,7 +38,7 @@ void VerticesAround::shorten(int vertex, double way) {
 }
 
 std::vector<int> VerticesAround::of(const std::vector<int>& seeds) {
-    ++asked_;
+    ++requested_;
     reached_.clear();
     for (const int seed : seeds) {
         shorten(seed, 0);

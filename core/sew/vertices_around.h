@@ -24,7 +24,7 @@ public:
         : neighbours_(neighbours),
           rings_(rings),
           far_(far),
-          askedAt_(neighbours.size()),
+          requestedAt_(neighbours.size()),
           wayTo_(neighbours.size()) {}
 
     /// Ascending: the seeds, and all vertices within `rings` edges of one, or within `far` by the
@@ -41,10 +41,10 @@ private:
     int rings_;
     double far_;
     std::vector<int> reached_;
-    std::vector<int> askedAt_;   ///< per vertex: the last query that reached it
-    std::vector<double> wayTo_;  ///< per reached vertex: shortest length so far
+    std::vector<int> requestedAt_;  ///< per vertex: the last query that reached it
+    std::vector<double> wayTo_;     ///< per reached vertex: shortest length so far
     std::priority_queue<Way, std::vector<Way>, std::greater<>> open_;
-    int asked_ = 0;
+    int requested_ = 0;
 };
 
 }  // namespace toile::sew

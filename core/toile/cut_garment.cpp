@@ -48,12 +48,12 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
     if (options.cutStyle == CutStyle::Topology) {
         return {.partCrossing = cutOfCrossings};
     }
-    const AdviceOptions asked{options.isFrontSwapped, options.enoughStrain};
-    const bool isForForms = options.cutStyle == CutStyle::Tailor || asked.enoughStrain;
-    const auto propose = [asked, isForForms, files = garment.files](
+    const AdviceOptions requested{options.isFrontSwapped, options.enoughStrain};
+    const bool isForForms = options.cutStyle == CutStyle::Tailor || requested.enoughStrain;
+    const auto propose = [requested, isForForms, files = garment.files](
                              const std::shared_ptr<const Piece>& piece,
                              const std::vector<UserCut>& own, const Progress& progress) {
-        AdviceOptions inFile = asked;
+        AdviceOptions inFile = requested;
         inFile.borders = fileBorders(*piece, *files[static_cast<std::size_t>(piece->file)]->soup);
         CutAdvice advice = adviseCuts(piece, own, inFile, progress);
         ProposedCuts made;
@@ -66,10 +66,10 @@ CutProposer proposerFor(const LoadOptions& options, const Garment& garment) {
         return made;
     };
     // The number encodes all options, the strain in steps of one millionth.
-    const double enough = asked.enoughStrain ? 1e6 * *asked.enoughStrain : -1;
-    const int way =
-        8 + 4 * static_cast<int>(enough) + (isForForms ? 2 : 0) + (asked.isFrontSwapped ? 1 : 0);
-    return {propose, cutOfCrossings, way, asked.enoughStrain.has_value()};
+    const double enough = requested.enoughStrain ? 1e6 * *requested.enoughStrain : -1;
+    const int way = 8 + 4 * static_cast<int>(enough) + (isForForms ? 2 : 0) +
+                    (requested.isFrontSwapped ? 1 : 0);
+    return {propose, cutOfCrossings, way, requested.enoughStrain.has_value()};
 }
 
 /// Notes holes: they are no fault, but most methods change the length of their rims.
@@ -100,7 +100,7 @@ LoadOptions resolveNames(LoadOptions options, const Garment& garment) {
 
 std::optional<Garment> easedGarment(const Garment& garment,
                                     const std::vector<SeamSettings>& settings) {
-    const auto isNamed = [](const SeamSettings& said) { return !said.name.empty(); };
+    const auto isNamed = [](const SeamSettings& stated) { return !stated.name.empty(); };
     if (std::ranges::any_of(settings, isNamed) ||
         std::ranges::any_of(garment.seamSettings, isNamed)) {
         return std::nullopt;

@@ -16,7 +16,7 @@ class EndingWorkers;
 
 /// True if the settings draw lines differently from how they are solved.
 inline bool draws(const LineSettings& settings) {
-    const auto isTyped = [](const DartSettings& said) { return said.intake.has_value(); };
+    const auto isTyped = [](const DartSettings& stated) { return stated.intake.has_value(); };
     return settings.fairing || settings.mirror != Mirror::None ||
            std::ranges::any_of(settings.darts, isTyped);
 }

@@ -127,9 +127,9 @@ std::optional<double> weldDistance(const LoadOptions& options) {
 /// The first note that something of the file was left out or changed on reading although the
 /// options do not ask for it.
 const Error* firstChange(const SourceFile& file, const LoadOptions& options) {
-    const Preparation& said = options.preparing;
-    const bool isReadingStated =
-        said.as || said.onlyLayer > 0 || (said.isHalf && file.reading.leftOut.F.rows() == 0);
+    const Preparation& preparing = options.preparing;
+    const bool isReadingStated = preparing.as || preparing.onlyLayer > 0 ||
+                                 (preparing.isHalf && file.reading.leftOut.F.rows() == 0);
     const auto found =
         std::find_if(file.problems.begin(), file.problems.end(), [&](const Error& problem) {
             return problem.code != ErrorCode::UnitGuessed &&

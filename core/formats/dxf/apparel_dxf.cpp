@@ -22,7 +22,7 @@ namespace {
 /// The name of an unnamed size: grading programs require a name.
 constexpr const char* kOneSize = "ONE";
 
-std::string said(std::string_view key, std::string_view value) {
+std::string textOf(std::string_view key, std::string_view value) {
     std::string text = std::string(key) + ":";
     if (!value.empty()) {
         text.append(" ").append(value);
@@ -66,47 +66,47 @@ std::vector<std::string> pieceTexts(const ExportSource& source, const DrawnBlock
     const Pattern& pattern = source.laid().pattern;
     const PatternPiece& piece = pattern.pieces[static_cast<std::size_t>(block.piece)];
     std::vector<std::string> texts{
-        said("Piece Name", name),
-        said("Quantity", quantityOf(piece, block.placement.mirrored)),
-        said("Annotation", cuttingNote(piece, source.words(), piece.cutAs)),
-        said("Category", name),
-        said("Material", piece.material),
-        said("Size", sizeOf(source))};
+        textOf("Piece Name", name),
+        textOf("Quantity", quantityOf(piece, block.placement.mirrored)),
+        textOf("Annotation", cuttingNote(piece, source.words(), piece.cutAs)),
+        textOf("Category", name),
+        textOf("Material", piece.material),
+        textOf("Size", sizeOf(source))};
     if (piece.cutAs == CutAs::OnFold) {
-        texts.push_back(said("Fold", "Y"));
+        texts.push_back(textOf("Fold", "Y"));
     }
     return texts;
 }
 
 std::vector<std::string> controlTexts(const ExportSource& source) {
-    return {said("Piece Name", kControlName),
-            said("Quantity", "1,0"),
-            said("Annotation", "100 mm x 100 mm"),
-            said("Category", "DO NOT CUT"),
-            said("Material", ""),
-            said("Size", sizeOf(source))};
+    return {textOf("Piece Name", kControlName),
+            textOf("Quantity", "1,0"),
+            textOf("Annotation", "100 mm x 100 mm"),
+            textOf("Category", "DO NOT CUT"),
+            textOf("Material", ""),
+            textOf("Size", sizeOf(source))};
 }
 
 std::vector<std::string> styleTexts(const ExportSource& source) {
     const DxfOptions& options = source.options().dxf;
     const bool isAstm = options.profile == DxfProfile::Astm;
     const std::string release(version());
-    std::vector<std::string> texts{said("Style Name", styleName(source)),
-                                   said("Creation Date", source.laid().pattern.label.date),
-                                   said("Creation Time", "")};
+    std::vector<std::string> texts{textOf("Style Name", styleName(source)),
+                                   textOf("Creation Date", source.laid().pattern.label.date),
+                                   textOf("Creation Time", "")};
     if (isAstm) {
-        texts.push_back(said("Author", "Toile;Toile;" + release));
+        texts.push_back(textOf("Author", "Toile;Toile;" + release));
     } else {  // three texts that precede the standard of 2001
-        texts.push_back(said("Author", "Toile"));
-        texts.push_back(said("Product", "Toile"));
-        texts.push_back(said("Version", release));
+        texts.push_back(textOf("Author", "Toile"));
+        texts.push_back(textOf("Product", "Toile"));
+        texts.push_back(textOf("Version", release));
     }
-    texts.push_back(said("Sample Size", sizeOf(source)));
-    texts.push_back(said("Grade Rule Table", options.ruleTable ? styleName(source) : ""));
-    texts.push_back(said("Units", unitsOf(source)));
-    texts.push_back(said(isAstm ? "Curve Tolerance" : "Tolerance", curveTolerance(source)));
+    texts.push_back(textOf("Sample Size", sizeOf(source)));
+    texts.push_back(textOf("Grade Rule Table", options.ruleTable ? styleName(source) : ""));
+    texts.push_back(textOf("Units", unitsOf(source)));
+    texts.push_back(textOf(isAstm ? "Curve Tolerance" : "Tolerance", curveTolerance(source)));
     if (isAstm) {
-        texts.push_back(said("ASTM/D13 Proposal 1 Version", "D6673-10"));
+        texts.push_back(textOf("ASTM/D13 Proposal 1 Version", "D6673-10"));
     }
     return texts;
 }
@@ -114,12 +114,12 @@ std::vector<std::string> styleTexts(const ExportSource& source) {
 std::string writeRuleTable(const ExportSource& source) {
     std::string table;
     for (const std::string& line :
-         {said("ASTM/D13 Proposal 1 Version", "D6673-10"),
-          said("Author", "Toile;Toile;" + std::string(version())),
-          said("Creation Date", source.laid().pattern.label.date), said("Creation Time", ""),
-          said("Grade Rule Table", styleName(source)), said("Units", unitsOf(source)),
-          said("Number of Sizes", "1"), said("Size List", sizeOf(source)),
-          said("Sample Size", sizeOf(source)), std::string("End")}) {
+         {textOf("ASTM/D13 Proposal 1 Version", "D6673-10"),
+          textOf("Author", "Toile;Toile;" + std::string(version())),
+          textOf("Creation Date", source.laid().pattern.label.date), textOf("Creation Time", ""),
+          textOf("Grade Rule Table", styleName(source)), textOf("Units", unitsOf(source)),
+          textOf("Number of Sizes", "1"), textOf("Size List", sizeOf(source)),
+          textOf("Sample Size", sizeOf(source)), std::string("End")}) {
         table += line + "\r\n";
     }
     return table;

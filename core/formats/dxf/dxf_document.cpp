@@ -410,18 +410,19 @@ LengthUnit bySize(double extent) {
 }
 
 /// The unit that the file states, or if its size is impossible, the unit by size.
-DxfUnit judged(LengthUnit said, const Wording& source, double extent) {
+DxfUnit judged(LengthUnit stated, const Wording& source, double extent) {
     const auto length = [extent](LengthUnit unit) { return figure(extent * millimetresPer(unit)); };
-    if (isPossible(said, extent)) {
-        if (isUsual(said, extent)) {
-            return {said, source};
+    if (isPossible(stated, extent)) {
+        if (isUsual(stated, extent)) {
+            return {stated, source};
         }
-        return {said, worded("%1; the largest piece is %2 mm then", {source, length(said)}), true};
+        return {stated, worded("%1; the largest piece is %2 mm then", {source, length(stated)}),
+                true};
     }
     const LengthUnit other = bySize(extent);
     return {other,
             worded("%1, but the largest piece would be %2 mm; in %3 it is %4 mm",
-                   {source, length(said), Wording(std::string(symbol(other))), length(other)}),
+                   {source, length(stated), Wording(std::string(symbol(other))), length(other)}),
             true};
 }
 

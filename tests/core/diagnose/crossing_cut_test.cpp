@@ -29,7 +29,7 @@ std::optional<CrossingCut> cutOf(const Piece& piece, const Points2& Q) {
 }
 
 /// What is said of the crossings, the search for a cut done.
-std::string saidOf(const Piece& piece, const Points2& Q, const Progress& progress = Progress()) {
+std::string statedOf(const Piece& piece, const Points2& Q, const Progress& progress = Progress()) {
     const auto crossings = findOutlineCrossings(Q, piece.boundary);
     const auto note = crossingNote(piece, Q, crossings);
     Problems notes;
@@ -145,7 +145,7 @@ TEST(CrossingCut, TwoTurnsAndMoreNeedMoreThanOneCut) {
     ASSERT_TRUE(cut);
     expectIsACut(*piece, *cut);
     EXPECT_FALSE(cut->resolves);
-    EXPECT_NE(saidOf(*piece, Q).find("one cut is not enough"), std::string::npos);
+    EXPECT_NE(statedOf(*piece, Q).find("one cut is not enough"), std::string::npos);
 }
 
 TEST(CrossingCut, ASaddlesSlitIsCutOn) {
@@ -189,7 +189,7 @@ TEST(CrossingCut, ALongCutIsNotWorthItForEarsOfARaggedEdge) {
     EXPECT_GT(cut->length3d, 40);
     EXPECT_LT(cut->folded3d, 40);
     EXPECT_FALSE(cut->isWorthIt());
-    EXPECT_NE(saidOf(*piece, Q).find("smooth the edge there"), std::string::npos);
+    EXPECT_NE(statedOf(*piece, Q).find("smooth the edge there"), std::string::npos);
     const auto flounce = test::asPiece(test::flounce(500, 80, 200, 72, 5));
     EXPECT_TRUE(cutOf(*flounce, flatOf(*flounce, Method::Curvature))->isWorthIt());
 }
@@ -213,10 +213,10 @@ TEST(CrossingCut, ACancelledSearchGivesAtMostAnUntestedCut) {
     progress.cancel();
     const auto cut = cutForCrossings(*piece, Q, findOutlineCrossings(Q, piece->boundary), progress);
     EXPECT_FALSE(cut && cut->resolves);
-    const std::string said = saidOf(*piece, Q, progress);
+    const std::string said = statedOf(*piece, Q, progress);
     EXPECT_NE(said.find("crossing"), std::string::npos) << said;
     EXPECT_EQ(said.find("cut"), std::string::npos) << said;
-    EXPECT_NE(saidOf(*piece, Q).find("cut it from"), std::string::npos);
+    EXPECT_NE(statedOf(*piece, Q).find("cut it from"), std::string::npos);
 }
 
 TEST(CrossingCut, TheSearchInALargeOutlineWithoutASingleCutGivesTheBest) {

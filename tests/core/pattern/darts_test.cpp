@@ -39,7 +39,7 @@ Vector2d reflectedIn(const Chord& line, const Vector2d& point) {
 
 PieceDart onlyDart(PatternPiece piece, const std::map<SeamId, DartLay>& lays = {}) {
     for (const auto& [seam, lay] : lays) {
-        piece.saidOfDarts[seam].lay = lay;
+        piece.statedDarts[seam].lay = lay;
     }
     const std::vector<PieceDart> darts = findDarts(piece);
     EXPECT_EQ(darts.size(), 1U);
