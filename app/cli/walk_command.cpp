@@ -43,8 +43,9 @@ int runWalk(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     }
     const LineSettings& lines = arguments.lines;
     const PieceResults results = flattened(arguments, *garment, progress);
-    const auto [notches, walks] =
-        walkGarment(*garment, results, lines, symmetryOf(*garment, lines).get());
+    const auto [notches, walks] = walkGarment(
+        *garment, results, makePattern(*garment, results, lines, symmetryOf(*garment, lines)),
+        lines.notches);
     if (arguments.json) {
         out << writeWalk(*garment, notches, walks);
     } else {

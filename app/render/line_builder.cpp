@@ -235,8 +235,7 @@ void addInternalLines(const Garment& garment, const PieceResults& results, const
             addInternal(scene, internal, garment.pieces[static_cast<std::size_t>(i)]->mesh,
                         flatPieceOf(garment, results, i), kind);
         }
-        for (const PieceDart& dart :
-             pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>()) {
+        for (const PieceDart& dart : piece.darts) {
             const DartMarks marks = dartMarks(dart);
             for (const Points2& line : {marks.fold, marks.drill, marks.cross[0], marks.cross[1]}) {
                 if (line.rows() > 0) {

@@ -74,8 +74,8 @@ Result<ExportedFiles> makeHtml(const ExportSource& source) {
 }
 
 Result<ExportedFiles> makeCsv(const ExportSource& source) {
-    const WalkedGarment walked = walkGarment(source.garment(), source.results(), source.lines(),
-                                             source.laid().pattern.symmetry.get());
+    const WalkedGarment walked = walkGarment(source.garment(), source.results(),
+                                             source.laid().pattern, source.lines().notches);
     ExportedFiles files = oneFile(writeCsv(pieceTable(source.laid().pattern, source.results())));
     for (const ReportTable& table : {ledgerTable(source.garment(), source.results()),
                                      walkTable(source.garment(), walked.notches, walked.walks)}) {

@@ -8,7 +8,6 @@
 
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/pattern.h"
-#include "core/pattern/piece_grain.h"
 
 namespace toile {
 
@@ -23,29 +22,6 @@ inline constexpr double kDrillBeforeTip = 12;
 /// cloth would reach beyond the legs: so wide an opening is a hollow corner, as of a box, and no
 /// dart. Slightly below 60 degrees, a common angle, so that rounding does not decide.
 inline constexpr double kWidestDart = 1.0471975511965976 - 1e-6;
-
-/// A dart of the pattern.
-struct PieceDart {
-    int seam = 0;  ///< SeamLine::number
-    /// Arc lengths along `PatternPiece::outline`, from the mouth over the tip to the mouth: `from`
-    /// within the first turn, `to` counted on.
-    double from = 0, to = 0;
-    Eigen::Vector2d tip{0, 0};
-    Chord mouth{{0, 0}, {0, 0}};  ///< start of the first leg, end of the second
-    double intake = 0;            ///< width of the mouth, mm
-    bool isTyped = false;         ///< the user has set the intake
-    /// Angle at the tip between the chords of both legs, radians; below 0 if the legs cross.
-    double angle = 0;
-    double leg = 0;  ///< length of the first leg along the line, mm; equals the second when sewn
-    DartLay lay = DartLay::First;
-    /// The line on which the cloth between the legs ends, from the mouth's first end to the second.
-    /// Empty if there is no such cloth or no room: the dart stays open.
-    Points2 cap{};
-    /// From the tip to the point where the fold leaves the cap; both the tip if there is no cap.
-    Chord fold{{0, 0}, {0, 0}};
-    /// On the fold, in the dart's cloth; the tip if there is no cap.
-    Eigen::Vector2d drill{0, 0};
-};
 
 /// The darts of a piece, sorted by `from`: seams of kind Dart with both sides on the outline, one
 /// ending where the other starts, at less than kWidestDart. Turn points on a leg are ignored. A

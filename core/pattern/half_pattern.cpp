@@ -11,8 +11,10 @@
 #include "core/geometry/line.h"
 #include "core/geometry/polygon.h"
 #include "core/geometry/segment.h"
+#include "core/pattern/darts.h"
 #include "core/pattern/drawn_outline.h"
 #include "core/pattern/internal_lines.h"
+#include "core/pattern/piece_allowance.h"
 
 namespace toile {
 namespace {
@@ -155,6 +157,9 @@ void halve(PatternPiece& piece) {
         piece.cuttingLine = upToFold(piece.cuttingLine, chord);
     }
     piece.extensions = leftParts(piece.extensions, chord);
+    if (!piece.darts.empty()) {
+        piece.darts = findDarts(piece);
+    }
 }
 
 }  // namespace
@@ -202,6 +207,7 @@ Pattern asCut(Pattern whole) {
             piece.outline.resize(0, 2);
             piece.seams.clear();
             piece.segments.clear();
+            piece.darts.clear();
             piece.cuttingLine.resize(0, 2);
             piece.extensions.clear();
             piece.notches.clear();
@@ -211,8 +217,8 @@ Pattern asCut(Pattern whole) {
     }
     for (FacingPiece& facing : whole.facings) {
         const PatternPiece& piece = whole.pieces[facing.piece];
+        setCutting(facing.strip, piece);
         Cutting& cutting = facing.strip;
-        cutting = piece;
         cutting.byHalf = false;
         if (piece.cutAs == CutAs::Pair || piece.cutAs == CutAs::Image) {
             // Each of the pair has a facing, with the quantity of the pair.

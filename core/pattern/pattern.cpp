@@ -182,7 +182,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
     pattern.name =
         garment.files.empty() ? std::string() : garment.files.front()->path.stem().string();
     pattern.pieces.resize(garment.pieces.size());
-    const auto segments = findSegments(garment, exactResults(garment, results), lines);
+    pattern.exactSegments = findSegments(garment, exactResults(garment, results), lines);
     const std::vector<DrawnMirror> mirrors = drawnMirrors(results);
     const std::map<int, DartSettings> darts = statedDarts(garment.seams, lines);
     UniqueNames slugs;
@@ -205,7 +205,7 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
         made.mirror = mirrors[i];
         const MeasuredOutline outline(piece, flat);
         addSeams(made, piece, flat, outline, garment.seams, static_cast<int>(i));
-        addSegments(made, *results[i], outline, garment.seams, segments[i], lines);
+        addSegments(made, *results[i], outline, garment.seams, pattern.exactSegments[i], lines);
         for (const SeamLine& seam : made.seams) {
             if (const auto stated = darts.find(seam.number - 1); stated != darts.end()) {
                 made.statedDarts.emplace(seam.seam, stated->second);
@@ -222,8 +222,9 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
     pattern.hasAllowance = lines.allowance.has_value();
     pattern.hasNotches = lines.notches.has_value();
     if (lines.notches) {
-        addNotches(pattern, garment.seams,
-                   findNotches(garment, results, segments, *lines.notches, symmetry.get()));
+        addNotches(
+            pattern, garment.seams,
+            findNotches(garment, results, pattern.exactSegments, *lines.notches, symmetry.get()));
         pattern.notchForm = lines.notches->form;
         pattern.notchDepth = lines.notches->depth;
     }

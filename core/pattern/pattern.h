@@ -14,6 +14,7 @@
 #include "core/garment/seam.h"
 #include "core/mesh/mesh_arrays.h"
 #include "core/pattern/line_settings.h"
+#include "core/pattern/segments.h"
 
 namespace toile {
 
@@ -103,6 +104,34 @@ struct PieceInternal {
     std::vector<SurfacePoint> way{};
 };
 
+/// A straight line between two points, mm.
+struct Chord {
+    Eigen::Vector2d from, to;
+};
+
+/// A dart of the pattern.
+struct PieceDart {
+    int seam = 0;  ///< SeamLine::number
+    /// Arc lengths along `PatternPiece::outline`, from the mouth over the tip to the mouth: `from`
+    /// within the first turn, `to` counted on.
+    double from = 0, to = 0;
+    Eigen::Vector2d tip{0, 0};
+    Chord mouth{{0, 0}, {0, 0}};  ///< start of the first leg, end of the second
+    double intake = 0;            ///< width of the mouth, mm
+    bool isTyped = false;         ///< the user has set the intake
+    /// Angle at the tip between the chords of both legs, radians; below 0 if the legs cross.
+    double angle = 0;
+    double leg = 0;  ///< length of the first leg along the line, mm; equals the second when sewn
+    DartLay lay = DartLay::First;
+    /// The line on which the cloth between the legs ends, from the mouth's first end to the second.
+    /// Empty if there is no such cloth or no room: the dart stays open.
+    Points2 cap{};
+    /// From the tip to the point where the fold leaves the cap; both the tip if there is no cap.
+    Chord fold{{0, 0}, {0, 0}};
+    /// On the fold, in the dart's cloth; the tip if there is no cap.
+    Eigen::Vector2d drill{0, 0};
+};
+
 /// Mirror relation of a piece in the drawn pattern (`Mirror`).
 struct DrawnMirror {
     /// It is its own image: row k of the outline mirrors row #n - k, modulo #n, and the mirror line
@@ -145,6 +174,7 @@ struct PatternPiece : Cutting {
     std::vector<PieceNotch> notches{};             ///< sorted by `hole`, then `at`
     std::vector<PieceInternal> internals{};        ///< sorted by `line`
     std::map<SeamId, DartSettings> statedDarts{};  ///< settings of its darts
+    std::vector<PieceDart> darts{};                ///< `findDarts`, if it has a cutting line
     int number = 0;  ///< from 1 in the garment's order, counting drawn pieces; 0: not drawn
 };
 
@@ -170,6 +200,8 @@ struct Pattern {
     double notchDepth = 5;  ///< from the cutting line inwards, mm
     LabelTexts label{};
     MaterialList materials{};  ///< available to its pieces
+    /// Segments of the exact outlines of the garment's pieces (`findSegments`).
+    std::vector<OutlineSegments> exactSegments{};
     /// Symmetry by which pieces are drawn as mirror images; null: none.
     std::shared_ptr<const Symmetry> symmetry{};
 };

@@ -390,12 +390,21 @@ AllowanceBase allowanceBase(const PatternPiece& piece, CappedOutline outline) {
 }
 
 void addCuttingLine(PatternPiece& piece) {
-    CappedOutline outline = extendedOutline(piece, cappedOutline(piece, findDarts(piece)));
+    piece.darts = findDarts(piece);
+    CappedOutline outline = extendedOutline(piece, cappedOutline(piece, piece.darts));
     piece.extensions = extensionEdges(piece, outline);
     AllowanceBase base = allowanceBase(piece, std::move(outline));
     const bool isNone = std::ranges::all_of(
         base.stretches, [](const AllowanceStretch& stretch) { return stretch.width == 0; });
     piece.cuttingLine = isNone ? std::move(base.line) : cuttingLine(base.line, base.stretches);
+}
+
+void setCutting(PatternPiece& piece, const Cutting& cutting) {
+    const bool isTurned = grainOf(piece) != grainOf(cutting);
+    static_cast<Cutting&>(piece) = cutting;
+    if (isTurned && !piece.darts.empty()) {
+        addCuttingLine(piece);
+    }
 }
 
 int segmentAt(const PatternPiece& piece, double length, double at) {

@@ -78,10 +78,14 @@ struct AllowanceBase {
 /// A line with its stretches, each with the allowance of its segment.  Cost: linear. Pure.
 AllowanceBase allowanceBase(const PatternPiece& piece, CappedOutline outline);
 
-/// Sets the cutting line of a piece: around its outline, the caps of its darts (`cappedOutline`),
-/// its extensions (`extendedOutline`) and the allowances of its segments (`cuttingLine`).  Cost:
-/// that of `cuttingLine`. Pure.
+/// Sets the darts of a piece and its cutting line: around its outline, the caps of the darts
+/// (`cappedOutline`), its extensions (`extendedOutline`) and the allowances of its segments
+/// (`cuttingLine`).  Cost: that of `cuttingLine`. Pure.
 void addCuttingLine(PatternPiece& piece);
+
+/// Sets how a piece is cut. The side to which a dart is laid follows the grain, and the cutting
+/// line follows the dart: both are found again if the grain changes.
+void setCutting(PatternPiece& piece, const Cutting& cutting);
 
 /// The segment at a place of the outline of this length; -1 if there is none.
 /// Cost: linear in the segments. Pure.

@@ -11,14 +11,11 @@
 #include "core/garment/fabric.h"
 #include "core/garment/garment.h"
 #include "core/pattern/line_settings.h"
+#include "core/pattern/pattern.h"
 #include "core/pattern/pole.h"
 #include "core/symmetry/symmetry.h"
 
 namespace toile {
-
-struct Chord {
-    Eigen::Vector2d from, to;
-};
 
 /// Position of a grain line: along the middle of the largest slender box in its direction that fits
 /// in the free cloth, up to 300 mm long; of equal boxes the one nearest to the middle of the piece.

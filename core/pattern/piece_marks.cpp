@@ -86,8 +86,7 @@ std::vector<Points2> drawnOnCloth(const Pattern& pattern, const PatternPiece& pi
         const std::vector<Points2> drawn = drawnLines(internal);
         lines.insert(lines.end(), drawn.begin(), drawn.end());
     }
-    for (const PieceDart& dart :
-         pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>()) {
+    for (const PieceDart& dart : piece.darts) {
         const DartMarks marks = dartMarks(dart);
         for (const Points2& line : {marks.fold, marks.drill, marks.cross[0], marks.cross[1]}) {
             if (line.rows() > 1) {

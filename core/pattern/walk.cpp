@@ -187,13 +187,11 @@ std::vector<SeamWalk> walkSeams(const Garment& garment, const PieceResults& resu
 }
 
 WalkedGarment walkGarment(const Garment& garment, const PieceResults& results,
-                          const LineSettings& lines, const Symmetry* symmetry) {
-    const std::vector<OutlineSegments> segments =
-        findSegments(garment, exactResults(garment, results), lines);
+                          const Pattern& pattern, const std::optional<NotchRules>& rules) {
     WalkedGarment walked;
-    walked.notches =
-        findNotches(garment, results, segments, lines.notches.value_or(NotchRules{}), symmetry);
-    walked.walks = walkSeams(garment, results, segments, walked.notches);
+    walked.notches = findNotches(garment, results, pattern.exactSegments,
+                                 rules.value_or(NotchRules{}), pattern.symmetry.get());
+    walked.walks = walkSeams(garment, results, pattern.exactSegments, walked.notches);
     return walked;
 }
 

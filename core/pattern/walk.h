@@ -12,6 +12,7 @@
 #include "core/geometry/line.h"
 #include "core/geometry/placement.h"
 #include "core/pattern/notches.h"
+#include "core/pattern/pattern.h"
 #include "core/pattern/segments.h"
 
 namespace toile {
@@ -103,11 +104,10 @@ struct WalkedGarment {
     std::vector<SeamWalk> walks;              ///< by seam
 };
 
-/// The same with the notches of these settings, or the usual ones if they have none.
-/// @param lines  with which the results were drawn  @param symmetry  likewise; null: none
-/// Cost: that of `findSegments`, `findNotches` and `walkSeams`. Pure.
+/// The same with the notches of these rules; empty: the usual ones.
+/// @param pattern  of the results  Cost: that of `findNotches` and `walkSeams`. Pure.
 WalkedGarment walkGarment(const Garment& garment, const PieceResults& results,
-                          const LineSettings& lines, const Symmetry* symmetry);
+                          const Pattern& pattern, const std::optional<NotchRules>& rules);
 
 /// A seam of the pattern at a place of its walk: the right side's piece rolled along the left
 /// side's.

@@ -13,6 +13,7 @@
 #include "core/layout/arrange.h"
 #include "core/layout/free_place.h"
 #include "core/layout/marker.h"
+#include "core/pattern/piece_allowance.h"
 #include "core/pattern/piece_grain.h"
 
 namespace toile {
@@ -341,7 +342,7 @@ LaidOutPattern cutAndPlace(Pattern pattern, const std::vector<PieceSettings>& se
                            MaterialList materials, const Fabric& own) {
     std::vector<std::optional<Placement>> placements;
     for (std::size_t i = 0; i < settings.size(); ++i) {
-        static_cast<Cutting&>(pattern.pieces[i]) = settings[i];
+        setCutting(pattern.pieces[i], settings[i]);
         placements.push_back(settings[i].placement);
     }
     pattern.materials = std::move(materials);

@@ -22,17 +22,17 @@ namespace {
 /// Nearer than this, mm, a proposal meets a seam.
 constexpr double kMeets = 25;
 
-using Segment = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
+using SewnLine = std::pair<Eigen::Vector3d, Eigen::Vector3d>;
 
 /// Of the length of some lines, the part near others.
-double partNear(const std::vector<Segment>& lines, const std::vector<Segment>& others) {
+double partNear(const std::vector<SewnLine>& lines, const std::vector<SewnLine>& others) {
     double near = 0, whole = 0;
     for (const auto& [a, b] : lines) {
         const double length = (b - a).norm();
         const int samples = std::max(1, static_cast<int>(length / 5));
         for (int k = 0; k < samples; ++k) {
             const Eigen::Vector3d here = a + (k + 0.5) / samples * (b - a);
-            const bool meets = std::ranges::any_of(others, [&here](const Segment& other) {
+            const bool meets = std::ranges::any_of(others, [&here](const SewnLine& other) {
                 return geometry::distanceToSegment(here, other.first, other.second) < kMeets;
             });
             near += meets ? length / samples : 0;
@@ -51,8 +51,8 @@ Garment loadedBy(const std::string& file, SplitMode split, bool weld) {
 }
 
 /// The lines along which a garment is sewn.
-std::vector<Segment> sewnLines(const Garment& garment) {
-    std::vector<Segment> lines;
+std::vector<SewnLine> sewnLines(const Garment& garment) {
+    std::vector<SewnLine> lines;
     for (const Seam& seam : garment.seams.seams) {
         if (seam.right.piece < 0) {
             continue;
@@ -90,7 +90,7 @@ struct Found {
     bool areSleevesApart;
 };
 
-Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<Segment>& truth) {
+Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<SewnLine>& truth) {
     bool hasArmholes = false;
     const CutPieces made = cutPieces({skin}, {}, true, Progress(), {},
                                      {[&](const auto& piece, const auto&, const auto& progress) {
@@ -102,7 +102,7 @@ Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<
                                          }
                                          return proposed;
                                      }});
-    std::vector<Segment> lines;
+    std::vector<SewnLine> lines;
     for (const AppliedCut& cut : made.cuts) {
         for (std::size_t k = 1; k < cut.points.size(); ++k) {
             lines.emplace_back(cut.points[k - 1], cut.points[k]);
@@ -113,7 +113,7 @@ Found cutAndCompare(const std::shared_ptr<const Piece>& skin, const std::vector<
 }
 
 /// The same by the form alone: the mean of three ways to erase the traces.
-Found cutWithoutTraces(const Piece& skin, const std::vector<Segment>& truth) {
+Found cutWithoutTraces(const Piece& skin, const std::vector<SewnLine>& truth) {
     constexpr unsigned kSeeds[] = {7, 8, 9};
     Found mean{0, 0, 0, false};
     for (const unsigned seed : kSeeds) {
@@ -140,7 +140,7 @@ TEST(TailorTruthSlow, ProposedCutsMeetTheSeamsThatAGarmentWasSewnBy) {
         "precision | pieces |\n|---|--:|--:|--:|--:|--:|--:|--:|\n";
     for (const Truth& truth : kTruths) {
         SCOPED_TRACE(truth.file);
-        const std::vector<Segment> seams = sewnLines(loadedBy(truth.file, SplitMode::Uv, false));
+        const std::vector<SewnLine> seams = sewnLines(loadedBy(truth.file, SplitMode::Uv, false));
         const Garment skins = loadedBy(truth.file, SplitMode::Components, true);
         ASSERT_EQ(skins.pieces.size(), 1U);
         const Found found = cutAndCompare(skins.pieces[0], seams);

@@ -106,8 +106,7 @@ void addNotches(Drawing& drawing, const Pattern& pattern, const PatternPiece& pi
 
 /// Fold lines, drill points and tips of darts whose cloth stays.
 void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& placement) {
-    const std::vector<PieceDart> darts = findDarts(piece);
-    for (std::size_t k = 0; k < darts.size(); ++k) {
+    for (std::size_t k = 0; k < piece.darts.size(); ++k) {
         const std::string id = "piece-" + piece.slug + "--dart-" + std::to_string(k + 1);
         const auto add = [&](const char* what, const Points2& line, bool closed, bool isDrill) {
             if (line.rows() > 0) {
@@ -115,7 +114,7 @@ void addDarts(Drawing& drawing, const PatternPiece& piece, const Placement& plac
                     {id + what, LayerKind::Internal, placedLine(line, placement), closed, isDrill});
             }
         };
-        const DartMarks marks = dartMarks(darts[k]);
+        const DartMarks marks = dartMarks(piece.darts[k]);
         add("-fold", marks.fold, false, false);
         add("-drill", marks.drill, true, true);
         add("-tip-1", marks.cross[0], false, true);
@@ -255,9 +254,7 @@ void addPiece(Drawing& drawing, const Pattern& pattern, int index, const Pattern
     addSeams(drawing, piece, placement, seams);
     addNotches(drawing, pattern, piece, placement);
     addInternals(drawing, piece, placement);
-    if (pattern.hasAllowance) {
-        addDarts(drawing, piece, placement);
-    }
+    addDarts(drawing, piece, placement);
     if (piece.cutAs == CutAs::OnFold) {
         addFold(drawing, piece, placement, words.placeOnFold);
     }

@@ -32,19 +32,16 @@ const PatternPiece& pieceOf(const Pattern& pattern, const DrawnBlock& block) {
 }
 
 /// Darts whose cloth stays; the cutting line goes round the others.
-std::vector<PieceDart> cappedDarts(const Pattern& pattern, const PatternPiece& piece) {
-    std::vector<PieceDart> darts;
-    if (pattern.hasAllowance) {
-        darts = findDarts(piece);
-        std::erase_if(darts, [](const PieceDart& dart) { return dart.cap.rows() == 0; });
-    }
+std::vector<PieceDart> cappedDarts(const PatternPiece& piece) {
+    std::vector<PieceDart> darts = piece.darts;
+    std::erase_if(darts, [](const PieceDart& dart) { return dart.cap.rows() == 0; });
     return darts;
 }
 
 void addLegs(ApparelDrawing& made, const Pattern& pattern, std::size_t index) {
     const DrawnBlock block = made.drawing.blocks[index];
     const PatternPiece& piece = pieceOf(pattern, block);
-    const std::vector<PieceDart> darts = cappedDarts(pattern, piece);
+    const std::vector<PieceDart> darts = cappedDarts(piece);
     for (std::size_t k = 0; k < darts.size(); ++k) {
         made.lines[index].push_back({made.drawing.paths.size(), kInternalLayer});
         made.drawing.paths.push_back(
@@ -272,7 +269,7 @@ std::vector<ApparelPiece> apparelPieces(const ExportSource& source, const Appare
                 out.drills.push_back(block.placement.applied(internal.points.row(0).transpose()));
             }
         }
-        for (const PieceDart& dart : cappedDarts(pattern, piece)) {
+        for (const PieceDart& dart : cappedDarts(piece)) {
             out.drills.push_back(block.placement.applied(dart.drill));
         }
         if (piece.cutAs == CutAs::OnFold) {

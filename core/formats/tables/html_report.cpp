@@ -109,8 +109,8 @@ std::string writeHtmlReport(const ExportSource& source) {
     }
     appendTable(out, pieceTable(source.laid().pattern, source.results()));
     appendTable(out, ledgerTable(source.garment(), source.results()));
-    const WalkedGarment walked = walkGarment(source.garment(), source.results(), source.lines(),
-                                             source.laid().pattern.symmetry.get());
+    const WalkedGarment walked = walkGarment(source.garment(), source.results(),
+                                             source.laid().pattern, source.lines().notches);
     appendTable(out, walkTable(source.garment(), walked.notches, walked.walks));
     return out + "</body>\n</html>\n";
 }

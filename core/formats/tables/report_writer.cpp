@@ -214,13 +214,8 @@ void addPatternJson(Json& json, const Pattern& pattern, const PatternPiece& piec
             json["segments"].push_back(segmentJson(piece.segments[k], cornerOf(piece, k)));
         }
     }
-    const std::vector<PieceDart> darts =
-        pattern.hasAllowance ? findDarts(piece) : std::vector<PieceDart>();
-    if (!darts.empty()) {
-        json["darts"] = Json::array();
-        for (const PieceDart& dart : darts) {
-            json["darts"].push_back(dartJson(dart));
-        }
+    for (const PieceDart& dart : piece.darts) {
+        json["darts"].push_back(dartJson(dart));
     }
     for (const PieceInternal& internal : piece.internals) {
         if (internal.points.rows() > 0) {

@@ -32,7 +32,7 @@ struct Shirt {
 TEST(ReportTables, EveryRowIsAsLongAsItsHead) {
     const Shirt shirt;
     const WalkedGarment walked =
-        walkGarment(shirt.garment, shirt.results, shirt.lines, shirt.laid.pattern.symmetry.get());
+        walkGarment(shirt.garment, shirt.results, shirt.laid.pattern, shirt.lines.notches);
     for (const ReportTable& table :
          {pieceTable(shirt.laid.pattern, shirt.results), ledgerTable(shirt.garment, shirt.results),
           walkTable(shirt.garment, walked.notches, walked.walks)}) {

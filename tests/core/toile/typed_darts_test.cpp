@@ -11,6 +11,9 @@
 #include "core/pattern/dart_places.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/half_pattern.h"
+#include "core/pattern/piece_allowance.h"
+#include "core/project/layer_materials.h"
+#include "core/project/place_pieces.h"
 #include "core/symmetry/symmetry.h"
 #include "core/toile/pipeline.h"
 #include "tests/core/support/shared_data.h"
@@ -86,6 +89,34 @@ void expectTyped(const Garment& garment, const LineSettings& lines, double intak
         }
     }
     EXPECT_EQ(found, dartsIn(garment).size());
+}
+
+// A dart is laid over another leg when the grain turns. The cutting line has its cap, and the marks
+// its fold: both must be those of the grain that the piece is cut with.
+TEST(CutDarts, FollowTheGrainThatIsSetAfterThePatternIsMade) {
+    const Garment garment = dartedShirt();
+    const LineSettings lines = withPattern({});
+    const PieceResults results = drawnWith(garment, lines);
+    const Pattern upright = makePattern(garment, results, lines);
+    std::vector<PieceSettings> settings = usualSettings(garment);
+    for (PieceSettings& piece : settings) {
+        piece.grain = 0;
+    }
+    const LaidOutPattern laid = cutAndPlace(upright, settings, {}, fabricPresets().front());
+    int relaid = 0;
+    for (std::size_t p = 0; p < upright.pieces.size(); ++p) {
+        const PatternPiece& piece = laid.wholePattern.pieces[p];
+        const std::vector<PieceDart>& before = upright.pieces[p].darts;
+        ASSERT_EQ(piece.darts.size(), before.size());
+        PatternPiece afresh = piece;
+        addCuttingLine(afresh);
+        EXPECT_EQ(piece.cuttingLine, afresh.cuttingLine);
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            EXPECT_EQ(piece.darts[k].lay, afresh.darts[k].lay);
+            relaid += piece.darts[k].lay != before[k].lay;
+        }
+    }
+    EXPECT_GT(relaid, 0);
 }
 
 TEST(TypedDarts, HaveTheirIntakeHoweverLinesAreDrawn) {
