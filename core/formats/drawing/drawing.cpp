@@ -276,6 +276,12 @@ void addCheckSquare(Drawing& drawing, const Eigen::Vector2d& corner, const std::
 
 }  // namespace
 
+std::optional<LayerKind> layerNamed(std::string_view name, const char* LayerNames::*file) {
+    const auto found = std::ranges::find_if(
+        kLayerKinds, [&](LayerKind kind) { return namesOf(kind).*file == name; });
+    return found == kLayerKinds.end() ? std::nullopt : std::optional(*found);
+}
+
 bool hasLayer(const Drawing& drawing, LayerKind kind) {
     const bool isOptional = kind == LayerKind::Sew || kind == LayerKind::Notches ||
                             kind == LayerKind::Internal || kind == LayerKind::Grain;

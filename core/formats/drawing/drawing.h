@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/wording.h"
@@ -68,6 +72,31 @@ struct DrawnPattern {
     Pattern pattern;
     Drawing drawing;
 };
+
+/// Names of a layer in files of three kinds.
+struct LayerNames {
+    const char* svg;
+    const char* dxf;
+    const char* pdf;  ///< in a reader's list of layers
+};
+
+/// In the order of the kinds.
+inline constexpr std::array<LayerNames, kLayerKinds.size()> kLayerNames{
+    {{"cut", "CUT", "cut"},
+     {"sew", "SEW", "seam line"},
+     {"notches", "NOTCHES", "notches"},
+     {"internal", "INTERNAL", "internal lines"},
+     {"marks", "MARKS", "marks"},
+     {"grain", "GRAIN", "grain"},
+     {"text", "TEXT", "labels"},
+     {"check", "CHECK", "check"}}};
+
+constexpr const LayerNames& namesOf(LayerKind kind) {
+    return kLayerNames[static_cast<std::size_t>(kind)];
+}
+
+/// The layer of that name in one kind of file, or nothing.
+std::optional<LayerKind> layerNamed(std::string_view name, const char* LayerNames::*file);
 
 /// Margin around the whole drawing, mm.
 inline constexpr double kDrawingMargin = 10;

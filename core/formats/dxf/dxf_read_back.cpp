@@ -28,17 +28,6 @@ constexpr double kMovedNotch = 1;
 /// On a bent line, the ends of a wide mark may be nearer by this than its middle, mm.
 constexpr double kBentNotch = 0.1;
 
-struct NamedKind {
-    std::string_view name;
-    LayerKind kind;
-};
-
-constexpr std::array kNamedLayers{
-    NamedKind{"CUT", LayerKind::Cut},         NamedKind{"SEW", LayerKind::Sew},
-    NamedKind{"NOTCHES", LayerKind::Notches}, NamedKind{"INTERNAL", LayerKind::Internal},
-    NamedKind{"MARKS", LayerKind::Marks},     NamedKind{"GRAIN", LayerKind::Grain},
-    NamedKind{"CHECK", LayerKind::Check}};
-
 bool isNear(const Eigen::RowVector2d& a, const Eigen::RowVector2d& b) {
     return (a - b).norm() <= kReadBackCoordinates;
 }
@@ -462,12 +451,12 @@ Result<ReadBack> readPlainBack(const DxfDocument& document, double unit, const D
         if (!line) {
             continue;
         }
-        const auto layer = std::ranges::find(kNamedLayers, entity.layer, &NamedKind::name);
-        if (layer == kNamedLayers.end()) {
+        const auto layer = layerNamed(entity.layer, &LayerNames::dxf);
+        if (!layer) {
             return notReadBack({}, "layer \"" + std::string(entity.layer) + "\"");
         }
-        lines.lines.push_back({layer->kind, {}, line->points * unit, line->closed});
-        byLayer[layer->kind].push_back(lines.lines.back().points);
+        lines.lines.push_back({*layer, {}, line->points * unit, line->closed});
+        byLayer[*layer].push_back(lines.lines.back().points);
     }
     std::map<LayerKind, std::size_t> next;
     std::size_t holes = 0, words = 0;

@@ -11,25 +11,9 @@
 namespace toile {
 namespace {
 
-struct DxfLayer {
-    const char* name;
-    int colour;  ///< AutoCAD colour index
-};
-
-/// In the order of the kinds.
-constexpr DxfLayer kDxfLayers[] = {{"CUT", 1},       // red
-                                   {"SEW", 8},       // grey
-                                   {"NOTCHES", 2},   // yellow
-                                   {"INTERNAL", 4},  // cyan
-                                   {"MARKS", 3},     // green
-                                   {"GRAIN", 6},     // magenta
-                                   {"TEXT", 7},      // black on white, white on black
-                                   {"CHECK", 5}};    // blue
-static_assert(std::size(kDxfLayers) == kLayerKinds.size());
-
-const DxfLayer& styleOf(LayerKind kind) {
-    return kDxfLayers[static_cast<std::size_t>(kind)];
-}
+/// Colours of the layers in AutoCAD's index, in the order of the kinds: red, grey, yellow, cyan,
+/// green, magenta, black on white or white on black, blue.
+constexpr std::array<int, kLayerKinds.size()> kDxfColours{1, 8, 2, 4, 3, 6, 7, 5};
 
 /// The codes of $INSUNITS.
 int unitCode(LengthUnit unit) {
@@ -81,9 +65,9 @@ void writeTables(DxfTags& out, const Drawing& drawing) {
             continue;
         }
         out.tag(0, "LAYER");
-        out.tag(2, styleOf(kind).name);
+        out.tag(2, namesOf(kind).dxf);
         out.tag(70, 0);
-        out.tag(62, styleOf(kind).colour);
+        out.tag(62, kDxfColours[static_cast<std::size_t>(kind)]);
         out.tag(6, "CONTINUOUS");
     }
     out.endTable();
@@ -103,7 +87,7 @@ void writeTables(DxfTags& out, const Drawing& drawing) {
 }
 
 void writePath(DxfTags& out, const DrawnPath& path) {
-    const char* layer = styleOf(path.layer).name;
+    const char* layer = namesOf(path.layer).dxf;
     out.tag(0, "POLYLINE");
     out.tag(8, layer);
     out.tag(66, 1);  // vertices follow
@@ -127,7 +111,7 @@ void writeLine(DxfTags& out, const DrawnText& text, const std::string& line, dou
         text.position + turn * Eigen::Vector2d(0, -below - 0.5 * text.height);
     const Eigen::Vector2d left = middle + turn * Eigen::Vector2d(-0.5 * width, 0);
     out.tag(0, "TEXT");
-    out.tag(8, styleOf(text.layer).name);
+    out.tag(8, namesOf(text.layer).dxf);
     out.point(10, left);  // for readers that ignore centring
     out.length(40, text.height);
     out.tag(1, ascii);

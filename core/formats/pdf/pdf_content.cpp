@@ -255,10 +255,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr std::array<const char*, kPdfLayerCount> kLayerNames{
-    "cut",   "seam line", "notches", "internal lines", "marks",
-    "grain", "labels",    "check",   "grid",           "pages"};
-
 constexpr int kMatrixDigits = 10;  // decimals: a page is thousands of millimetres long
 
 /// Numbers and names of tiles, "12" and "B3": many texts of few characters.
@@ -272,7 +268,9 @@ bool isCode(std::string_view text) {
 }  // namespace
 
 const char* pdfLayerName(int layer) {
-    return kLayerNames.at(static_cast<std::size_t>(layer));
+    return layer == kGridLayer   ? "grid"
+           : layer == kPageLayer ? "pages"
+                                 : kLayerNames.at(static_cast<std::size_t>(layer)).pdf;
 }
 
 std::string pdfLayerKey(int layer) {

@@ -71,8 +71,6 @@ private:
     int count_ = 0;
 };
 
-inline constexpr int kPdfLayerCount = kPageLayer + 1;
-
 /// The name in a reader's list, "seam line".
 const char* pdfLayerName(int layer);
 /// The name in content streams.

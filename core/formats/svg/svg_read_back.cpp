@@ -14,11 +14,6 @@
 namespace toile {
 namespace {
 
-constexpr Word<LayerKind> kReadLayers[] = {
-    {LayerKind::Cut, "cut"},           {LayerKind::Sew, "sew"},     {LayerKind::Notches, "notches"},
-    {LayerKind::Internal, "internal"}, {LayerKind::Marks, "marks"}, {LayerKind::Grain, "grain"},
-    {LayerKind::Text, "text"},         {LayerKind::Check, "check"}};
-
 /// "it is 3.0000 mm instead of 2.0000 mm".
 std::string insteadOf(double is, double should) {
     return "it is " + fixed(is, 4) + " mm instead of " + fixed(should, 4) + " mm";
@@ -106,9 +101,8 @@ ReadDrawing drawingOf(const ReadSvg& svg) {
         if (!line.piece.empty()) {
             pieces.insert(line.piece);
         }
-        const auto layer = std::ranges::find(kReadLayers, line.layer, &Word<LayerKind>::second);
         read.lines.push_back(
-            {.layer = layer == std::end(kReadLayers) ? LayerKind::Cut : layer->first,
+            {.layer = layerNamed(line.layer, &LayerNames::svg).value_or(LayerKind::Cut),
              .id = line.id,
              .points = line.points,
              .closed = line.closed});

@@ -10,10 +10,6 @@
 namespace toile {
 namespace {
 
-constexpr const char* kSvgLayerNames[] = {"cut",   "sew",   "notches", "internal",
-                                          "marks", "grain", "text",    "check"};
-static_assert(std::size(kSvgLayerNames) == kLayerKinds.size());
-
 using SvgColours = std::array<const char*, kLayerKinds.size()>;
 
 constexpr SvgColours kScreenColours{"#ff0000", "#606060", "#c06000", "#0070c0",
@@ -60,10 +56,6 @@ SvgStyle svgStyle(const SvgOptions& options) {
         style.order = cutLast();
     }
     return style;
-}
-
-const char* svgLayerName(LayerKind kind) {
-    return kSvgLayerNames[static_cast<std::size_t>(kind)];
 }
 
 void SvgScale::append(std::string& out, const Eigen::Vector2d& point) const {

@@ -25,9 +25,6 @@ struct SvgStyle {
 
 SvgStyle svgStyle(const SvgOptions& options);
 
-/// "cut", the name of a layer.
-const char* svgLayerName(LayerKind kind);
-
 /// Converts places and lengths of a drawing to numbers of the file: y counted downwards from the
 /// top of the page.
 class SvgScale {

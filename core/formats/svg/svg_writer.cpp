@@ -189,7 +189,7 @@ private:
             const bool isEmpty =
                 std::ranges::none_of(part.paths, isOn) && std::ranges::none_of(part.texts, isOn);
             if (groups_ == SvgGroups::Kind ? hasLayer(drawing_, kind) : !isEmpty) {
-                addLayer(parent, part, kind, ids + svgLayerName(kind));
+                addLayer(parent, part, kind, ids + namesOf(kind).svg);
             }
         }
         if (style_.hasSeams && !part.edges.empty()) {
@@ -199,7 +199,7 @@ private:
 
     void addLayer(pugi::xml_node parent, const SvgPart& part, LayerKind kind,
                   const std::string& id) const {
-        pugi::xml_node layer = addGroup(parent, id, svgLayerName(kind));
+        pugi::xml_node layer = addGroup(parent, id, namesOf(kind).svg);
         set(layer, "fill", "none");
         set(layer, "stroke", style_.colourOf(kind));
         set(layer, "stroke-width", scale_.size(style_.stroke));
