@@ -98,11 +98,9 @@ Result<SeamsFile> parseSeamsFile(std::string_view text, const std::string& name,
 }
 
 Result<SeamsFile> readSeamsFile(const std::filesystem::path& path, Problems* notes) {
-    const auto text = readFile(path);
-    if (!text) {
-        return text.error();
-    }
-    return parseSeamsFile(*text, path.filename().string(), notes);
+    return readFile(path).andThen([&](const std::string& text) {
+        return parseSeamsFile(text, path.filename().string(), notes);
+    });
 }
 
 OrderedJson cutsJson(const SeamsFile& seams, bool withIds) {

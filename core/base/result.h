@@ -27,6 +27,15 @@ public:
 
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
+    /// The result of `next` for the value, or this error.
+    template <class Next>
+    auto andThen(Next&& next) && -> decltype(next(std::declval<T&&>())) {
+        if (!ok()) {
+            return error();
+        }
+        return next(std::move(*this).value());
+    }
+
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 

@@ -44,12 +44,8 @@ Result<ExportedFiles> makeDxf(const ExportSource& source) {
 }
 
 Result<ExportedFiles> makePdf(const ExportSource& source) {
-    Result<std::string> made =
-        writePdf(source.drawing(), source.laid().pattern, source.options().pdf);
-    if (!made) {
-        return made.error();
-    }
-    return oneFile(std::move(*made));
+    return writePdf(source.drawing(), source.laid().pattern, source.options().pdf)
+        .andThen([](std::string made) { return Result(oneFile(std::move(made))); });
 }
 
 Result<ExportedFiles> makePlt(const ExportSource& source) {

@@ -115,12 +115,8 @@ Result<FlatPiece> flattenNatural(const Piece& piece, const FlattenOptions& optio
 Result<FlatPiece> flattenLscm(const Piece& piece, const FlattenOptions& /*options*/,
                               const Progress& progress) {
     const Stopwatch time;
-    const auto points =
-        solvePinned(ConformalEnergy(piece.mesh), farPairAlongEdges(piece), 1, progress);
-    if (!points) {
-        return points.error();
-    }
-    return atTrueSize(piece, *points, time);
+    return solvePinned(ConformalEnergy(piece.mesh), farPairAlongEdges(piece), 1, progress)
+        .andThen([&](const Points2& points) { return atTrueSize(piece, points, time); });
 }
 
 namespace {

@@ -179,12 +179,10 @@ Result<Points2> fillInterior(WeightedEdges graph, const Points3& V,
 
 Result<Points2> tutteOnCircle(const Piece& piece, const Progress& progress,
                               const OutlineTargets& targets) {
-    const auto outline = circleOutline(outlineLengths(piece, targets));
-    if (!outline) {
-        return outline.error();
-    }
-    return fillInterior({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
-                        piece.mesh.V, piece.boundary, *outline, progress);
+    return circleOutline(outlineLengths(piece, targets)).andThen([&](const Points2& outline) {
+        return fillInterior({piece.table.edges, Eigen::VectorXd::Ones(piece.table.edges.rows())},
+                            piece.mesh.V, piece.boundary, outline, progress);
+    });
 }
 
 }  // namespace toile
