@@ -43,7 +43,8 @@ constexpr const char* kTakesMuch = translatable(
 constexpr const char* kPlacesMany = translatable(
     "it places %1 objects, too much for its size; export the garment alone, without instances");
 constexpr const char* kElsewhere = translatable(
-    "it names \"%1\", which is not in its folder; export it again with its files beside it, or as "
+    "it names \"%1\", which is not in its folder; export it again with its files in the same "
+    "folder, or as "
     ".glb");
 constexpr const char* kNo3mfParts = translatable(
     "a 3MF file whose meshes are in parts of their own, as slicers save projects, is not read");

@@ -16,7 +16,8 @@ namespace toile {
 namespace {
 
 constexpr const char* kBufferElsewhere = translatable(
-    "its buffer \"%1\" is not in its folder; export it again with its files beside it, or as .glb");
+    "its buffer \"%1\" is not in its folder; export it again with its files in the same folder, or "
+    "as .glb");
 constexpr const char* kBufferNoFile = translatable(
     "its buffer \"%1\" is no file but a folder, pipe or device; put the file itself there");
 constexpr const char* kBuffersTooLong = translatable(

@@ -135,10 +135,10 @@ Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
     if (!effect.isSurface) {
         words += worded("; it is no surface that holes and noise can be seen to on");
     } else if (effect.isRemeshed) {
-        words += worded("; made anew of %1, edges about %2 mm",
+        words += worded("; remeshed to %1 with edges of about %2 mm",
                         {countWording(effect.triangles, "triangle"), figure(steps.edgeLength, 1)});
     } else if (steps.edgeLength > 0) {
-        words += worded("; its triangles could not be made anew");
+        words += worded("; it could not be remeshed");
     }
     return words;
 }

@@ -932,7 +932,7 @@ veraltet</translation>
         <translation>die Bibliothek, die dieses Format liest, stürzt an ihr ab</translation>
     </message>
     <message>
-        <source>its buffer &quot;%1&quot; is not in its folder; export it again with its files beside it, or as .glb</source>
+        <source>its buffer &quot;%1&quot; is not in its folder; export it again with its files in the same folder, or as .glb</source>
         <translation>ihr Puffer „%1“ liegt nicht in ihrem Ordner; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
     </message>
     <message>
@@ -972,7 +972,7 @@ veraltet</translation>
         <translation>binäres glTF</translation>
     </message>
     <message>
-        <source>it names &quot;%1&quot;, which is not in its folder; export it again with its files beside it, or as .glb</source>
+        <source>it names &quot;%1&quot;, which is not in its folder; export it again with its files in the same folder, or as .glb</source>
         <translation>sie nennt „%1“, das nicht in ihrem Ordner liegt; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
     </message>
     <message>
@@ -2908,8 +2908,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Sagen Sie, was die Datei ist, falls das nicht stimmt</translation>
     </message>
     <message>
-        <source>the file does not look like what it is said to be</source>
-        <translation>die Datei sieht nicht nach dem aus, was sie sein soll</translation>
+        <source>the file does not look like the stated kind</source>
+        <translation>die Datei sieht nicht nach der angegebenen Art aus</translation>
     </message>
     <message>
         <source>Nothing was done with it; say that it is something else</source>
@@ -2920,7 +2920,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>die Datei sieht nach einem Scan aus</translation>
     </message>
     <message>
-        <source>Have it prepared as one: debris goes, holes are closed, noise is smoothed</source>
+        <source>Prepare it as a scan: debris is removed, holes are closed, noise is smoothed</source>
         <translation>Lassen Sie sie als Scan aufbereiten: Bruchstücke entfallen, Löcher werden geschlossen, Rauschen geglättet</translation>
     </message>
     <message>
@@ -2964,11 +2964,11 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>; es ist keine Fläche, an der sich Löcher schließen und Rauschen glätten ließe</translation>
     </message>
     <message>
-        <source>; made anew of %1, edges about %2 mm</source>
+        <source>; remeshed to %1 with edges of about %2 mm</source>
         <translation>; neu aufgebaut aus %1 mit Kanten von etwa %2 mm</translation>
     </message>
     <message>
-        <source>; its triangles could not be made anew</source>
+        <source>; it could not be remeshed</source>
         <translation>; die Dreiecke ließen sich nicht neu aufbauen</translation>
     </message>
     <message>

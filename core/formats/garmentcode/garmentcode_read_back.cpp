@@ -142,7 +142,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         }
         if (!segments[0] || !segments[1] || segments[0]->seam != segments[1]->seam ||
             segments[0]->isRight == segments[1]->isRight) {
-            return notReadBack(pattern.name, "a stitch joins what is not sewn together");
+            return notReadBack(pattern.name, "a stitch joins edges that are not sewn together");
         }
     }
     std::map<std::pair<int, bool>, std::pair<double, int>> sewn;
