@@ -121,14 +121,11 @@ std::vector<GuideStep> readGuide(const QString& path) {
     }
     QTextStream lines(&file);
     for (int number = 1; !lines.atEnd(); ++number) {
-        const QString line = lines.readLine();
-        if (const auto picture = match("!\\[.*\\]\\((.+)\\)", line); picture.hasMatch()) {
+        const QString line = lines.readLine().trimmed();
+        if (const auto picture = match("Picture (.+)", line); picture.hasMatch()) {
             steps.push_back({GuideStep::Kind::Picture, number, picture.captured(1)});
-        } else if (line.startsWith("- ")) {
-            steps.push_back({GuideStep::Kind::Do, number, line.mid(2)});
-        } else if (line.startsWith("  ") && !steps.empty() &&
-                   steps.back().kind == GuideStep::Kind::Do) {
-            steps.back().text += ' ' + line.trimmed();
+        } else if (!line.isEmpty() && !line.startsWith('#')) {
+            steps.push_back({GuideStep::Kind::Do, number, line});
         }
     }
     return steps;

@@ -11,40 +11,40 @@ namespace toile::test {
 
 using namespace app;
 
-/// A page of the manual that can be followed word by word. What is to be done stands in list items
-/// with one sentence each:
+/// A script of steps in the window, one sentence per line:
 ///
-///     - Press **Ctrl+O** and open `a/file.obj`.
-///     - Press **Ctrl+S** and save as `name.toile`.
-///     - Choose **File ▸ Export pattern ▸ As SVG drawing…** and save as `name.svg`.
-///     - Choose **Jersey** for **Preset**.
-///     - Click **front** in the pattern.          (or: in the garment, in the list, in the window)
-///     - Drag **back** in the pattern 200 mm to the right.
-///     - Drag from the lower edge of **front** to its middle in the pattern.
-///     - You see “5 pieces”.                    (or: … in the list)
+///     Press **Ctrl+O** and open `a/file.obj`.
+///     Press **Ctrl+S** and save as `name.toile`.
+///     Choose **File ▸ Export pattern ▸ As SVG drawing…** and save as `name.svg`.
+///     Choose **Jersey** for **Preset**.
+///     Click **front** in the pattern.          (or: in the garment, in the list, in the window)
+///     Drag **back** in the pattern 200 mm to the right.
+///     Drag from the lower edge of **front** to its middle in the pattern.
+///     You see “5 pieces”.                      (or: … in the list)
+///     Picture path/of/it.png
 ///
-/// and pictures as `![what](path)`. Everything else is prose.
+/// Lines that start with # are comments.
 struct GuideStep {
     enum class Kind { Do, Picture };
     Kind kind;
-    int line;      ///< of the page, from 1
+    int line;      ///< of the script, from 1
     QString text;  ///< the sentence, or the picture's path
 };
 
 std::vector<GuideStep> readGuide(const QString& path);
 
-/// Follows a guide in a window, as a person would: with keys, menus and the mouse.
+/// Follows a script in a window as a person would: with keys, menus and the mouse.
 class GuideWalker {
 public:
-    /// @param source  where the guide's file names begin
+    /// @param source  folder of the script's file names
     GuideWalker(WindowFixture& fixture, QString source)
         : fixture_(fixture), source_(std::move(source)) {}
 
-    /// Does what one sentence says. @return what is wrong; empty where it went as written
+    /// Does one step. @return what is wrong; empty if nothing is
     QString follow(const QString& sentence);
 
 private:
-    /// Does something that is to save a file.
+    /// Does something that saves a file.
     QString saving(const QString& name, const std::function<QString()>& act);
     QString press(const QString& keys);
     QString choose(const QString& path);
@@ -53,7 +53,7 @@ private:
     QString dragPiece(const QString& piece, double right);
     QString dragFromEdge(const QString& piece);
     QString see(const QString& text, bool inList);
-    /// The next dialogs for files answer with this.
+    /// Answers the next file dialogs.
     void answerWith(const QString& opened, const QString& saved);
     void settle();
 
