@@ -81,7 +81,9 @@ TEST_P(Ledger, IsEvenByAMethodThatKeepsLengths) {
     for (const auto& [seam, values] : exact.items()) {
         EXPECT_LE(errorOf(values), 1e-6) << seam;
     }
-    test::updateTableInDocs("seams.md", name, tableOf(exact, natural));
+    if (name == "tee_sim" || name == "tshirt") {
+        test::updateTableInDocs("seams.md", name, tableOf(exact, natural));
+    }
 }
 
 class SampleLedger : public testing::TestWithParam<std::pair<const char*, std::size_t>> {};

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <string_view>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -130,6 +131,12 @@ std::string row(const std::filesystem::path& file) {
            " | " + (said.empty() ? "nothing to say" : said) + " |\n";
 }
 
+/// Files of the table in the manual: one for each kind of fault.
+constexpr std::string_view kShown[] = {
+    "bunny_holes.ply",        "elephant-with-holes.off", "empty.obj",     "hand_closed.off",
+    "inverted_triangles.obj", "mask_cone.off",           "moebius.obj",   "notenoughindices.obj",
+    "one_triangle.off",       "panel_badindex.obj",      "panel_nan.obj", "triple_vierbein.obj"};
+
 TEST(NastyInputSlow, UpdatesTheTableInDocs) {
     const auto folder = test::sharedFile("nasty");
     TOILE_NEEDS_SHARED(folder);
@@ -144,7 +151,8 @@ TEST(NastyInputSlow, UpdatesTheTableInDocs) {
         "|---|---|---|---|\n";
     for (const auto& file : files) {
         SCOPED_TRACE(file.filename());
-        table += row(file);
+        const std::string line = row(file);
+        table += std::ranges::count(kShown, file.filename().string()) > 0 ? line : "";
     }
     test::updateTableInDocs("input.md", "broken files", table);
 }
