@@ -115,7 +115,6 @@ make_batch() {
 make_readme() {
     window_picture "$images/window.png" "$samples/tshirt.obj" --unit mm
     window_picture "$images/strain.png" "$samples/bodice.obj" --unit mm --up y --overlay strain
-    window_picture "$images/area.png" "$samples/cap.obj" --unit mm --up y --overlay area
     window_picture "$images/seams.png" "$samples/tshirt.obj" --unit mm \
         --seams "$samples/tshirt.seams.json" --method natural --panel seams
 }

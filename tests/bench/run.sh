@@ -1,20 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Measures speed and writes docs/performance.md with its plot from what this one run measured.
-# Needs libbenchmark-dev. Leave the machine alone meanwhile.
+# Measures speed and writes the tables and the plot of one run to build/bench/docs; docs/performance.md
+# shows a selection. Needs libbenchmark-dev. Do not use the machine during the run.
 #
 #   tests/bench/run.sh            everything; about twelve minutes on two cores
 #   tests/bench/run.sh --quick    up to 45 000 triangles, without most peers
 #   tests/bench/run.sh --no-slow-peers   without the peers that take minutes
-# Further options go to Google Benchmark (--benchmark_filter=...). With any option the page goes into
-# build/bench/docs.
+# Further options go to Google Benchmark (--benchmark_filter=...).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-docs=docs
-if (($# > 0)); then
-    docs=build/bench/docs # a part is no page to keep
-fi
+docs=build/bench/docs
 
 cmake --preset core -DBUILD_TESTING=OFF -DTOILE_BENCH=ON -B build/bench >/dev/null
 cmake --build build/bench --target toile_bench toile_bench_report --parallel "$(nproc)"

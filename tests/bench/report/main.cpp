@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes docs/performance.md and its plot from one run of the benchmarks:
-//     toile_bench_report RUN.json DOCS_FOLDER
+// Writes performance.md and its plot from one run of the benchmarks:
+//     toile_bench_report RUN.json FOLDER
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -23,7 +23,7 @@ void write(const std::filesystem::path& path, const std::string& text) {
 
 int main(int argc, char** argv) {
     if (argc != 3) {
-        std::fprintf(stderr, "usage: %s RUN.json DOCS_FOLDER\n", argv[0]);
+        std::fprintf(stderr, "usage: %s RUN.json FOLDER\n", argv[0]);
         return 2;
     }
     try {
