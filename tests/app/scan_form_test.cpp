@@ -133,7 +133,7 @@ private slots:
         toggle("scanTriangles");
         type("scanTrianglesLength", "2 cm");
         QVERIFY(form()->isVisible());  // Enter takes the value, no more
-        QVERIFY(isShown("made anew"));
+        QVERIFY(isShown("remeshed to"));
         QCOMPARE(said().scan, (ScanSteps{true, 0, 1, 20}));
         QCOMPARE(document().history().index(), before + 1);
         toggle("scanSmoothing");
