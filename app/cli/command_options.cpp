@@ -94,8 +94,9 @@ std::string formatList() {
 }
 
 void describeWindow(OptionArchive& at, Arguments& arguments) {
-    at.section("Window", kForTerminal);
+    at.section("Window", kInputFiles);
     at.texts("FILE", "FILE...", arguments.inputs, "Garment or project to open in the window");
+    at.section("Window", kForTerminal);
     at.text("--screenshot", "FILE.png", arguments.screenshot,
             "Open the window, save a picture of it and quit");
     at.choice("--overlay", arguments.overlay, kOverlayWords, "Overlay on the cloth")

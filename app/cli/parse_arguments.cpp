@@ -294,11 +294,12 @@ Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned tak
     const BuiltCommand& command = chosen();
     for (std::size_t k = 0; &command != &window && k < window.added.size(); ++k) {
         if (window.countOf(k) > 0) {
-            return wrongUsage(*command.row, "\"" +
-                                                (window.options.rows()[k].isFlag()
-                                                     ? window.options.rows()[k].key()
-                                                     : window.added[k].front()->results()[0]) +
-                                                "\" stands before the command");
+            const Option& option = window.options.rows()[k];
+            const bool isFile = option.group == kInputFiles;
+            return wrongUsage(*command.row,
+                              '"' +
+                                  (isFile ? window.added[k].front()->results()[0] : option.key()) +
+                                  "\" stands before the command");
         }
     }
     arguments.command = command.row->command;

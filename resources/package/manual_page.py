@@ -83,8 +83,8 @@ def entries(lines: list[str]) -> list[tuple[str, str]]:
 
 
 def wrapped(text: str) -> str:
-    """In lines of a terminal's width, none of which begins as a request does."""
-    return "\n".join(map(plain, textwrap.wrap(text, 72, break_on_hyphens=False)))
+    """In lines short enough for mandoc, also with backslashes; none begins as a request does."""
+    return "\n".join(map(plain, textwrap.wrap(text, 64, break_on_hyphens=False)))
 
 
 def listed(rows: list[tuple[str, str]]) -> str:

@@ -323,6 +323,7 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"render", "a.obj", "-o", "a.png", "--morph", "nan"},
         {"render", "a.obj", "-o", "a.png", "--view", "inside"},
         {"a.obj", "flatten", "b.obj"},
+        {"--enough", "3", "flatten", "b.obj"},
         {"--overlay", "magic"},
         {"--panel", "wardrobe"},
         {"--nonsense"},
