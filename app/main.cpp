@@ -4,7 +4,6 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/proof_picture.h"
 #include "core/base/sanitized.h"
 #ifdef TOILE_GUI
 #include "app/export/paint_drawing.h"
@@ -50,9 +49,10 @@ int main(int argc, char** argv) {
     toile::provideReportPictures(toile::app::reportPictures);
     toile::app::provideProofPictures(drawnProof);
 #endif
-    const toile::app::Arguments arguments = toile::app::parseArguments(argc, argv);
+    const auto typed = toile::app::parseArguments(argc, argv);
 #ifdef TOILE_GUI
-    if (arguments.command == toile::app::Arguments::Command::Window) {
+    if (typed && typed->command == toile::app::Arguments::Command::Window) {
+        const toile::app::Arguments& arguments = *typed;
         if (const auto refusal = toile::app::refusalOfProject(arguments)) {
             return end(toile::app::runCommand(*refusal));
         }
@@ -65,9 +65,9 @@ int main(int argc, char** argv) {
                                       .flattening = arguments.options,
                                       .panel = arguments.panel});
     }
-    if (arguments.command == toile::app::Arguments::Command::Render) {
-        return toile::app::runRender(argc, argv, arguments);
+    if (typed && typed->command == toile::app::Arguments::Command::Render) {
+        return toile::app::runRender(argc, argv, *typed);
     }
 #endif
-    return end(toile::app::runCommand(arguments));
+    return end(toile::app::runCommand(typed));
 }

@@ -9,7 +9,6 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
 #include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/derivation.h"
@@ -27,8 +26,8 @@ namespace toile::app {
 
 namespace {
 
-int refused(const QString& sentence) {
-    std::cerr << "toile: " << sentence.toStdString() << ".\n";
+int refused(const QString& sentence, Messages& messages) {
+    messages.add(sentence.toStdString() + ".");
     return kExitUnreadable;
 }
 
@@ -39,14 +38,14 @@ QFont pictureFont() {
 }
 
 /// Reads the reference pattern of a project. What cannot be read is left out, and said.
-void addReference(DocumentState& state) {
+void addReference(DocumentState& state, Messages& messages) {
     if (state.reference.path.empty()) {
         return;
     }
     if (auto read = readReference(state.reference.path)) {
         state.reference = std::move(read).value();
     } else {
-        std::cerr << "toile: " << sentence(read.error()) << '\n';
+        messages.add(read.error());
     }
 }
 
@@ -61,7 +60,8 @@ bool isSoonFlat(const Garment& garment) {
 }
 
 /// Opens what the window shows once everything is flat. @return whether some piece is not
-bool openFlattened(Document& document, const Arguments& arguments, Garment read) {
+bool openFlattened(Document& document, const Arguments& arguments, Garment read,
+                   Messages& messages) {
     Progress progress;
     Derivation made;
     Derived& derived = made.derived;
@@ -72,7 +72,7 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     state.materials = materialsInUse(state);
     if (arguments.project) {
         state = stateOf(*arguments.project, derived.inputs, *derived.garment);
-        addReference(state);
+        addReference(state, messages);
     }
     state.options = arguments.options;
     state.lines = arguments.lines;
@@ -87,7 +87,7 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read)
     }
     draw(derived, progress);
     state.settings = settingsAfter(made, state, {});
-    const bool failed = printFailures(derived.results, std::cerr);
+    const bool failed = reportFailures(derived.results, messages);
     document.open(std::move(state), std::move(derived));
     if (const auto question = referenceQuestion(document)) {
         document.showReference(std::make_shared<const ReferenceMatch>(layReference(*question)));
@@ -110,7 +110,7 @@ void applyView(Document& document, const Arguments& arguments) {
 
 /// Sews the pattern back together as the window does. What stands against that is said, and the
 /// picture shows none of it. @return whether it could be sewn
-bool prove(Document& document) {
+bool prove(Document& document, Messages& messages) {
     Progress progress;
     const auto job = proofJob(
         document, proofPlanOf(document.state()), nullptr,
@@ -119,7 +119,7 @@ bool prove(Document& document) {
     if (sewn) {
         job->finalize();
     } else {
-        std::cerr << "toile: " << sentence(sewn.error()) << '\n';
+        messages.add(sewn.error());
     }
     return bool(sewn);
 }
@@ -164,13 +164,13 @@ void leaveNothingBeside(const std::filesystem::path& thumbnail) {
     }
 }
 
-int render(int argc, char** argv, const Arguments& arguments) {
+int render(int argc, char** argv, const Arguments& arguments, Messages& messages) {
     if (arguments.picture.thumbnail > 0) {
         leaveNothingBeside(arguments.outputs.front());
     }
     auto display = std::make_unique<DisplayProbe>();
     if (const QString sentence = choosePicturePlatform(*display); !sentence.isEmpty()) {
-        return refused(sentence);
+        return refused(sentence, messages);
     }
     loadResources();
     quietenQt();
@@ -180,32 +180,32 @@ int render(int argc, char** argv, const Arguments& arguments) {
     QString problem;
     const auto context = makeOffscreenContext(problem);
     if (!context) {
-        return refused(problem);
+        return refused(problem, messages);
     }
     Progress progress;
-    auto garment = readInput(arguments, progress, std::cerr);
+    auto garment = readInput(arguments, progress, messages);
     if (!garment) {
         return kExitUnreadable;
     }
-    bool failed = printProblems(*garment, std::cerr);
+    bool failed = reportProblems(*garment, messages);
     Document document;
-    failed = openFlattened(document, arguments, std::move(*garment)) || failed;
+    failed = openFlattened(document, arguments, std::move(*garment), messages) || failed;
     applyView(document, arguments);
     if (isOfProof(document.view().overlay)) {
-        failed = !prove(document) || failed;
+        failed = !prove(document, messages) || failed;
     }
     const QImage picture =
         drawViews(document, pictureOptions(arguments.picture, document.view().overlay), problem);
     if (picture.isNull()) {
-        return refused(problem);
+        return refused(problem, messages);
     }
     QByteArray png;
     QBuffer buffer(&png);
     if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
-        return refused("the picture could not be made into a PNG file");
+        return refused("the picture could not be made into a PNG file", messages);
     }
     if (const auto written = writePicture(arguments, png); !written) {
-        std::cerr << "toile: " << sentence(written.error()) << '\n';
+        messages.add(written.error());
         return kExitUnreadable;
     }
     if (arguments.picture.thumbnail > 0) {
@@ -217,15 +217,13 @@ int render(int argc, char** argv, const Arguments& arguments) {
 }  // namespace
 
 int runRender(int argc, char** argv, const Arguments& typed) {
+    Messages messages(std::cerr);
     try {
-        const Arguments arguments = withProject(typed, std::cerr);
-        if (arguments.command == Arguments::Command::Message) {
-            std::cerr << arguments.message;
-            return arguments.status;
-        }
-        return render(argc, argv, arguments);
+        const auto arguments = withProject(typed, messages);
+        return arguments ? render(argc, argv, *arguments, messages)
+                         : refuse(arguments.refusal(), messages);
     } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
-        std::cerr << "toile: stopped by an unexpected fault (" << fault.what() << ").\n";
+        messages.add(std::string("stopped by an unexpected fault (") + fault.what() + ").");
         return kExitUnreadable;
     }
 }

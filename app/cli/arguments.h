@@ -3,100 +3,76 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "app/cli/batch_arguments.h"
-#include "app/cli/marker_arguments.h"
+#include "app/cli/option_archive.h"
+#include "app/cli/refusal.h"
 #include "app/document/view_state.h"
 #include "core/base/units.h"
 #include "core/formats/export_options.h"
 #include "core/garment/fabric.h"
+#include "core/marker/marker_settings.h"
 #include "core/project/project.h"
 #include "core/prove/proof_settings.h"
 #include "core/toile/pipeline.h"
 
 namespace toile::app {
 
-/// What was typed for `toile prove`, beside the pattern's file.
+/// Options of `toile prove` beside the pattern's file.
 struct ProveArguments {
     std::optional<FileUnit> patternUnit{};  ///< of the pattern's file
-    ProofPlan typed{};                      ///< as far as it was typed: see `proofPlanOf`
-    /// What of it was typed: each takes it over into what a project says.
-    std::vector<void (*)(const ProofPlan& typed, ProofPlan& plan)> stated{};
-    double scale = 1;  ///< of the pattern
-    double sewn = 1;   ///< of pictures: the garment from as designed, 0, to as sewn, 1
-    int rounds = 0;    ///< in which the pattern is improved; 0: it is not
-    std::filesystem::path report{};
+    ProofPlan plan{};                       ///< with a project: as it says, and what was typed
+    double scale = 1;                       ///< of the pattern
+    double sewn = 1;                        ///< of pictures: the garment as designed, 0, or sewn, 1
+    int rounds = 0;                         ///< in which the pattern is improved; 0: it is not
 };
 
-/// What is typed for `ProofPlan::body` where it is none, whatever a project says.
-inline constexpr const char* kNoBody = "none";
-
-/// What a picture is to show, for `toile render`.
+/// The content of a picture, for `toile render` and `toile prove`.
 struct PictureArguments {
     int width = 1600, height = 800;  ///< pixels, within kMinPicture and kMaxPicture
     ViewsShown views = ViewsShown::Both;
     std::optional<ViewDirection> direction{};  ///< none: as the window begins
     double morph = 0;                          ///< 0 to 1
     bool wireframe = false, xray = false, seams = true;
-    std::optional<bool> bar{};  ///< none: where the overlay is measured
+    std::optional<bool> bar{};  ///< none: if the overlay is measured
     bool dark = false;
-    /// Pixels of a square for file managers, which wins over the size: the garment alone. 0: no
-    /// thumbnail.
+    /// Width in pixels of a square picture of the garment for file managers, used instead of the
+    /// size. 0: no thumbnail.
     int thumbnail = 0;
 };
 
 inline constexpr int kMinPicture = 16, kMaxPicture = 8192;
 
-/// Width and height, as in "1600x800". @return what is wrong, or nothing
-std::string readPictureSize(const std::string& typed, PictureArguments& picture);
-/// From where the garment is seen: the name of a side, or two angles in degrees, as in "30,10".
-/// @return what is wrong, or nothing
-std::string readPictureLook(const std::string& typed, PictureArguments& picture);
-
-/// What was typed of how pieces are flattened; nothing where it was not.
-struct StatedOptions {
-    std::optional<Method> method{};
-    std::optional<Quality> quality{};
-    std::optional<BoundarySolver> boundarySolver{};
-    std::optional<FreeBoundary> freeBoundary{};
-    std::optional<StretchOutline> stretchOutline{};
-    std::optional<double> authalic{};
-    std::optional<Fairing> fairing{};
-    bool trueSeams = false;
-    std::optional<Mirror> mirror{};
-    bool byHalf = false;                       ///< every piece, in files; asks for mirrored pieces
-    std::optional<double> allowance{}, hem{};  ///< AllowanceWidths; mm
-    std::optional<bool> notches{};             ///< placed by themselves, or none
-    std::optional<GrainRule> grain{};
-    bool pattern = false;                       ///< `withPattern`
-    std::optional<std::string> size{}, date{};  ///< LabelTexts
-
-    /// These options where something was typed, the given ones else.
-    FlattenOptions over(FlattenOptions options) const;
-    LineSettings over(LineSettings lines) const;
-
-    bool operator==(const StatedOptions&) const = default;
+/// Options of `toile marker`.
+struct MarkerArguments {
+    std::optional<int> rounds;      ///< after which the search ends
+    std::optional<double> seconds;  ///< after which it ends, at the end of a round
+    int threads = 0;                ///< 0: all cores
+    MarkerSettings settings{};      ///< without the hides, which the command reads
+    std::vector<std::filesystem::path> hides;
+    std::optional<std::string> material;  ///< the only one to lay; empty: the garment's own fabric
+    std::optional<double> minutesPerMetre;
 };
 
-/// What options are about.
-enum OptionGroup : unsigned {
-    kForTerminal = 0,   ///< what is printed, the exit status, pictures
-    kInputFiles = 1,    ///< files to read
-    kReading = 2,       ///< how they are read, divided and cut
-    kFlattening = 4,    ///< how pieces are flattened and drawn
-    kThreads = 8,       ///< how many threads work
-    kOutputFiles = 16,  ///< files to write
-    kExporting = 32,    ///< how they are written
-    kSewing = 64,       ///< what is sewn in a proof, and how
-    kEveryOption = ~0U,
+/// Options of `toile batch`.
+struct BatchArguments {
+    std::filesystem::path list{};                     ///< a garment per line; "-": standard input
+    std::filesystem::path folder{};                   ///< for all results
+    std::vector<std::string> formats{"json", "svg"};  ///< endings without their dot
+    double limitSeconds = 600;                        ///< wall clock, per garment; 0: none
+    int memoryMib = 0;                                ///< per garment; 0: no limit
+    int threads = 1;                                  ///< per garment
+    /// The options for reading and flattening with their values, in the order of the help, so that
+    /// another order of the same options gives the same words.
+    Words words{};
 };
 
-/// Threads that work at one garment; OpenBLAS has memory for no more.
+/// Threads for one garment; OpenBLAS has memory for no more.
 inline constexpr int kMaxThreads = 64;
 
-/// What the user typed, parsed and checked.
+/// A parsed and checked command line.
 struct Arguments {
     enum class Command {
         Window,  ///< no command, perhaps files: open the window
@@ -110,49 +86,89 @@ struct Arguments {
         Prove,
         Batch,
         Serve,
-        Message,  ///< help, version or a usage error: print `message` and end with `status`
+        Message,  ///< help or version: print `message`
     };
 
     Command command = Command::Window;
+    std::string message;  ///< help or version
+    TypedWords typed;     ///< everything else follows from it, and from a project
+
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;
-    /// But for the seams file, which the command reads.
+    /// Without the seams file, which the command reads.
     LoadOptions load{.cutStyle = CutStyle::Auto};
     std::filesystem::path seams;
-    bool advice = false;               ///< info: which cuts would do most
+    bool advice = false;               ///< info: recommended cuts
     bool json = false;                 ///< info, compare, check, walk, prove: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
     bool isProving = false;            ///< compare, check: sew the patterns back together too
-    std::filesystem::path pattern{};   ///< compare: with this pattern from a file; prove: sew it
+    std::filesystem::path pattern{};   ///< compare: the other pattern; prove: the one to sew
+    std::filesystem::path report{};    ///< marker, prove: JSON to write
     bool ledger = false;               ///< flatten: print the seams
-    bool failOnDoubt = false;          ///< flatten, check: status 1 where there is a doubt
-    ExportOptions exporting{};         ///< flatten: of the files to write
-    StatedOptions stated{};            ///< how pieces are flattened, as far as it was typed
-    FlattenOptions options;            ///< the same, with what holds where nothing was typed
-    LineSettings lines{};              ///< likewise, how outlines are drawn
+    bool failOnDoubt = false;          ///< flatten, check: exit status 1 if there is a doubt
+    ExportOptions exporting{};         ///< of the files to write
+    FlattenOptions options;            ///< how pieces are flattened
+    LineSettings lines{};              ///< how outlines are drawn
+    bool byHalf = false;               ///< draw symmetric pieces by half, in files
     std::vector<Method> methods;       ///< compare: each once, in the order typed
     std::filesystem::path screenshot;  ///< window: save a picture of itself and end
-    std::optional<Overlay> overlay;    ///< window, render: what is painted on the cloth
-    std::optional<Panel> panel;        ///< window: the list in front
-    PictureArguments picture;          ///< render
+    std::optional<Overlay> overlay;    ///< window, render, prove: the overlay on the cloth
+    std::optional<Panel> panel;        ///< window: the panel in front
+    PictureArguments picture;          ///< render, prove
     MarkerArguments marker{};          ///< marker
-    ProveArguments prove{};            ///< prove
+    ProveArguments prove{};            ///< prove, compare, check
     BatchArguments batch{};            ///< batch
-    int threads = 0;                   ///< that flatten a garment; 0: as the machine has cores
-    std::optional<Fabric> fabric{};    ///< check: typed, or a project's
-    std::optional<Project> project{};  ///< that the inputs are of, once `withProject` has read it
+    int threads = 0;                   ///< for one garment; 0: all cores
+    std::optional<Fabric> fabric{};    ///< typed, or the project's
+    std::optional<Project> project{};  ///< of the inputs, set by `withProject`
 
-    std::string message;
-    int status = 0;
-    std::optional<Error> error{};  ///< what the message says, where that is no wrong usage
-
-    bool isMessage() const { return command == Command::Message; }
+    bool isTyped(std::string_view key) const { return typed.contains(key); }
 };
 
-/// Parses the command line. Never exits and never throws; wrong usage comes back as a Message with
-/// status 2. Cost: negligible.
+/// A command of the program. The window is one without a word.
+struct CommandRow {
+    Arguments::Command command;
+    const char* word;
+    const char* help;     ///< what it does, without the last full stop
+    const char* notes;    ///< below the options; may be empty
+    const char* example;  ///< a complete line
+    void (*describe)(OptionArchive& at, Arguments& arguments);
+};
+
+/// The window, and all commands in the order of the help.
+std::span<const CommandRow> commandRows();
+
+/// The same settings with everything that was typed, read again on top of them: settings of a
+/// project keep their values unless an option of the command was typed. Precondition: parsed.
+Arguments withTyped(Arguments base);
+/// With the project's settings for flattening, drawing and proving, and what was typed on top.
+/// Stiffness that a project sets belongs to its own fabric: another typed fabric drops it.
+Arguments withSettingsOf(const Project& project, Arguments arguments);
+
+/// Whether an option of these groups was typed.
+bool isAnyTyped(const Arguments& arguments, unsigned groups);
+
+/// Parses the command line. Never exits and never throws. Refused: kWrongUsage. Cost: negligible.
 /// @param taken  of `OptionGroup`: options of other groups are wrong usage
-Arguments parseArguments(int argc, const char* const* argv, unsigned taken = kEveryOption);
+Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned taken = kEveryOption);
+
+/// The same for programs that pass a command, files and options as words: `toile serve`,
+/// `toile batch`, Python. A file that begins with a dash is no option.
+Answer<Arguments> typedWords(const char* command, const std::vector<std::string>& files,
+                             const Words& words, unsigned taken);
+
+/// What is wrong with valid options together: options that need others, outputs that cannot be
+/// written or would overwrite an input. Looks at the disk. @return nothing if all is well
+std::string wrongIn(const Arguments& arguments);
+
+/// What is wrong with typed marker options and the settings that hold for a material, which may be
+/// a project's. @param settings  with their hides
+std::string wrongTogether(const Arguments& arguments, const MarkerSettings& settings);
+
+/// Whether a file is a picture by its ending: "x.png".
+bool isPicture(const std::filesystem::path& file);
+/// Whether a file holds an instance of the nesting problem, by its ending.
+bool isNestInstance(const std::filesystem::path& file);
 
 }  // namespace toile::app

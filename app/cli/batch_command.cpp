@@ -8,24 +8,14 @@
 #include <new>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <tuple>
 #include <vector>
 
-#include "app/cli/arguments.h"
-#include "app/cli/batch_arguments.h"
-#include "app/cli/batch_folder.h"
-#include "app/cli/batch_list.h"
-#include "app/cli/batch_memory.h"
-#include "app/cli/batch_process.h"
-#include "app/cli/batch_record.h"
+#include "app/cli/batch.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
-#include "app/cli/refusal.h"
-#include "app/cli/typed_words.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/json_fields.h"
@@ -41,7 +31,7 @@ namespace fs = std::filesystem;
 constexpr const char* kEndingOfNote = ".of";
 constexpr std::string_view kMarkOfNote = "# toile batch: the records beside this are of the list\n";
 
-/// Whether a file lies in a folder or somewhere below it; both as the disk has them.
+/// Whether a file is in a folder or below it; both canonical.
 bool liesIn(const fs::path& file, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
            folder.end();
@@ -51,27 +41,26 @@ std::string shownRecords(const fs::path& path) {
     return shownText(pathText(path));
 }
 
-/// The file of the records of all garments of a list: shirts.jsonl of shirts.txt; stdin.jsonl.
+/// The records of a list: shirts.jsonl for shirts.txt; stdin.jsonl.
 fs::path recordsOf(const BatchArguments& batch) {
     const std::string stem = batch.list == "-" ? "stdin" : pathText(batch.list.stem());
     return batch.folder / (stem + ".jsonl");
 }
 
-/// Why a list must not have these records: they would take the place of the list itself, or of
-/// those of another of the same name that is still there. Which list they are of is put down beside
-/// them, in shirts.jsonl.of; a list that is no file has no such note, and where what has that name
-/// is none it stays. Otherwise nothing, or what `writeFile` says. Precondition: the folder is
-/// there, if it can be made.
+/// Refuses records that would replace the list itself, or the records of another list of the same
+/// name that still exists. The name of the list is stored beside them, in shirts.jsonl.of, unless
+/// it is standard input; a file of that name that Toile did not write is refused. Writes the note.
+/// Precondition: the folder exists if it can be created.
 std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
-    std::error_code ignored;  // of what is not there
+    std::error_code ignored;  // of missing files
     if (batch.list == "-" || !fs::is_regular_file(batch.list, ignored)) {
         return std::nullopt;
     }
     const fs::path records = recordsOf(batch);
     if (fs::equivalent(records, batch.list, ignored)) {
-        return Refusal(kWrongUsage, shownRecords(records) +
-                                        " is where the records would go; give the list another "
-                                        "ending, such as .txt, or another folder with -o");
+        return usageRefusal(shownRecords(records) +
+                            " is where the records would go; give the list another "
+                            "ending, such as .txt, or another folder with -o");
     }
     const fs::path list = fs::weakly_canonical(batch.list, ignored);
     const fs::path folder = fs::weakly_canonical(batch.folder, ignored);
@@ -82,55 +71,57 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
             return Refusal(written.error());
         }
         if (!written->starts_with(kMarkOfNote)) {
-            return Refusal(kWrongUsage, shownRecords(note) +
-                                            " is no note of toile batch, which would take its "
-                                            "place; give it or the list another name");
+            return usageRefusal(shownRecords(note) +
+                                " is no note of toile batch, which would take its "
+                                "place; give it or the list another name");
         }
-        std::string_view said = std::string_view(*written).substr(kMarkOfNote.size());
-        said.remove_suffix(said.ends_with('\n') ? 1 : 0);
-        const fs::path other = folder / said;
+        std::string_view named = std::string_view(*written).substr(kMarkOfNote.size());
+        named.remove_suffix(named.ends_with('\n') ? 1 : 0);
+        const fs::path other = folder / named;
         if (fs::is_regular_file(other, ignored) && !fs::equivalent(other, list, ignored)) {
-            return Refusal(kWrongUsage,
-                           shownRecords(records) + " is of another list, " + shownRecords(other) +
-                               "; give this one another name, or another folder with -o");
+            return usageRefusal(shownRecords(records) + " is of another list, " +
+                                shownRecords(other) +
+                                "; give this one another name, or another folder with -o");
         }
     }
-    // Seen from the folder, so that both may move together.
-    const fs::path said = liesIn(list, folder) ? list.lexically_relative(folder) : list;
-    const auto put = writeFile(note, std::string(kMarkOfNote) + said.string() + '\n');
+    // Relative to the folder, so that both may move together.
+    const fs::path shown = liesIn(list, folder) ? list.lexically_relative(folder) : list;
+    const auto put = writeFile(note, std::string(kMarkOfNote) + shown.string() + '\n');
     return put ? std::nullopt : std::optional(Refusal(put.error()));
 }
 
 /// Notes per garment in the summary. A damaged file may cause thousands.
 constexpr std::size_t kMaxNotes = 20;
 
-/// @param messages  one sentence per line
-void addNotes(OrderedJson& figures, const std::string& messages) {
-    std::istringstream lines(messages);
-    for (std::string line; std::getline(lines, line) && figures["notes"].size() < kMaxNotes;) {
-        figures["notes"].push_back(text(withoutSpeaker(line)));
+void addNotes(OrderedJson& figures, const Messages& messages) {
+    for (const std::string& sentence : messages.sentences()) {
+        if (figures["notes"].size() < kMaxNotes) {
+            figures["notes"].push_back(text(sentence));
+        }
     }
 }
 
 OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::string>& formats,
                                 const std::filesystem::path& folder) {
-    std::ostringstream said;
-    const Arguments arguments = withProject(entry.arguments, said);
-    if (arguments.isMessage()) {
-        return failedFigures(Refusal(arguments));
+    Messages messages;
+    const auto checked =
+        entry.arguments ? withProject(*entry.arguments, messages) : entry.arguments;
+    if (!checked) {
+        return failedFigures(checked.refusal());
     }
+    const Arguments& arguments = *checked;
     Progress progress;
-    auto read = readGarment(arguments, progress, said);
+    const auto read = readGarment(arguments, progress, messages);
     if (!read) {
-        return failedFigures(read.error());
+        return failedFigures(read.refusal());
     }
     const Garment& garment = *read;
     const PieceResults results = flattened(arguments, garment, progress);
     const FinishedPattern made = finished(arguments, garment, results);
     OrderedJson figures = figuresOf(garment, results, fabricsOf(made.laid.pattern, made.fabric));
-    printProblems(garment, said);
-    printFailures(results, said);
-    addNotes(figures, said.str());
+    reportProblems(garment, messages);
+    reportFailures(results, messages);
+    addNotes(figures, messages);
     const bool isFlat = std::ranges::any_of(
         results, [](const auto& result) -> bool { return result->flat.has_value(); });
     if (!isFlat) {  // no pattern; the report says why
@@ -152,8 +143,8 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
     return figures;
 }
 
-/// What a garment's own process does: flattens it and writes its files, `pattern.svg` and so on, to
-/// a folder. @return its figures (batch_record.h). Never throws.
+/// The work of a garment's own process: flattens it and writes its files, such as `pattern.svg`, to
+/// a folder. @return its figures (batch.h). Never throws.
 OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::string>& formats,
                             const std::filesystem::path& folder) {
     try {
@@ -167,11 +158,10 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
     }
 }
 
-/// How often a garment is tried whose process another one kills, as the system does where memory
-/// is short.
+/// Tries per garment if another process kills its own, as the system does when memory is short.
 constexpr int kTries = 3;
 constexpr int kStatusOfSignals = 128;
-/// What the garment's process leaves for this one.
+/// Written by the garment's process for this one.
 constexpr const char* kFiguresFile = "figures.json";
 
 /// Why there are no figures.
@@ -197,7 +187,7 @@ bool wasKilled(const ProcessEnd& end) {
            (end.signal == SIGKILL || end.signal == SIGTERM);
 }
 
-/// A line of the list, and how the process ended that was to read its content.
+/// A line of the list, and how the process ended that read its content.
 struct IdentifiedEntry {
     BatchEntry entry;
     ProcessEnd end{};
@@ -256,11 +246,11 @@ Result<std::string> made(const IdentifiedEntry& identified, const BatchArguments
     return recordLine(entry, figuresOfEnd(end, batch), end.cost);
 }
 
-/// What has become of a list.
+/// The results of a list so far.
 struct BatchTally {
     int done = 0, someFailed = 0, failed = 0, before = 0;
     std::string records;  ///< a line each, in the list's order
-    /// By the garment's folder: where its record is in `records`, how long, whether from before.
+    /// By the garment's folder: start and size of its record in `records`, whether from before.
     std::map<std::string, std::tuple<std::size_t, std::size_t, bool>> known;
     int lines = 0;
 
@@ -279,7 +269,7 @@ struct BatchTally {
         out << std::endl;  // seen while the next one is under way
     }
 
-    /// Of a garment that a line before has named too. @return whether it is one
+    /// Adds a garment that an earlier line named too. @return whether it is one
     bool addKnown(const BatchEntry& entry, std::ostream& out) {
         const auto found = known.find(entry.name);
         if (found == known.end()) {
@@ -292,7 +282,7 @@ struct BatchTally {
     }
 };
 
-/// Brings one garment to its end. @return whether it came there; false: interrupted
+/// Finishes one garment. @return false: interrupted
 Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArguments& batch,
                            const ProcessLimits& limits, BatchTally& tally, std::ostream& out) {
     const BatchEntry& entry = identified.entry;
@@ -309,7 +299,7 @@ Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArgumen
     if (!*claimed && record.empty()) {
         return false;
     }
-    // Another process may have finished it between the look and the claim.
+    // Another process may have finished it before the claim.
     record = *claimed ? folder.finished(entry.key) : record;
     const bool isBefore = !record.empty();
     if (!isBefore) {
@@ -334,25 +324,24 @@ Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArgumen
 
 }  // namespace
 
-int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runBatch(const Arguments& arguments, std::ostream& out, Messages& messages) {
     const BatchArguments& batch = arguments.batch;
     const auto lines = readBatchList(batch.list);
     if (!lines) {
-        return refuse(lines.error(), err);
+        return refuse(lines.error(), messages);
     }
     if (isNoBatchList(batch.list, *lines)) {
         const std::string list = batch.list == "-" ? "standard input" : pathText(batch.list);
-        err << "toile: " << shownText(list)
-            << " is no list of garments; give one, a path a line (a garment alone is flattened by "
-               "toile flatten)\n";
-        return kExitUsage;
+        return refuse(usageRefusal(shownText(list) +
+                                   " is no list of garments; give one, a path a line (a garment "
+                                   "alone is flattened by toile flatten)"),
+                      messages);
     }
     std::error_code ignored;  // said where something is written
     std::filesystem::create_directories(batch.folder, ignored);
     const BatchSignals signals;
     if (const auto refusal = refusalOfRecords(batch)) {
-        err << "toile: " << refusal->message << '\n';
-        return refusal->code == kWrongUsage ? kExitUsage : kExitUnreadable;
+        return refuse(*refusal, messages);
     }
     const ProcessLimits limits{batch.limitSeconds, batch.memoryMib, batch.threads};
     BatchTally tally;
@@ -365,15 +354,15 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
                                  ? Result<bool>(false)
                                  : finishGarment(next, batch, limits, tally, out);
         if (!isThere) {
-            return refuse(isThere.error(), err);
+            return refuse(isThere.error(), messages);
         }
         if (!*isThere || BatchSignals::received() != 0) {
-            err << "toile: interrupted; run the same command again to go on.\n";
+            messages.add("interrupted; run the same command again to go on.");
             return kStatusOfSignals + BatchSignals::received();
         }
     }
     if (const auto written = writeFile(recordsOf(batch), tally.records); !written) {
-        return refuse(written.error(), err);
+        return refuse(written.error(), messages);
     }
     out << counted(tally.lines, "garment") << ": " << tally.done << " done, " << tally.someFailed
         << " with failed pieces, " << tally.failed << " failed; " << tally.before

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/batch_process.h"
-
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
+#include <fstream>
+#include <thread>
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
-#include "app/cli/batch_memory.h"
+#include "app/cli/batch.h"
 
 namespace toile::app {
 namespace {
@@ -30,7 +29,7 @@ constexpr int kTakenSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGCHLD};
 volatile std::sig_atomic_t receivedSignal = 0;
 int signalPipe[2] = {-1, -1};
 
-/// Runs on any thread: OpenBLAS has some, so that signals cannot be blocked and waited for.
+/// Runs on any thread: OpenBLAS has some, so signals cannot be blocked and waited for.
 void takeNote(int signal) {
     const int before = errno;
     if (signal != SIGCHLD) {
@@ -40,7 +39,7 @@ void takeNote(int signal) {
     errno = before;
 }
 
-/// What this process was started to ignore, by nohup or behind a shell's &, it goes on ignoring.
+/// Signals that this process was started to ignore, as by nohup, stay ignored.
 void answerAll(void (*answer)(int)) {
     for (const int signal : kTakenSignals) {
         struct sigaction action {};
@@ -72,6 +71,34 @@ void answerAll(void (*answer)(int)) {
 double secondsOf(const timeval& time) {
     return static_cast<double>(time.tv_sec) +
            static_cast<double>(time.tv_usec) / kMicrosecondsPerSecond;
+}
+
+constexpr rlim_t kBytesPerMib = rlim_t{1} << 20U;
+/// OpenBLAS's buffer for each thread that calls it, and the reserve of core/linalg.
+constexpr rlim_t kBlasBytes = 144 * kBytesPerMib;
+constexpr rlim_t kUsualStack = 8 * kBytesPerMib;
+
+/// Memory of this process as RLIMIT_DATA counts it; much of it is the program's own.
+rlim_t dataBytes() {
+    std::ifstream sizes("/proc/self/statm");  // in pages; the sixth is data and stack
+    rlim_t pages = 0;
+    for (int field = 0; field < 6; ++field) {
+        sizes >> pages;
+    }
+    return sizes ? pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
+rlim_t stackBytes() {
+    rlimit stack{};
+    getrlimit(RLIMIT_STACK, &stack);
+    return stack.rlim_cur == RLIM_INFINITY ? kUsualStack : stack.rlim_cur;
+}
+
+void setMemoryLimit(rlim_t bytes) {
+    rlimit limit{};
+    getrlimit(RLIMIT_DATA, &limit);
+    limit.rlim_cur = std::min(bytes, limit.rlim_max);
+    setrlimit(RLIMIT_DATA, &limit);
 }
 
 }  // namespace
@@ -137,7 +164,7 @@ ProcessEnd inOwnProcess(const std::function<int()>& work, const ProcessLimits& l
         BatchSignals::wait(limits.seconds > 0 ? limits.seconds - passed() : -1);
     }
     end.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
-    // Ctrl-C goes to both, and the child may be the first to end of it.
+    // Ctrl-C goes to both, and the child may end first.
     end.isInterrupted = end.isInterrupted || (end.signal != 0 && BatchSignals::received() != 0);
     end.status = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
     end.cost = {passed(), secondsOf(used.ru_utime) + secondsOf(used.ru_stime),
@@ -165,6 +192,17 @@ ProcessEnd textOfOwnProcess(const std::function<std::string()>& work, const Proc
     }
     close(ends[0]);
     return end;
+}
+
+void limitMemory(int mib, int threads) {
+    const auto working = static_cast<rlim_t>(threads);
+    const rlim_t stacks = (working + std::thread::hardware_concurrency()) * stackBytes();
+    setMemoryLimit(dataBytes() + stacks + working * kBlasBytes +
+                   static_cast<rlim_t>(mib) * kBytesPerMib);
+}
+
+void liftMemoryLimit() {
+    setMemoryLimit(RLIM_INFINITY);
 }
 
 }  // namespace toile::app

@@ -1,80 +1,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/check_arguments.h"
-
+// Checks of options together, each of which is valid by itself.
 #include <algorithm>
-#include <filesystem>
-#include <optional>
+#include <array>
 #include <system_error>
-#include <vector>
+#include <utility>
 
-#include "app/cli/proof_picture.h"
+#include "app/cli/arguments.h"
+#include "app/cli/command_line.h"
 #include "core/base/text.h"
+#include "core/formats/drawing/marker_drawing.h"
 #include "core/formats/formats.h"
 
 namespace toile::app {
 namespace {
 
-std::string wrongFairing(const LineSettings& lines) {
-    const Fairing fairing = lines.fairing.value_or(Fairing{});
-    const auto isWithin = [](double value, double least, double most) {
-        return value >= least && value <= most;
-    };
-    if (!isWithin(fairing.tolerance, kMinFairTolerance, kMaxFairTolerance)) {
-        return "--fair takes a tolerance from " + shortest(kMinFairTolerance) + " to " +
-               shortest(kMaxFairTolerance) + " mm";
-    }
-    if (!isWithin(fairing.smoothing, kMinSmoothing, kMaxSmoothing)) {
-        return "--fair takes a smoothing length from " + shortest(kMinSmoothing) + " to " +
-               shortest(kMaxSmoothing) + " mm";
+using Paths = std::vector<std::filesystem::path>;
+
+/// Options for one kind of input need that kind.
+std::string wrongKind(const Arguments& arguments) {
+    static constexpr std::pair<const char*, FileKind> kKindOf[] = {
+        {"--keep-debris", FileKind::Scan}, {"--close-holes", FileKind::Scan},
+        {"--smooth", FileKind::Scan},      {"--remesh", FileKind::Scan},
+        {"--weld-within", FileKind::Soup}, {"--surface", FileKind::Shell},
+        {"--layer", FileKind::Layers}};
+    const auto& as = arguments.load.preparing.as;
+    for (const auto& [option, kind] : kKindOf) {
+        const bool isDetected = kind == FileKind::Shell || kind == FileKind::Layers;
+        if (arguments.isTyped(option) && as != kind && (as || !isDetected)) {
+            return std::string(option) + ": goes with --as " +
+                   std::string(wordOf(kFileKindWords, kind));
+        }
     }
     return {};
 }
 
 /// A mistyped output must not cost the user the garment.
-std::optional<std::filesystem::path> overwrittenInput(const Arguments& arguments) {
-    std::vector<std::filesystem::path> inputs = arguments.inputs;
-    if (!arguments.seams.empty()) {
-        inputs.push_back(arguments.seams);
-    }
-    for (const std::filesystem::path& hide : arguments.marker.hides) {
-        inputs.push_back(hide);
-    }
-    for (const std::filesystem::path& read : {arguments.pattern, arguments.prove.typed.body}) {
-        inputs.push_back(read);
-    }
-    std::vector<std::filesystem::path> outputs = arguments.outputs;
-    outputs.push_back(arguments.marker.report);
-    outputs.push_back(arguments.prove.report);
+std::string overwrittenInput(const Arguments& arguments, const Paths& outputs) {
+    Paths inputs = arguments.inputs;
+    inputs.insert(inputs.end(), arguments.marker.hides.begin(), arguments.marker.hides.end());
+    inputs.insert(inputs.end(), {arguments.seams, arguments.pattern, arguments.prove.plan.body});
     for (const auto& output : outputs) {
         for (const auto& input : inputs) {
             std::error_code ignored;
             if (std::filesystem::equivalent(input, output, ignored)) {
-                return output;
+                return "\"" + output.string() + "\" is an input and would be overwritten";
             }
         }
     }
-    return std::nullopt;
+    return {};
 }
 
-/// A report that would lie over the pattern, or under it; neither needs to be there yet.
-std::optional<std::filesystem::path> reportAmongOutputs(const Arguments& arguments) {
+/// A report with the name of another output; neither needs to exist.
+std::string reportAmongOutputs(const Arguments& arguments) {
     const auto whole = [](const std::filesystem::path& path) -> std::filesystem::path {
         std::error_code ignored;
         const auto absolute = std::filesystem::absolute(path, ignored);
         const auto found = std::filesystem::weakly_canonical(absolute, ignored);
         return ignored ? path.lexically_normal() : found;
     };
-    for (const auto& report : {arguments.marker.report, arguments.prove.report}) {
-        for (const auto& output : arguments.outputs) {
-            if (!report.empty() && whole(report) == whole(output)) {
-                return report;
-            }
-        }
-    }
-    return std::nullopt;
+    const auto& report = arguments.report;
+    const auto isSame = [&](const auto& output) { return whole(report) == whole(output); };
+    return !report.empty() && std::ranges::any_of(arguments.outputs, isSame)
+               ? "\"" + report.string() + "\" is to be the report and an output; give two names"
+               : std::string();
 }
 
-/// Not known, or not in this build.
 std::string wrongEnding(const std::filesystem::path& output) {
     const Format* format = formatOf(output);
     if (format && format->write) {
@@ -84,35 +74,102 @@ std::string wrongEnding(const std::filesystem::path& output) {
            (format ? "this build of Toile" : "Toile") + " does not write; use " + writtenEndings();
 }
 
-std::string wrongOutputs(const Arguments& arguments) {
-    const bool isProof = arguments.command == Arguments::Command::Prove;
-    const bool isPattern =
-        isProof ? arguments.prove.rounds > 0 : arguments.command != Arguments::Command::Render;
-    for (const auto& output : arguments.outputs) {
-        if (isPattern && !(isProof && isPicture(output))) {
-            if (std::string wrong = wrongEnding(output); !wrong.empty()) {
-                return wrong;
+std::string wrongPictureName(const std::filesystem::path& output) {
+    return isPicture(output)
+               ? std::string()
+               : "the picture's name must end in .png, not \"" + output.string() + '"';
+}
+
+std::string wrongInProve(const Arguments& arguments) {
+    const Paths& outputs = arguments.outputs;
+    const bool isImproving = arguments.prove.rounds > 0;
+    const bool hasPicture = std::ranges::any_of(outputs, isPicture);
+    if (!hasPicture) {
+        for (const char* option : {"--view", "--overlay", "--size", "--look", "--dark", "--sewn"}) {
+            if (arguments.isTyped(option)) {
+                return std::string(option) + " is of a picture: ask for one with -o FILE.png";
             }
-        } else if (!isPicture(output) && arguments.picture.thumbnail == 0) {
-            const Format* format = isProof ? formatOf(output) : nullptr;
-            if (format && format->write) {
-                return "a pattern such as \"" + output.string() +
-                       "\" is written with --prove-improve; without it only a picture, .png";
-            }
-            return "the picture's name must end in .png, not \"" + output.string() + "\"";
         }
     }
-    if (isProof && std::ranges::any_of(arguments.outputs, isPicture) && !proofPictures()) {
+    for (const auto& output : outputs) {
+        if (isPicture(output)) {
+            continue;
+        }
+        const Format* format = formatOf(output);
+        if (!isImproving && format && format->write) {
+            return "a pattern such as \"" + output.string() +
+                   "\" is written with --prove-improve; without it only a picture, .png";
+        }
+        if (std::string wrong = isImproving ? wrongEnding(output) : wrongPictureName(output);
+            !wrong.empty()) {
+            return wrong;
+        }
+    }
+    if (hasPicture && !proofPictures()) {
         return "this build of Toile draws no pictures";
     }
-    if (isProof && isPattern && std::ranges::all_of(arguments.outputs, isPicture)) {
+    if (isImproving && std::ranges::all_of(outputs, isPicture)) {
         return "--prove-improve makes another pattern: give -o FILE to keep it";
     }
-    if (const auto lost = overwrittenInput(arguments)) {
-        return "\"" + lost->string() + "\" is an input and would be overwritten";
+    return {};
+}
+
+/// Of the nesting problem, which sets its own shapes and strip.
+std::string wrongInNest(const Arguments& arguments) {
+    const auto& inputs = arguments.inputs;
+    if (inputs.size() > 1) {
+        return "an instance of the nesting problem is the only input: \"" +
+               std::ranges::find_if(inputs, isNestInstance)->string() + "\"";
     }
-    if (const auto twice = reportAmongOutputs(arguments)) {
-        return "\"" + twice->string() + "\" is to be the report and an output; give two names";
+    static constexpr std::array<std::string_view, 8> kTaken{
+        "INPUT", "--output", "--report", "--rounds", "--time", "--seed", "--threads", "--gap"};
+    for (const auto& [option, words] : arguments.typed) {
+        if (std::ranges::find(kTaken, option) == kTaken.end() && option != "--border") {
+            return option +
+                   ": goes with a garment or a project, not with an instance of the "
+                   "nesting problem";
+        }
+    }
+    for (const auto& output : arguments.outputs) {
+        if (!equalsIgnoringCase(output.extension().string(), ".svg")) {
+            return "the nest of an instance is drawn as .svg, not \"" + output.string() + "\"";
+        }
+    }
+    return {};
+}
+
+std::string wrongInMarker(const Arguments& arguments) {
+    if (std::ranges::any_of(arguments.inputs, isNestInstance)) {
+        return wrongInNest(arguments);
+    }
+    for (const auto& output : arguments.outputs) {
+        if (!holdsMarkers(output)) {
+            return "\"" + output.string() +
+                   "\" has an ending that no marker is drawn in; use .svg, .dxf, .pdf, .plt or, "
+                   "where the window's libraries are there, .png";
+        }
+    }
+    if (arguments.isTyped("--width") + arguments.isTyped("--sheet") + arguments.isTyped("--hide") >
+        1) {
+        return "--width, --sheet and --hide are three kinds of cloth: give one of them";
+    }
+    return {};
+}
+
+std::string wrongOutputs(const Arguments& arguments) {
+    using Command = Arguments::Command;
+    if (arguments.command == Command::Prove) {
+        return wrongInProve(arguments);
+    }
+    const bool isRender = arguments.command == Command::Render;
+    if (isRender && arguments.picture.thumbnail > 0) {
+        return {};
+    }
+    for (const auto& output : arguments.outputs) {
+        if (std::string wrong = isRender ? wrongPictureName(output) : wrongEnding(output);
+            !wrong.empty()) {
+            return wrong;
+        }
     }
     return {};
 }
@@ -123,21 +180,42 @@ bool isPicture(const std::filesystem::path& file) {
     return file.extension() == ".png" || file.extension() == ".PNG";
 }
 
+bool isNestInstance(const std::filesystem::path& file) {
+    return equalsIgnoringCase(file.extension().string(), ".json");
+}
+
+std::string wrongTogether(const Arguments& arguments, const MarkerSettings& settings) {
+    const bool isRoll = !settings.sheet && settings.hides.empty();
+    if (settings.isFolded && !isRoll &&
+        (arguments.isTyped("--folded") || arguments.isTyped("--sheet") ||
+         arguments.isTyped("--hide"))) {
+        return "--folded goes with a roll: leave out --sheet and --hide";
+    }
+    if (arguments.isTyped("--grade") && settings.hides.empty()) {
+        return "--grade goes with --hide, whose zones have grades";
+    }
+    if (arguments.isTyped("--match") && settings.repeat == ClothRepeat{}) {
+        return "--match keeps stripes: give their --repeat";
+    }
+    return {};
+}
+
 std::string wrongIn(const Arguments& arguments) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
         return "--split seams divides by the cuts of a file: give it with --seams";
     }
-    if (std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
-        return wrong;
-    }
-    if (arguments.command == Arguments::Command::Marker) {
-        if (std::string wrong =
-                wrongInMarker(arguments.inputs, arguments.outputs, arguments.marker);
-            !wrong.empty()) {
+    Paths outputs = arguments.outputs;
+    outputs.push_back(arguments.report);
+    const bool isMarker = arguments.command == Arguments::Command::Marker;
+    for (std::string wrong :
+         {wrongKind(arguments), isMarker ? wrongInMarker(arguments) : std::string(),
+          isMarker ? std::string() : wrongOutputs(arguments), overwrittenInput(arguments, outputs),
+          reportAmongOutputs(arguments)}) {
+        if (!wrong.empty()) {
             return wrong;
         }
     }
-    return wrongOutputs(arguments);
+    return {};
 }
 
 }  // namespace toile::app

@@ -3,13 +3,14 @@
 #include <ostream>
 #include <utility>
 
-#include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
-#include "app/cli/proof_order.h"
-#include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
+#include "core/base/file.h"
+#include "core/base/text.h"
+#include "core/formats/read_pattern.h"
 #include "core/formats/tables/comparison_writer.h"
+#include "core/formats/tables/pattern_match.h"
+#include "core/formats/writers.h"
 #include "core/prove/proof.h"
 #include "core/toile/pipeline.h"
 
@@ -39,13 +40,13 @@ void printText(const Garment& garment, const Comparison& comparison, bool perPie
     }
 }
 
-/// Sews the pattern of each method back together, and notes how far it sits from the design.
-/// @return whether one could not be sewn, of which a sentence is printed
+/// Sews the pattern of each method back together and measures its distance from the design.
+/// @return whether one could not be sewn, which is reported
 bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison& comparison,
-                  Progress& progress, std::ostream& err) {
+                  Progress& progress, Messages& messages) {
     const auto ordered = orderOfOwn(arguments, garment, progress);
-    if (const auto* refusal = std::get_if<Refusal>(&ordered)) {
-        refuse(*refusal, err);
+    if (!ordered) {
+        refuse(ordered.refusal(), messages);
         return true;
     }
     Arguments exact = arguments;  // methods are compared by their exact outlines
@@ -53,11 +54,11 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
     bool failed = false;
     for (ComparedMethod& method : comparison.methods) {
         const FinishedPattern made = finished(exact, garment, method.results);
-        const auto proof = proofOf(made.source(), std::get<ProofOrder>(ordered),
+        const auto proof = proofOf(made.source(), *ordered,
                                    Progress(progress, 1.0 / double(comparison.methods.size())));
         if (!proof) {
-            err << "toile: " << name(method.method) << ": "
-                << refusalOfProof(proof.error(), method.results).message << '\n';
+            messages.add(std::string(name(method.method)) + ": " +
+                         refusalOfProof(proof.error(), method.results).message);
             failed = true;
             continue;
         }
@@ -71,24 +72,23 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
     return failed;
 }
 
-/// A sentence for each piece that failed, or is flipped against the method's promise, with
-/// the method where it did so under it; one where the piece itself is at fault.
-/// @return whether there was one
-bool printFailures(const Garment& garment, const Comparison& comparison, std::ostream& err) {
+/// Reports each piece that failed or breaks its method's promise, once per method; defects of the
+/// piece itself once. @return whether there was one
+bool reportFailures(const Garment& garment, const Comparison& comparison, Messages& messages) {
     bool failed = false;
     for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
         const bool isOut = std::ranges::any_of(
             comparison.methods,
             [k](const ComparedMethod& method) { return isLeftOut(*method.results[k]); });
         if (garment.pieces[k]->defect && !isOut) {
-            err << "toile: " << sentence(*garment.pieces[k]->defect) << '\n';
+            messages.add(*garment.pieces[k]->defect);
             failed = true;
         }
     }
     for (const ComparedMethod& method : comparison.methods) {
         for (const auto& result : method.results) {
             const auto say = [&](const Error& error) {
-                err << "toile: " << name(method.method) << ": " << sentence(error) << '\n';
+                messages.add(std::string(name(method.method)) + ": " + sentence(error));
                 failed = true;
             };
             if (result->error && !result->piece->defect && !isLeftOut(*result)) {
@@ -103,14 +103,142 @@ bool printFailures(const Garment& garment, const Comparison& comparison, std::os
     return failed;
 }
 
+constexpr int kMatchDecimals = 2;
+
+std::string linesText(const LineMatch& line) {
+    const auto word = [](MatchedLine which) {
+        return which == MatchedLine::Cut ? std::string("cut") : std::string("seam");
+    };
+    return line.ours == line.theirs ? word(line.ours)
+                                    : word(line.ours) + " with " + word(line.theirs);
+}
+
+std::string changeText(double ours, double theirs) {
+    return theirs > 0 ? fixed(100 * (ours / theirs - 1), kMatchDecimals) : "-";
+}
+
+void printPairs(const Pattern& pattern, const PatternFile& file, const PatternMatch& match,
+                std::ostream& out) {
+    Table table({"piece", "in the file", "paired by", "line", "mean mm", "farthest mm", "length mm",
+                 "in the file mm", "length %", "area %", "mirrored"});
+    for (const PieceMatch& pair : match.pairs) {
+        const FilePiece& other = file.pieces[static_cast<std::size_t>(pair.filePiece)];
+        const bool isDoubtful = !pair.rivals.empty();
+        for (const LineMatch& line : pair.lines) {
+            table.add({pattern.pieces[static_cast<std::size_t>(pair.piece)].name,
+                       other.name + (other.size.empty() ? "" : " (" + other.size + ")"),
+                       std::string(name(pair.by)) + (isDoubtful ? "?" : ""), linesText(line),
+                       fixed(line.fit.mean, kMatchDecimals),
+                       fixed(line.fit.farthest, kMatchDecimals), fixed(line.lengthOurs, 1),
+                       fixed(line.lengthTheirs, 1), changeText(line.lengthOurs, line.lengthTheirs),
+                       changeText(line.areaOurs, line.areaTheirs), line.fit.mirrored ? "yes" : ""});
+        }
+    }
+    table.print(out);
+}
+
+void printRest(const Pattern& pattern, const PatternFile& file, const PatternMatch& match,
+               std::ostream& out) {
+    constexpr std::size_t kNamed = 10;
+    const auto filePiece = [&file](int k) { return file.pieces[static_cast<std::size_t>(k)].name; };
+    const auto ourPiece = [&pattern](int k) {
+        return pattern.pieces[static_cast<std::size_t>(k)].name;
+    };
+    const auto listOf = [](const std::vector<int>& pieces, const auto& nameOf) {
+        std::vector<std::string> names;
+        std::ranges::transform(pieces, std::back_inserter(names), nameOf);
+        return quotedList(names, kNamed);
+    };
+    for (const PieceMatch& pair : match.pairs) {
+        if (!pair.rivals.empty()) {
+            out << shownText(ourPiece(pair.piece)) << " fits " << listOf(pair.rivals, filePiece)
+                << " about as well as \"" << shownText(filePiece(pair.filePiece)) << "\"\n";
+        }
+    }
+    if (!match.alone.empty()) {
+        out << "without a partner: " << listOf(match.alone, ourPiece) << '\n';
+    }
+    if (!match.aloneInFile.empty()) {
+        out << "in the file alone: " << listOf(match.aloneInFile, filePiece) << '\n';
+    }
+    const bool hasOnlyOne = std::ranges::any_of(match.pairs, [](const PieceMatch& pair) {
+        return std::ranges::any_of(pair.lines,
+                                   [](const LineMatch& line) { return line.ours != line.theirs; });
+    });
+    if (hasOnlyOne) {
+        out << "the file has one line a piece, taken for the seam line, since the pattern has no "
+               "allowance\n";
+    }
+}
+
+/// With the named method if there is exactly one, else the default.
+FlattenOptions chosenOptions(const Arguments& arguments) {
+    FlattenOptions options = arguments.options;
+    if (arguments.methods.size() == 1) {
+        options.method = arguments.methods.front();
+    }
+    return options;
+}
+
+bool isAllPaired(const PatternMatch& match) {
+    return match.alone.empty() && match.aloneInFile.empty();
+}
+
+/// With `--pattern`: compares with a pattern from a file.
+int comparePattern(const Arguments& arguments, std::ostream& out, Messages& messages) {
+    const auto file = readPatternFile(arguments.pattern);
+    if (!file) {
+        messages.add(file.error());
+        return kExitUnreadable;
+    }
+    reportPatternNotes(arguments.pattern, *file, messages);
+    Progress progress;
+    const auto garment = readInput(arguments, progress, messages);
+    if (!garment) {
+        return kExitUnreadable;
+    }
+    const PieceResults results =
+        flattenGarment(*garment, chosenOptions(arguments), progress, 0, arguments.lines);
+    const FinishedPattern made = finished(arguments, *garment, results);
+    const Pattern& pattern = made.laid.wholePattern;
+    const PatternMatch match = matchPatterns(pattern, *file);
+    if (arguments.json) {
+        out << writePatternMatch(pattern, *file, match);
+    } else {
+        out << shownText(arguments.pattern.string(), kMaxOfPlace) << ": " << file->format
+            << ", unit " << unitText(file->unit);
+        if (!file->unitReason.empty()) {
+            out << " (" << file->unitReason << (file->unitInDoubt ? "; in doubt" : "") << ")";
+        }
+        out << "\n\n";
+        printPairs(pattern, *file, match, out);
+        printRest(pattern, *file, match, out);
+    }
+    int status = isAllPaired(match) ? kExitDone : kExitSomeFailed;
+    status = reportProblems(*garment, messages) || reportFailures(results, messages)
+                 ? kExitSomeFailed
+                 : status;
+    for (const auto& output : arguments.outputs) {
+        const auto written = writeFile(output, writeSvg(drawPatternMatch(pattern, *file, match)));
+        if (written) {
+            messages.stream() << "wrote " << output.string() << '\n';
+        } else {
+            messages.add(written.error());
+            status = kExitUnreadable;
+        }
+    }
+    out.flush();
+    return out ? status : kExitUnreadable;
+}
+
 }  // namespace
 
-int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runCompare(const Arguments& arguments, std::ostream& out, Messages& messages) {
     if (!arguments.pattern.empty()) {
-        return runComparePattern(arguments, out, err);
+        return comparePattern(arguments, out, messages);
     }
     Progress progress;
-    const auto garment = readInput(arguments, progress, err);
+    const auto garment = readInput(arguments, progress, messages);
     if (!garment) {
         return kExitUnreadable;
     }
@@ -121,7 +249,7 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
                           withoutLeftOut(arguments, *garment, std::move(method.results)));
     }
     bool undone =
-        arguments.isProving && proveMethods(arguments, *garment, comparison, progress, err);
+        arguments.isProving && proveMethods(arguments, *garment, comparison, progress, messages);
     if (arguments.json) {
         out << writeComparison(*garment, comparison);
     } else if (arguments.markdown) {
@@ -129,8 +257,8 @@ int runCompare(const Arguments& arguments, std::ostream& out, std::ostream& err)
     } else {
         printText(*garment, comparison, arguments.perPiece, out);
     }
-    undone = printProblems(*garment, err) || undone;
-    const bool failed = printFailures(*garment, comparison, err);
+    undone = reportProblems(*garment, messages) || undone;
+    const bool failed = reportFailures(*garment, comparison, messages);
     out.flush();
     return !out ? kExitUnreadable : undone || failed ? kExitSomeFailed : kExitDone;
 }

@@ -6,9 +6,7 @@
 #include <numbers>
 #include <ostream>
 
-#include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
 #include "core/assemble/cut_pieces.h"
 #include "core/assemble/slits.h"
 #include "core/base/characters.h"
@@ -77,8 +75,8 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
     out << '\n';
 }
 
-/// Prints, for each piece as it was before cuts of Toile's, the cuts that would take most strain
-/// away, and what they leave: foretold for all, solved for the best five.
+/// Prints, for each piece before Toile's own cuts, the cuts that reduce strain most and the strain
+/// that is left: predicted for all, solved for the best five.
 /// Cost: that of `adviseCuts`, and six flattenings of each piece.
 void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
                  std::ostream& out) {
@@ -166,19 +164,19 @@ void printHead(const std::filesystem::path& path, const PatternFile& file, std::
     }
 }
 
-/// Whether the name says that a file holds a pattern and no garment.
+/// Whether a file is a pattern and no garment, by its ending.
 bool isPatternFile(const std::filesystem::path& path) {
     return patternFileKind(path).has_value();
 }
 
-/// `toile info` of pattern files: pieces, sizes, layers, lengths, and how the unit is known.
+/// `toile info` of pattern files: pieces, sizes, layers, lengths, and the source of the unit.
 /// @return the exit status
-int runPatternInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runPatternInfo(const Arguments& arguments, std::ostream& out, Messages& messages) {
     int status = kExitDone;
     for (const std::filesystem::path& path : arguments.inputs) {
         const auto file = readPatternFile(path, arguments.load.unit);
         if (!file) {
-            err << "toile: " << sentence(file.error()) << '\n';
+            messages.add(file.error());
             status = kExitUnreadable;
             continue;
         }
@@ -190,14 +188,14 @@ int runPatternInfo(const Arguments& arguments, std::ostream& out, std::ostream& 
         printLayers(*file, out);
         out << '\n';
         printPieces(*file, out);
-        printPatternNotes(path, *file, err);
+        reportPatternNotes(path, *file, messages);
     }
     out.flush();
     return out ? status : kExitUnreadable;
 }
 
-/// Where coordinates have passed through floats and it shows: far from the origin, or in a small
-/// unit.
+/// Warns if the coordinates were rounded to floats and it matters: far from the origin, or in a
+/// small unit.
 void printPrecision(const SourceFile& file, std::ostream& out) {
     constexpr double kTelling = 0.001;  // mm
     const double precision = file.unit.millimetres() * precisionOfFloats(*file.soup);
@@ -207,7 +205,7 @@ void printPrecision(const SourceFile& file, std::ostream& out) {
     }
 }
 
-/// As what a file was read: "a thick shell (two surfaces 1.5 mm apart)".
+/// The kind of the input: "a thick shell (two surfaces 1.5 mm apart)".
 void printReading(const FileReading& reading, std::ostream& out) {
     static constexpr Word<FileKind> kShown[] = {
         {FileKind::Sheet, "a plain sheet"},
@@ -237,7 +235,7 @@ void printReading(const FileReading& reading, std::ostream& out) {
     out << '\n';
 }
 
-/// Which way the faces look: what they look to is the right side of the cloth.
+/// The side to which the faces are turned: the right side of the cloth.
 void printSide(const ClothSide& side, std::ostream& out) {
     out << "right side: "
         << (side.way == ClothSide::Way::Inwards    ? "inwards, so pieces come out mirrored"
@@ -288,7 +286,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
     }
 }
 
-/// The lengths of the outline and of all other loops, the longest ones where there are many.
+/// The lengths of the longest loops, with the outline.
 std::string loopsOf(const Piece& piece) {
     constexpr std::size_t kListed = 3;
     std::vector<double> lengths = loopLengths(piece);
@@ -322,7 +320,7 @@ void printPieces(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
-/// Lines along which pieces are open inside, as UV maps have them, and what closes them.
+/// Slits inside pieces, as UV maps have them, and the option that closes them.
 void printSlits(const Arguments& arguments, const Garment& garment, std::ostream& out) {
     const std::vector<Slit> slits = slitsInside(garment.pieces);
     if (!slits.empty()) {
@@ -330,7 +328,7 @@ void printSlits(const Arguments& arguments, const Garment& garment, std::ostream
         for (const Slit& slit : slits) {
             length += slit.length;
         }
-        // Not those of cuts; and a project says itself how its files are read.
+        // Not slits from cuts; and a project sets how its files are read.
         const bool canClose =
             !arguments.load.closeSlits && !arguments.project && !slitsInside(garment.uncut).empty();
         out << '\n'
@@ -355,7 +353,7 @@ void printSeams(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
-/// Whether the piece has the name, or a number behind it, that the file gives one of its faces.
+/// Whether the piece is named after an object, group or material of the file.
 bool isNamedInFile(const Piece& piece, const Garment& garment) {
     const PolygonSoup& soup = *garment.files[static_cast<std::size_t>(piece.file)]->soup;
     const auto isOf = [&piece](const std::vector<int>& ofFace,
@@ -369,8 +367,7 @@ bool isNamedInFile(const Piece& piece, const Garment& garment) {
            isOf(soup.faceMaterial, soup.materials);
 }
 
-/// What Toile assumes about the pieces unless told otherwise, and what that rests on
-/// (docs/guesses.md).
+/// The assumptions about the pieces (docs/guesses.md).
 void printAssumptions(const Garment& garment, std::ostream& out) {
     constexpr double kShared = 1e-6;  // mm: the sides of the seam have the same vertices
     int shared = 0, near = 0, free = 0;
@@ -398,12 +395,12 @@ void printAssumptions(const Garment& garment, std::ostream& out) {
 
 }  // namespace
 
-int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runInfo(const Arguments& arguments, std::ostream& out, Messages& messages) {
     if (std::ranges::all_of(arguments.inputs, isPatternFile)) {
-        return runPatternInfo(arguments, out, err);
+        return runPatternInfo(arguments, out, messages);
     }
     Progress progress;
-    const auto garment = readInput(arguments, progress, err);
+    const auto garment = readInput(arguments, progress, messages);
     if (!garment) {
         return kExitUnreadable;
     }
@@ -425,13 +422,13 @@ int runInfo(const Arguments& arguments, std::ostream& out, std::ostream& err) {
             printAdvice(arguments, *garment, progress, out);
         }
     }
-    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
+    int status = reportProblems(*garment, messages) ? kExitSomeFailed : kExitDone;
     for (const Finding& doubt : findDoubts(*garment, {})) {
-        err << "toile: doubt: " << sentence(doubt) << '\n';
+        messages.add("doubt: " + sentence(doubt));
     }
     for (const auto& piece : garment->pieces) {
         if (piece->defect) {
-            err << "toile: " << sentence(*piece->defect) << '\n';
+            messages.add(*piece->defect);
             status = kExitSomeFailed;
         }
     }

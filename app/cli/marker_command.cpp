@@ -5,10 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
-#include "app/cli/marker_interruptible.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/progress.h"
@@ -19,41 +16,60 @@
 #include "core/formats/hide_file.h"
 #include "core/formats/writers.h"
 #include "core/marker/cloth_marker.h"
+#include "core/nest/instance_file.h"
+#include "core/nest/nest.h"
 
 namespace toile::app {
 namespace {
 
-constexpr double kBetweenLines = 1;  // s, of those that say how far the search is
+constexpr double kBetweenLines = 1;  // s, between progress messages
+constexpr double kUsualMarkerSeconds = 5;
 
-/// The settings with their hides.
-Result<MarkerSettings> withHides(const MarkerArguments& typed, std::ostream& err) {
-    MarkerSettings settings = typed.settings;
+using Hides = std::vector<std::shared_ptr<const Hide>>;
+
+/// Whether to go on: until the typed rounds are done or the time is up.
+bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds) {
+    const bool hasRounds = !typed.rounds || rounds < *typed.rounds;
+    const double most = typed.seconds.value_or(typed.rounds ? seconds + 1 : kUsualMarkerSeconds);
+    return hasRounds && seconds < most;
+}
+
+/// The typed hides.
+Result<Hides> readHides(const MarkerArguments& typed, Messages& messages) {
+    Hides hides;
     for (const auto& path : typed.hides) {
         auto hide = readHide(path);
         if (!hide) {
             return hide.error();
         }
         for (const Wording& note : hide->notes) {
-            err << "toile: " << path.string() << ": " << shownText(note) << '\n';
+            messages.add(path.string() + ": " + shownText(note));
         }
-        settings.hides.push_back(std::make_shared<const Hide>(std::move(hide->hide)));
+        hides.push_back(std::make_shared<const Hide>(std::move(hide->hide)));
     }
-    return settings;
+    return hides;
 }
 
-/// What a project says of this material, and what was typed.
-MarkerPlan planOf(const Arguments& arguments, const std::string& material,
-                  const MarkerSettings& typed) {
+/// The project's plan of a material with typed options on top of it.
+MarkerPlan planOf(const Arguments& arguments, const std::string& material, const Hides& hides) {
     MarkerPlan plan;
     if (arguments.project) {
         const auto saved = arguments.project->markers.find(material);
         plan = saved == arguments.project->markers.end() ? plan : saved->second;
     }
-    plan.settings = over(std::move(plan.settings), arguments.marker, typed);
+    Arguments base = arguments;
+    base.marker.settings = std::move(plan.settings);
+    MarkerSettings& settings = base.marker.settings;
+    if (arguments.isTyped("--width") || arguments.isTyped("--sheet") || !hides.empty()) {
+        settings.width = 0;  // another cloth
+        settings.sheet.reset();
+        settings.hides = hides;
+    }
+    plan.settings = withTyped(std::move(base)).marker.settings;
     return plan;
 }
 
-/// With a first nest. Ctrl-C gives that up, where it ends a search only.
+/// With a first nest. Ctrl-C cancels that; later it only ends the search.
 Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
                            const std::string& material, const Fabric& fabric,
                            const MarkerPlan& plan, int threads) {
@@ -64,7 +80,7 @@ Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
 }
 
 void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progress,
-            std::ostream& err) {
+            Messages& messages) {
     const Interruptible interruptible(progress);
     const Stopwatch watch;
     double said = 0;
@@ -73,18 +89,18 @@ void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progre
         nester.step(progress);
         if (typed.seconds && watch.seconds() >= said + kBetweenLines) {
             said = watch.seconds();
-            err << "toile: " << fixed(said, 0) << " s, " << counted(nester.best().rounds, "round")
-                << ": " << fixed(nester.best().length, 1) << " mm\n";
+            messages.add(fixed(said, 0) + " s, " + counted(nester.best().rounds, "round") + ": " +
+                         fixed(nester.best().length, 1) + " mm");
         }
     }
 }
 
-/// "marker-silk.pdf" where there are several. @param ending  "-silk", or nothing
+/// "marker-silk.pdf" if there are several. @param ending  "-silk", or empty
 std::filesystem::path pathOf(const std::filesystem::path& output, const std::string& ending) {
     return ending.empty() ? output : exportedPath(output, ending + std::string(endingOf(output)));
 }
 
-/// What is put to the outputs' names for each material, so that no two are the same.
+/// Suffixes of the outputs for each material, so that all names differ.
 std::vector<std::string> endingsOf(const std::vector<std::string>& materials,
                                    const std::vector<std::filesystem::path>& outputs) {
     std::vector<std::string> endings(materials.size());
@@ -108,7 +124,7 @@ std::vector<std::string> endingsOf(const std::vector<std::string>& materials,
     return endings;
 }
 
-/// What was read must not be written over, or nothing.
+/// An input that would be overwritten, if there is one.
 std::optional<std::filesystem::path> lostInput(const Arguments& arguments,
                                                const std::vector<std::string>& endings) {
     std::vector<std::filesystem::path> inputs = arguments.inputs;
@@ -126,16 +142,16 @@ std::optional<std::filesystem::path> lostInput(const Arguments& arguments,
     return std::nullopt;
 }
 
-/// What cannot be laid as it was typed, or nothing.
+/// The first plan that cannot be laid as it was typed; empty: all can.
 std::string wrongInPlans(const Arguments& arguments, const std::vector<std::string>& materials,
-                         const Pattern& pattern, const MarkerSettings& typed) {
+                         const Pattern& pattern, const Hides& hides) {
     for (const std::string& material : materials) {
-        const MarkerPlan plan = planOf(arguments, material, typed);
-        if (std::string wrong = wrongTogether(typed, plan.settings); !wrong.empty()) {
+        const MarkerPlan plan = planOf(arguments, material, hides);
+        if (std::string wrong = wrongTogether(arguments, plan.settings); !wrong.empty()) {
             return wrong;
         }
     }
-    for (const auto& [name, grade] : typed.grades) {
+    for (const auto& [name, grade] : arguments.marker.settings.grades) {
         if (std::ranges::find(pattern.pieces, name, &PatternPiece::name) == pattern.pieces.end()) {
             return "--grade names no piece: \"" + name + "\"";
         }
@@ -144,7 +160,7 @@ std::string wrongInPlans(const Arguments& arguments, const std::vector<std::stri
 }
 
 void printMarker(const ClothMarker& marker, const Pattern& pattern, const MarkerArguments& typed,
-                 std::ostream& out, std::ostream& err) {
+                 std::ostream& out, Messages& messages) {
     const MarkerFigures figures = markerFigures(pattern, marker);
     out << shownText(clothSentence(marker)) << ", " << counted(marker.rounds, "round")
         << (marker.isOptimal ? ", none is shorter" : "") << "; " << counted(figures.copies, "piece")
@@ -156,7 +172,7 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
     }
     out << '\n';
     for (const Wording& note : marker.notes) {
-        err << "toile: " << shownText(note) << '\n';
+        messages.add(shownText(note));
     }
 }
 
@@ -185,74 +201,118 @@ Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
     return {};
 }
 
+/// Of an instance of the nesting problem.
+int nestInstance(const Arguments& arguments, std::ostream& out, Messages& messages) {
+    const MarkerArguments& typed = arguments.marker;
+    auto instance = readNestInstance(arguments.inputs.front());
+    if (!instance) {
+        return refuse(instance.error(), messages);
+    }
+    NestOptions options;
+    options.seed = typed.settings.seed;
+    options.gap = typed.settings.gap;
+    options.border = typed.settings.border;
+    options.threads = typed.threads;
+    const Stopwatch watch;
+    Progress progress;
+    const Interruptible interruptible(progress);
+    auto nester = Nester::make(std::move(*instance), options, progress);
+    if (!nester) {
+        return refuse(nester.error(), messages);
+    }
+    const NestResult& best = nester->best();
+    while (!best.optimal && !progress.isCancelled() &&
+           isToGoOn(typed, best.rounds, watch.seconds())) {
+        nester->step(progress);
+    }
+    out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "
+        << counted(best.rounds, "round") << (best.optimal ? ", no nest is shorter" : "") << '\n';
+    std::vector<std::filesystem::path> files = arguments.outputs;
+    if (!arguments.report.empty()) {
+        files.push_back(arguments.report);
+    }
+    for (const auto& path : files) {
+        const std::string text = path == arguments.report
+                                     ? nestReport(nester->instance(), options, best)
+                                     : nestPicture(nester->instance(), best);
+        if (const auto written = writeFile(path, text); !written) {
+            return refuse(written.error(), messages);
+        }
+    }
+    out.flush();
+    return !out ? kExitUnreadable : best.valid ? kExitDone : kExitSomeFailed;
+}
+
 }  // namespace
 
-int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runMarker(const Arguments& arguments, std::ostream& out, Messages& messages) {
     if (isNestInstance(arguments.inputs.front())) {
-        return runMarkerOfInstance(arguments, out, err);
+        return nestInstance(arguments, out, messages);
     }
     const MarkerArguments& typed = arguments.marker;
-    const auto said = withHides(typed, err);
-    if (!said) {
-        return refuse(said.error(), err);
+    const auto hides = readHides(typed, messages);
+    if (!hides) {
+        return refuse(hides.error(), messages);
     }
     Progress progress;
-    const auto garment = readInput(arguments, progress, err);
+    const auto garment = readInput(arguments, progress, messages);
     if (!garment) {
         return kExitUnreadable;
     }
     const PieceResults results = flattened(arguments, *garment, progress);
-    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
-    status = printFailures(results, err) ? kExitSomeFailed : status;
+    int status = reportProblems(*garment, messages) ? kExitSomeFailed : kExitDone;
+    status = reportFailures(results, messages) ? kExitSomeFailed : status;
     const Pattern whole = finished(arguments, *garment, results).laid.wholePattern;
-    std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, *said));
+    MarkerSettings onHides = typed.settings;
+    onHides.hides = *hides;
+    std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, onHides));
     if (typed.material) {
         if (std::ranges::find(materials, *typed.material) == materials.end()) {
-            err << "toile: nothing is cut from \"" << *typed.material << "\"; there is "
-                << quotedList(materials, materials.size()) << ".\n";
+            messages.add("nothing is cut from \"" + *typed.material + "\"; there is " +
+                         quotedList(materials, materials.size()) + ".");
             return kExitUsage;
         }
         materials = {*typed.material};
     }
     if (materials.empty()) {
-        err << "toile: no piece lies flat: there is nothing to lay.\n";
+        messages.add("no piece lies flat: there is nothing to lay.");
         return kExitSomeFailed;
     }
     const std::vector<std::string> endings = endingsOf(materials, arguments.outputs);
-    std::string wrong = wrongInPlans(arguments, materials, whole, *said);
+    std::string wrong = wrongInPlans(arguments, materials, whole, *hides);
     if (const auto lost = lostInput(arguments, endings); lost && wrong.empty()) {
         wrong = "\"" + lost->string() + "\" is an input and would be overwritten";
     }
     if (!wrong.empty()) {
-        err << "toile: " << wrong << ".\n";
-        return kExitUsage;
+        return refuse(usageRefusal(wrong + "."), messages);
     }
     std::vector<MadeMarker> markers;
     for (std::size_t k = 0; k < materials.size(); ++k) {
         const std::string& material = materials[k];
-        const MarkerPlan plan = planOf(arguments, material, *said);
+        const MarkerPlan plan = planOf(arguments, material, *hides);
         const auto pattern = std::make_shared<const Pattern>(patternOnCloth(whole, plan.settings));
         const Fabric fabric = fabricOf(material, pattern->materials,
                                        arguments.fabric.value_or(fabricPresets().front()));
         auto nester = begun(pattern, material, fabric, plan, typed.threads);
         if (!nester) {
-            return refuse(nester.error(), err);
+            return refuse(nester.error(), messages);
         }
-        search(*nester, typed, progress, err);
+        search(*nester, typed, progress, messages);
         markers.push_back({pattern, plan.settings, nester->best()});
         const ClothMarker& marker = markers.back().marker;
-        printMarker(marker, *pattern, typed, out, err);
+        printMarker(marker, *pattern, typed, out, messages);
         status = marker.isWhole ? status : kExitSomeFailed;
         if (const auto written =
                 writeMarker(arguments, *garment, results, markers.back(), endings[k], out);
             !written) {
-            return refuse(written.error(), err);
+            return refuse(written.error(), messages);
         }
     }
-    if (!typed.report.empty()) {
-        const auto written = writeFile(typed.report, writeMarkers(markers, typed.minutesPerMetre));
+    if (!arguments.report.empty()) {
+        const auto written =
+            writeFile(arguments.report, writeMarkers(markers, typed.minutesPerMetre));
         if (!written) {
-            return refuse(written.error(), err);
+            return refuse(written.error(), messages);
         }
     }
     out.flush();

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iosfwd>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <utility>
 
-#include "app/cli/arguments.h"
-#include "app/cli/check_arguments.h"
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
-#include "app/cli/marker_interruptible.h"
-#include "app/cli/proof_order.h"
-#include "app/cli/proof_picture.h"
-#include "app/cli/write_patterns.h"
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/progress.h"
 #include "core/base/text.h"
+#include "core/formats/read_pattern.h"
+#include "core/prove/body_file.h"
 #include "core/prove/proof.h"
 #include "core/toile/improve.h"
 
@@ -58,8 +55,8 @@ void printEnd(const Improved& improved, std::ostream& out) {
         << "\n\n";
 }
 
-/// The pattern of a garment made to fit it better, as the arguments ask; a line per round, and one
-/// on how it ended. Errors: those of `improvePattern`.
+/// Improves the pattern; prints a line per round, and one about the end. Errors: as
+/// `improvePattern`.
 Result<Improved> improved(const Arguments& arguments, const Garment& garment,
                           const PieceResults& results, const ProofOrder& proof, Progress& progress,
                           std::ostream& out) {
@@ -76,7 +73,7 @@ Result<Improved> improved(const Arguments& arguments, const Garment& garment,
 }
 
 constexpr int kGapDecimals = 2, kPercentDecimals = 1;
-constexpr double kShownSlip = 0.05;  // mm: from here on it is not 0.0
+constexpr double kShownSlip = 0.05;  // mm: smaller ones print as 0.0
 
 std::string percentText(double share) {
     return fixed(100 * share, kPercentDecimals);
@@ -99,7 +96,7 @@ void printProvenPieces(const Garment& garment, const Proof& proof, std::ostream&
     table.print(out);
 }
 
-/// The worst first; nothing where all fit.
+/// The worst first; nothing if all fit.
 void printSlips(const Garment& garment, const Proof& proof, std::ostream& out) {
     std::vector<ProvenSeam> slips;
     std::ranges::copy_if(proof.seams, std::back_inserter(slips),
@@ -128,8 +125,8 @@ void printHow(const Proof& proof, std::ostream& out) {
         << " % of the force at seams is left; " << fixed(proof.seconds, 1) << " s\n";
 }
 
-/// The sentence, a table of the pieces, the seams whose sides do not fit each other, the faults,
-/// and how all was found.
+/// The summary, a table of the pieces, the seams whose sides do not fit each other, the faults, and
+/// the method.
 void printProof(const Garment& garment, const Proof& proof, std::ostream& out) {
     out << shownText(sentence(proof, garment), kMaxOfPlace) << ".\n\n";
     printProvenPieces(garment, proof, out);
@@ -141,22 +138,22 @@ void printProof(const Garment& garment, const Proof& proof, std::ostream& out) {
     printHow(proof, out);
 }
 
-constexpr double kBetweenSteps = 5;  // s, of the lines that say how far it is
+constexpr double kBetweenSteps = 5;  // s, between progress messages
 
 DrawProof drawProof = nullptr;
 
 Result<void> writeProofFiles(const Arguments& arguments, const ExportSource& source,
-                             const std::shared_ptr<const Proof>& proof, std::ostream& err) {
-    const auto write = [&err](const std::filesystem::path& path,
-                              const std::string& bytes) -> Result<void> {
+                             const std::shared_ptr<const Proof>& proof, Messages& messages) {
+    const auto write = [&messages](const std::filesystem::path& path,
+                                   const std::string& bytes) -> Result<void> {
         auto written = writeFile(path, bytes);
         if (written) {
-            err << "wrote " << path.string() << '\n';
+            messages.stream() << "wrote " << path.string() << '\n';
         }
         return written;
     };
-    if (!arguments.prove.report.empty()) {
-        if (auto written = write(arguments.prove.report, writeProof(source.garment(), *proof));
+    if (!arguments.report.empty()) {
+        if (auto written = write(arguments.report, writeProof(source.garment(), *proof));
             !written) {
             return written;
         }
@@ -182,15 +179,26 @@ std::vector<std::filesystem::path> patternsAmong(std::vector<std::filesystem::pa
     return outputs;
 }
 
-/// Says once in a while how far it is.
-std::function<void(const std::vector<Points3>&)> teller(std::ostream& err) {
-    return [&err, watch = Stopwatch(), steps = 0, said = 0.0](const std::vector<Points3>&) mutable {
+/// Reports progress from time to time.
+std::function<void(const std::vector<Points3>&)> teller(Messages& messages) {
+    return [&messages, watch = Stopwatch(), steps = 0,
+            said = 0.0](const std::vector<Points3>&) mutable {
         ++steps;
         if (watch.seconds() >= said + kBetweenSteps) {
             said = watch.seconds();
-            err << "toile: " << fixed(said, 0) << " s, " << counted(steps, "step") << '\n';
+            messages.add(fixed(said, 0) + " s, " + counted(steps, "step"));
         }
     };
+}
+
+/// The pattern file to sew instead of the garment's own; empty: none.
+std::filesystem::path sewnFile(const Arguments& arguments) {
+    if (!arguments.pattern.empty()) {
+        return arguments.pattern;
+    }
+    const bool isReference = arguments.prove.plan.sewn == SewnPattern::Reference &&
+                             arguments.project && arguments.project->reference;
+    return isReference ? arguments.project->reference->path : std::filesystem::path();
 }
 
 }  // namespace
@@ -203,45 +211,42 @@ DrawProof proofPictures() {
     return drawProof;
 }
 
-int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
+int runProve(const Arguments& arguments, std::ostream& out, Messages& messages) {
     Progress progress;
     auto interruptible = std::make_optional<Interruptible>(progress);
-    const auto garment = readInput(arguments, progress, err);
+    const auto garment = readInput(arguments, progress, messages);
     if (!garment) {
         return kExitUnreadable;
     }
     const ProveArguments& typed = arguments.prove;
     auto ordered = proofOrder(arguments, *garment, progress);
-    if (const auto* refusal = std::get_if<Refusal>(&ordered)) {
-        return refuse(*refusal, err);
+    if (!ordered) {
+        return refuse(ordered.refusal(), messages);
     }
-    ProofOrder& order = std::get<ProofOrder>(ordered);
+    ProofOrder& order = *ordered;
     if (order.file) {
         const bool isTyped = !arguments.pattern.empty();
-        printPatternNotes(isTyped ? arguments.pattern : arguments.project->reference->path,
-                          *order.file, err);
+        reportPatternNotes(isTyped ? arguments.pattern : arguments.project->reference->path,
+                           *order.file, messages);
     }
-    order.watch = teller(err);
+    order.watch = teller(messages);
     progress.start(1);
     PieceResults results = flattened(arguments, *garment, progress);
     if (progress.isCancelled()) {
-        return refuse(Error{ErrorCode::Cancelled}, err);
+        return refuse(Error{ErrorCode::Cancelled}, messages);
     }
-    int status = printProblems(*garment, err) ? kExitSomeFailed : kExitDone;
-    status = printFailures(results, err) ? kExitSomeFailed : status;
-    const auto isFlat = [](const PieceResults::value_type& result) {
-        return result->flat.has_value();
-    };
-    if (!order.isReference && std::ranges::none_of(results, isFlat)) {
-        err << "toile: no piece lies flat: there is nothing to sew.\n";
+    int status = reportProblems(*garment, messages) ? kExitSomeFailed : kExitDone;
+    status = reportFailures(results, messages) ? kExitSomeFailed : status;
+    if (!order.isReference && refusalOfNoPattern(results)) {
+        messages.add("no piece lies flat: there is nothing to sew.");
         return kExitSomeFailed;
     }
+    std::ostream& told = arguments.json ? messages.stream() : out;
     std::shared_ptr<const Proof> best;
     if (typed.rounds > 0) {
-        auto made =
-            improved(arguments, *garment, results, order, progress, arguments.json ? err : out);
+        auto made = improved(arguments, *garment, results, order, progress, told);
         if (!made) {
-            return refuse(made.error(), err);
+            return refuse(made.error(), messages);
         }
         results = std::move(made->results);
         best = std::move(made->proof);
@@ -252,16 +257,16 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         best ? Result<std::shared_ptr<const Proof>>(best) : proofOf(source, order, progress);
     interruptible.reset();  // from here on Ctrl-C ends the program
     if (progress.isCancelled()) {
-        return refuse(Error{ErrorCode::Cancelled}, err);
+        return refuse(Error{ErrorCode::Cancelled}, messages);
     }
     if (!proof && proof.error().code == ErrorCode::NoGeometry) {  // of the pattern, not of a mesh
         const auto& read = arguments.pattern.empty() ? arguments.inputs.front() : arguments.pattern;
-        err << "toile: " << shownText(read.string(), kMaxOfPlace) << ": "
-            << shownText(proof.error().detail, kMaxOfDetail) << ".\n";
+        messages.add(shownText(read.string(), kMaxOfPlace) + ": " +
+                     shownText(proof.error().detail, kMaxOfDetail) + ".");
         return kExitUnreadable;
     }
     if (!proof) {
-        return refuse(proof.error(), err);
+        return refuse(proof.error(), messages);
     }
     if (arguments.json) {
         out << writeProof(*garment, **proof);
@@ -269,15 +274,77 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         printProof(*garment, **proof, out);
     }
     status = (*proof)->faults.empty() ? status : kExitSomeFailed;
-    if (const auto written = writeProofFiles(arguments, source, *proof, err); !written) {
-        return refuse(written.error(), err);
+    if (const auto written = writeProofFiles(arguments, source, *proof, messages); !written) {
+        return refuse(written.error(), messages);
     }
     if (typed.rounds > 0 &&
-        !writePatterns(patternsAmong(arguments.outputs), source, arguments.json ? err : out, err)) {
+        !writePatterns(patternsAmong(arguments.outputs), source, told, messages)) {
         status = kExitUnreadable;
     }
     out.flush();
     return out ? status : kExitUnreadable;
+}
+
+Answer<ProofOrder> orderOfOwn(const Arguments& arguments, const Garment& garment,
+                              Progress& progress) {
+    const ProofPlan& plan = arguments.prove.plan;
+    ProofOrder order{.settings = plan.settings, .scale = arguments.prove.scale};
+    if (plan.body.empty()) {
+        return order;
+    }
+    auto body = readBody(plan.body, plan.bodyUnit, garment, progress);
+    if (!body) {
+        return body.error();
+    }
+    if (!isNear(*body, garment)) {
+        return Refusal(kNotProved,
+                       "\"" + shownText(plan.body.string(), kMaxOfPlace) +
+                           "\" lies nowhere near the garment; say its unit with --body-unit.",
+                       plan.body.string());
+    }
+    order.body = std::move(*body);
+    order.bodyName = plan.body.filename().string();
+    return order;
+}
+
+std::vector<std::string> notesOf(const ProofOrder& order) {
+    std::vector<std::string> notes;
+    for (const Wording& note : order.file ? order.file->notes : std::vector<Wording>{}) {
+        notes.push_back(shownText(note, kMaxOfDetail));
+    }
+    return notes;
+}
+
+Answer<ProofOrder> proofOrder(const Arguments& arguments, const Garment& garment,
+                              Progress& progress) {
+    const ProofPlan& plan = arguments.prove.plan;
+    const std::filesystem::path file = sewnFile(arguments);
+    const bool isDesigners = file.empty() && plan.sewn == SewnPattern::Designer;
+    const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
+    if (isDesigners && std::ranges::none_of(garment.pieces, hasPanel)) {
+        const std::string way =
+            arguments.project ? "type --reference none" : "leave out --reference";
+        return Refusal(kNotProved, "the garment carries no panels of its designer's; " + way + ".");
+    }
+    std::optional<PatternFile> pattern;
+    if (!file.empty()) {
+        auto read = readPatternFile(file, arguments.prove.patternUnit);
+        if (!read) {
+            return read.error();
+        }
+        pattern = std::move(*read);
+    }
+    auto ordered = orderOfOwn(arguments, garment, progress);
+    if (ordered) {
+        ordered->isReference = isDesigners;
+        ordered->file = std::move(pattern);
+    }
+    return ordered;
+}
+
+Refusal refusalOfProof(const Error& error, const PieceResults& results) {
+    const auto noPattern = refusalOfNoPattern(results);
+    return error.code == ErrorCode::NoGeometry && noPattern ? *noPattern : Refusal(error);
 }
 
 }  // namespace toile::app

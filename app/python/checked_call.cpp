@@ -4,7 +4,6 @@
 #include <string>
 
 #include "app/cli/arguments.h"
-#include "app/cli/refusal.h"
 
 namespace toile::python {
 namespace {

@@ -7,7 +7,6 @@
 #include <pybind11/stl.h>
 
 #include "app/cli/command_line.h"
-#include "app/cli/input.h"
 #include "app/python/array_views.h"
 #include "app/python/checked_call.h"
 #include "app/python/interruptible_call.h"
@@ -35,16 +34,18 @@ Identity identityOf(const PyFlatSeam& seam) {
 
 PyFlat flatten(const PyGarment& garment, int threads, const py::object& onProgress,
                const py::kwargs& options) {
-    const app::Arguments typed = flatteningArguments(threads, options);
+    app::Arguments typed = flatteningArguments(threads, options);
     auto held = std::make_shared<HeldFlat>();
     held->of = garment.held;
     app::Arguments& arguments = held->arguments;
     arguments = garment.held->arguments;
-    arguments.stated = typed.stated;
+    if (const auto& project = arguments.project) {
+        typed = app::withSettingsOf(*project, std::move(typed));
+    }
+    arguments.options = typed.options;
+    arguments.lines = std::move(typed.lines);
+    arguments.byHalf = typed.byHalf;
     arguments.threads = typed.threads;
-    const auto& project = arguments.project;
-    arguments.options = project ? typed.stated.over(project->options) : typed.options;
-    arguments.lines = project ? typed.stated.over(project->lines) : typed.lines;
     held->results = interruptible(onProgress, [&](Progress& progress) {
         return app::flattened(arguments, garment.held->garment, progress);
     });

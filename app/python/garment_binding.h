@@ -54,7 +54,6 @@ struct HeldGarment {
     app::Arguments arguments;  ///< with what a project says
     Garment garment;
     Problems notes{};                   ///< of seams files and projects
-    std::vector<std::string> said{};    ///< likewise, whole sentences
     std::vector<std::string> inputs{};  ///< files that it was read from
 };
 

@@ -3,7 +3,6 @@
 // through the command line's own parser; what it gives are views of what the core made.
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -69,15 +68,8 @@ PyGarment load(const std::vector<std::string>& paths, const py::object& onProgre
     const SeamsText seams = takeSeams(options);
     const app::Arguments typed = readingArguments(paths, options);
     return interruptible(onProgress, [&](Progress& progress) {
-        std::ostringstream said;
-        HeldGarment held{.arguments = app::withProject(typed, said), .garment = {}};
-        if (held.arguments.isMessage()) {
-            throw Raised(app::Refusal(held.arguments));
-        }
-        std::istringstream lines(said.str());
-        for (std::string line; std::getline(lines, line);) {
-            held.said.push_back(line);
-        }
+        app::Messages notes;
+        HeldGarment held{.arguments = orRaise(app::withProject(typed, notes)), .garment = {}};
         for (const auto& input : held.arguments.inputs) {
             held.inputs.push_back(input.string());
         }
@@ -106,8 +98,7 @@ PyGarment garmentOfArrays(const Doubles& positions, const Ints& faceStart, const
                           py::kwargs options) {
     const SeamsText seams = takeSeams(options);
     if (name.find('\0') != std::string::npos) {  // what is behind it would be left out
-        throw Raised(
-            app::Refusal(app::kWrongUsage, "name has a zero byte, which no file's name can have"));
+        throw Raised(app::usageRefusal("name has a zero byte, which no file's name can have"));
     }
     HeldGarment held{.arguments = readingArguments({"garment"}, options), .garment = {}};
     held.arguments.inputs = {name};

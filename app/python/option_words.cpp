@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "app/cli/typed_words.h"
 #include "app/python/raised.h"
 #include "core/base/characters.h"
 #include "core/base/error.h"
@@ -22,8 +21,7 @@ std::string optionOf(const py::handle& keyword) {
     const bool isWord = keyword.attr("isidentifier")().cast<bool>();
     std::string key = pathOf(keyword);
     if (!isWord || key.starts_with('_')) {
-        throw Raised(
-            app::Refusal(app::kWrongUsage, "\"" + shownText(key, kMaxOfPlace) + "\" is no option"));
+        throw Raised(app::usageRefusal("\"" + shownText(key, kMaxOfPlace) + "\" is no option"));
     }
     if (key.ends_with('_')) {  // of what Python keeps for itself: as_
         key.pop_back();
@@ -78,11 +76,7 @@ Words wordsOf(const py::kwargs& options) {
 
 app::Arguments parsed(const char* command, const Words& inputs, const Words& words,
                       unsigned taken) {
-    app::Arguments arguments = app::typedWords(command, inputs, words, taken);
-    if (arguments.isMessage()) {
-        throw Raised(app::Refusal(arguments));
-    }
-    return arguments;
+    return orRaise(app::typedWords(command, inputs, words, taken));
 }
 
 }  // namespace

@@ -2,13 +2,11 @@
 #include <memory>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <pybind11/stl.h>
 
-#include "app/cli/proof_order.h"
-#include "app/cli/write_patterns.h"
+#include "app/cli/command_line.h"
 #include "app/python/array_views.h"
 #include "app/python/flat_binding.h"
 #include "app/python/interruptible_call.h"
@@ -39,21 +37,15 @@ Identity identityOf(const PyProvenPiece& piece) {
     return {piece.of.proof.get(), piece.index};
 }
 
-/// Throws Raised.
-ProofOrder orderOf(const app::Arguments& typed, const Garment& garment, Progress& progress) {
-    auto ordered = app::proofOrder(typed, garment, progress);
-    if (const auto* refusal = std::get_if<app::Refusal>(&ordered)) {
-        throw Raised(*refusal);
-    }
-    return std::get<ProofOrder>(std::move(ordered));
-}
-
 PyProof prove(const PyFlat& flat, const py::object& onProgress, const py::kwargs& options) {
     app::Arguments typed = provingArguments(options);
     const HeldFlat& held = *flat.held;
-    typed.project = held.arguments.project;
+    if (const auto& project = held.arguments.project) {
+        typed = app::withSettingsOf(*project, std::move(typed));
+        typed.project = project;
+    }
     return interruptible(onProgress, [&](Progress& progress) {
-        const ProofOrder order = orderOf(typed, held.garment(), progress);
+        const ProofOrder order = orRaise(app::proofOrder(typed, held.garment(), progress));
         FinishedPattern pattern = held.pattern();
         pattern.fabric = typed.fabric.value_or(pattern.fabric);
         auto proof = proofOf(pattern.source(), order, progress);

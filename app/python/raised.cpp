@@ -28,7 +28,7 @@ const char* className(std::string_view code) {
 void raise(const app::Refusal& why) {
     const py::object type = py::module_::import("toile.errors").attr(className(why.code));
     const py::object made =
-        type(textOf(why.message), why.code, textOf(why.subject), why.isWorthAnotherTry());
+        type(textOf(why.message), why.code, textOf(why.subject), why.isRetryable());
     PyErr_SetObject(type.ptr(), made.ptr());
 }
 
@@ -72,7 +72,7 @@ void bindProblems(py::module_& module) {
             "is_note", [](const Error& error) { return isNote(error.code); },
             "True where the work went on: nothing failed.")
         .def_property_readonly(
-            "again", [](const Error& error) { return app::Refusal(error).isWorthAnotherTry(); },
+            "again", [](const Error& error) { return app::Refusal(error).isRetryable(); },
             "Whether the machine was the reason, so that another try may help.")
         .def("__str__", [](const Error& error) { return textOf(sentence(error)); })
         .def("__repr__", [](const Error& error) {

@@ -25,7 +25,14 @@ struct Raised : std::exception {
 /// Text for Python: bytes of file names that are not UTF-8 as `os.fsdecode` has them.
 pybind11::str textOf(const std::string& text);
 
-/// The value, or the error thrown.
+/// The value, or the error or refusal thrown.
+template <class Value>
+Value orRaise(app::Answer<Value> answer) {
+    if (!answer) {
+        throw Raised(answer.refusal());
+    }
+    return *std::move(answer);
+}
 template <class Value>
 Value orRaise(Result<Value> result) {
     if (!result) {

@@ -6,7 +6,7 @@
 
 #include <pybind11/stl.h>
 
-#include "app/cli/write_patterns.h"
+#include "app/cli/command_line.h"
 #include "app/python/flat_binding.h"
 #include "app/python/interruptible_call.h"
 #include "app/python/option_words.h"

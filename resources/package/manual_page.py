@@ -53,15 +53,15 @@ def plain(text: str) -> str:
 
 
 def sections(help_text: str) -> dict[str, list[str]]:
-    """The lines below each heading, "Options:" without its colon; those before the first at ""."""
+    """The lines below each heading, without its colon; those before the first are at ""."""
     found: dict[str, list[str]] = {"": []}
     name = ""
     for line in help_text.splitlines():
         if heading := re.fullmatch(r"([A-Z][A-Za-z ]*):", line):
             name = heading[1]
-            found[name] = []
+            found.setdefault(name, [])
         elif name and line and not line.startswith(" "):
-            found[""].append(line)  # of what stands below all
+            found[""].append(line)  # a note below the options
         else:
             found[name].append(line)
     return found
@@ -83,8 +83,8 @@ def entries(lines: list[str]) -> list[tuple[str, str]]:
 
 
 def wrapped(text: str) -> str:
-    """In lines of a terminal's width, none of which begins as a request does."""
-    return "\n".join(map(plain, textwrap.wrap(text, 72, break_on_hyphens=False)))
+    """In lines short enough for mandoc, also with backslashes; none begins as a request does."""
+    return "\n".join(map(plain, textwrap.wrap(text, 64, break_on_hyphens=False)))
 
 
 def listed(rows: list[tuple[str, str]]) -> str:
@@ -101,6 +101,12 @@ def usage_of(parts: dict[str, list[str]]) -> str:
     return next(line for line in parts[""] if line.startswith("Usage: ")).removeprefix("Usage: ")
 
 
+def option_entries(parts: dict[str, list[str]]) -> list[tuple[str, str]]:
+    """The options of all sections: `entries` of everything that is nothing else."""
+    others = ("", "Positionals", "Help", "Subcommands", "Example", "Exit status")
+    return entries([line for name, lines in parts.items() if name not in others for line in lines])
+
+
 def command_page(program: str, command: str, shared: dict[str, str]) -> str:
     """One command. What was said before, in the same words, is named only.
 
@@ -115,9 +121,7 @@ def command_page(program: str, command: str, shared: dict[str, str]) -> str:
         page += f".PP\n{wrapped(' '.join(below))}\n"
     again: list[str] = []
     rows: list[tuple[str, str]] = []
-    for name, text in entries([*parts.get("Positionals", []), *parts["Options"]]):
-        if name.startswith("-h,"):
-            continue
+    for name, text in [*entries(parts.get("Positionals", [])), *option_entries(parts)]:
         if shared.get(name) == text:
             again.append(name.split(" ")[0])
         else:
@@ -127,13 +131,14 @@ def command_page(program: str, command: str, shared: dict[str, str]) -> str:
     if again:
         page += ".PP\nAnd, as above:\n"
         page += ",\n".join(f"\\fB{plain(option)}\\fR" for option in again) + ".\n"
+    page += f".PP\nExample:\n.PP\n.B {plain(' '.join(parts['Example']).strip())}\n"
     return page
 
 
 def manual_page(program: str) -> str:
     version = said(program, "--version").split()[1]
     parts = sections(said(program, "--help"))
-    options = entries(parts["Options"])
+    options = option_entries(parts) + entries(parts["Help"])
     commands = entries(parts["Subcommands"])
     described = (Path(__file__).parent / "toile.metainfo.xml").read_text(encoding="utf-8")
     date = re.search(r'<release [^>]*date="([^"]*)"', described)[1]

@@ -16,8 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/cli/batch_folder.h"
-#include "app/cli/batch_process.h"
+#include "app/cli/batch.h"
 #include "core/base/sanitized.h"
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"
@@ -427,7 +426,7 @@ TEST(Batch, SaysWhatIsWrongWithItsOptions) {
     EXPECT_EQ(bench.records("out")[0]["error"]["code"], "wrong-usage");
     const auto again = bench.records("out")[1]["error"];
     EXPECT_EQ(again["code"], "wrong-usage");
-    EXPECT_EQ(again["message"], "--unit is said for all garments already; leave it out here");
+    EXPECT_EQ(again["message"], "--unit is set for all garments already; leave it out here");
     // A switch that is said again says the same.
     EXPECT_EQ(bench.run("switch", {"--weld", "--true"}).status, 1);
     bench.folder.write("shard.txt", (bench.folder / "a.obj").string() + "\t--weld\n");

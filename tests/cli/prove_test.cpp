@@ -311,13 +311,14 @@ TEST_F(ProveCommand, AnInterruptEndsItAndIsSaid) {
     const char* const words[] = {"toile",           "prove", barrel_.c_str(),
                                  "--unit",          "mm",    "--json",
                                  "--prove-improve", "-o",    pattern.c_str()};
-    const app::Arguments arguments = app::parseArguments(std::size(words), words);
-    ASSERT_EQ(arguments.command, app::Arguments::Command::Prove) << arguments.message;
+    const auto arguments = app::parseArguments(std::size(words), words);
+    ASSERT_TRUE(arguments) << arguments.refusal().message;
     const auto before = std::signal(SIGINT, SIG_IGN);  // it must not end the tests
     InterruptAtFirstWord said;
     std::ostream err(&said);
     std::ostringstream out;
-    EXPECT_EQ(app::runProve(arguments, out, err), 3);
+    app::Messages messages(err);
+    EXPECT_EQ(app::runProve(*arguments, out, messages), 3);
     EXPECT_EQ(std::signal(SIGINT, before), SIG_IGN);  // given back
     EXPECT_NE(said.str().find("cancelled"), std::string::npos) << said.str();
     EXPECT_EQ(out.str(), "");

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/serve_command.h"
+#include "app/cli/command_line.h"
 #include "tests/cli/run_program.h"
 #include "tests/cli/serve_support.h"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/serve_session.h"
+#include "app/cli/serve.h"
 
 // For the tests of `toile serve`.
 namespace toile {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "app/cli/serve_session.h"
+#include "app/cli/serve.h"
 #include "tests/core/support/temporary_folder.h"
 
 namespace toile::fuzz {

@@ -172,7 +172,7 @@ CASES = [
          flatten("half.obj", "--complete-half", "--auto-cut", "-o", "half.json"),
          flatten("bent-tshirt.obj", "--split", "components", "--weld", "--auto-cut", "--cut-style", "tailor",
                  "-o", "tshirt.json", "-o", "tshirt.svg"),
-         flatten("bent-tshirt.obj", "--split", "components", "--weld", "--auto-cut", "--enough", "3", "--swap-front",
+         flatten("bent-tshirt.obj", "--split", "components", "--weld", "--auto-cut", "--max-strain", "3", "--swap-front",
                  "-o", "enough.json")),
     Case("scan", flatten("scan.obj", "--as", "scan", "--close-holes", "0", "--smooth", "0.5", "--keep-debris",
                          "--auto-cut", "-o", "scan.json", "-o", "scan.svg")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,10 +9,13 @@
 
 #include "app/cli/refusal.h"
 #include "core/base/json_fields.h"
+#include "core/base/progress.h"
 
 namespace toile::app {
 
-/// A line as it was read. What it does not say is empty.
+// The parts of `toile serve`: requests, their answers, and the garment that they are about.
+
+/// A parsed request. Fields that it does not have are empty.
 struct ServeRequest {
     std::string id = "null";          ///< as JSON; null where none could be read
     std::string what{};               ///< "load", one of `kServeWords`
@@ -24,7 +28,7 @@ struct ServeRequest {
     std::optional<Refusal> refusal{};  ///< why it is none; then nothing else but the id counts
 };
 
-/// All that can be asked for, in the order of docs/serve.md.
+/// All requests, in the order of docs/serve.md.
 inline constexpr std::string_view kServeWords[] = {"load",  "edit",   "flatten", "query", "export",
                                                    "prove", "cancel", "close",   "quit"};
 
@@ -32,14 +36,33 @@ inline constexpr std::string_view kServeWords[] = {"load",  "edit",   "flatten",
 inline constexpr std::size_t kMaxServeLine = std::size_t{16} << 20U;
 inline constexpr std::size_t kMaxServeId = 100;  ///< bytes of an id that is a text
 
-/// Never fails: what is no request has a refusal. Linear.
+/// Never fails: an invalid line has a refusal. Linear.
 ServeRequest readServeRequest(std::string_view line);
-/// For a line that is longer than is read.
+/// For a line longer than kMaxServeLine.
 ServeRequest tooLongServeRequest();
 
 /// Lines of the answers, with their ends. @param id  as JSON
 std::string serveAnswer(const std::string& id, const OrderedJson& result);
 std::string serveAnswer(const std::string& id, const Refusal& refusal);
 std::string serveProgress(const std::string& id, double fraction);
+
+/// The garment of `toile serve`; answers one request after the other. Prints nothing and starts
+/// nothing by itself. Not thread-safe.
+class ServeSession {
+public:
+    ServeSession();
+    ~ServeSession();
+    ServeSession(const ServeSession&) = delete;
+    ServeSession& operator=(const ServeSession&) = delete;
+
+    /// Does a request. @return the line of the answer. Never throws. A request that fails or is
+    /// cancelled leaves the garment unchanged. `cancel` and `quit` do nothing here.
+    /// Cost: that of the command of the same name.
+    std::string answer(const ServeRequest& request, Progress& progress);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace toile::app
