@@ -123,6 +123,10 @@ public:
     template <class Thing, class Describe>
     void object(FileKey, std::optional<Thing>&, const Describe&) {}
 
+    /// A value of another form. @return  whether it was changed
+    bool visit(const Setting& setting, FieldValue& value, SettingField::Kind kind, bool isOptional,
+               double least = 0, double most = 0);
+
     // What only files have.
     void need(FileKey) {}
     template <class... Any>
@@ -144,10 +148,6 @@ public:
 
 private:
     std::string pathOf(const char* key) const { return group_.empty() ? key : group_ + '.' + key; }
-    /// Whether the value was changed.
-    bool visit(const Setting& setting, FieldValue& value, SettingField::Kind kind, bool isOptional,
-               double least = 0, double most = 0);
-
     const Use& use_;
     std::string group_;
     bool isInForce_;
