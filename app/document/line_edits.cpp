@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/garment/lineage.h"
+#include "core/pattern/dart_places.h"
 #include "core/pattern/facings.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/piece_allowance.h"
@@ -98,6 +100,54 @@ void removeFromFacings(LineSettings& lines, const LineStretch& place) {
         });
     }
     std::erase_if(lines.facings, [](const Facing& facing) { return facing.edges.empty(); });
+}
+
+const Seam& dartOf(const Garment& garment, int dart) {
+    return garment.seams.seams[static_cast<std::size_t>(dart)];
+}
+
+LineSettings withDart(LineSettings lines, const Garment& garment, int dart, DartSettings settings) {
+    std::erase_if(lines.darts, [&](const DartSettings& one) -> bool {
+        return seamAt(garment.seams, one.seam) == dart;
+    });
+    settings.seam = dartOf(garment, dart).place;
+    if (!settings.saysNothing()) {
+        lines.darts.push_back(settings);
+    }
+    return lines;
+}
+
+/// The mirror image of a dart, if it is another one.
+std::optional<int> mirroredDart(const Garment& garment, int dart, const Symmetry* symmetry) {
+    const auto at = static_cast<std::size_t>(dart);
+    if (!symmetry || at >= symmetry->lengths.mirrored.size()) {
+        return std::nullopt;
+    }
+    const int image = symmetry->lengths.mirrored[at];
+    return image >= 0 && image != dart && dartOf(garment, image).kind == SeamKind::Dart
+               ? std::optional(image)
+               : std::nullopt;
+}
+
+/// With one value in the settings of a dart, and another in those of its mirror image.
+template <class Value>
+LineSettings withDartValue(LineSettings lines, const Garment& garment, int dart,
+                           Value DartSettings::*field, const Value& value, const Value& mirrored,
+                           const Symmetry* symmetry) {
+    DartSettings settings = dartSettings(garment, lines, dart);
+    settings.*field = value;
+    lines = withDart(std::move(lines), garment, dart, settings);
+    if (const auto image = mirroredDart(garment, dart, symmetry)) {
+        DartSettings there = dartSettings(garment, lines, *image);
+        there.*field = mirrored;
+        lines = withDart(std::move(lines), garment, *image, there);
+    }
+    return lines;
+}
+
+/// Mirrored outlines run in opposite directions.
+DartLay mirroredLay(DartLay lay) {
+    return lay == DartLay::First ? DartLay::Second : DartLay::First;
 }
 
 }  // namespace
@@ -206,6 +256,24 @@ LineSettings withFacing(LineSettings lines, const LineFacts& facts,
         }
     }
     return lines;
+}
+
+DartSettings dartSettings(const Garment& garment, const LineSettings& lines, int dart) {
+    const std::map<int, DartSettings> stated = statedDarts(garment.seams, lines);
+    const auto found = stated.find(dart);
+    return found != stated.end() ? found->second : DartSettings{};
+}
+
+LineSettings withIntake(LineSettings lines, const Garment& garment, int dart,
+                        std::optional<double> intake, const Symmetry* symmetry) {
+    return withDartValue(std::move(lines), garment, dart, &DartSettings::intake, intake, intake,
+                         symmetry);
+}
+
+LineSettings withLay(LineSettings lines, const Garment& garment, int dart,
+                     std::optional<DartLay> lay, const Symmetry* symmetry) {
+    return withDartValue(std::move(lines), garment, dart, &DartSettings::lay, lay,
+                         lay ? std::optional(mirroredLay(*lay)) : std::nullopt, symmetry);
 }
 
 LineSettings withSeamEnd(LineSettings lines, const SeamGraph& graph, const SeamEnd& end,

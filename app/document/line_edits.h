@@ -57,6 +57,16 @@ LineSettings withFacing(LineSettings lines, const LineFacts& facts,
                         const std::vector<SegmentAt>& segments, std::optional<double> width,
                         const std::vector<std::string>& names);
 
+/// The settings of a dart. @param dart  index into Garment::seams
+DartSettings dartSettings(const Garment& garment, const LineSettings& lines, int dart);
+/// With this intake, mm, of a dart and its mirror image; none: as flattened.
+/// @param symmetry  null: edits are not mirrored
+LineSettings withIntake(LineSettings lines, const Garment& garment, int dart,
+                        std::optional<double> intake, const Symmetry* symmetry);
+/// With a dart laid over this leg, and its mirror image over the mirrored leg; none: by convention.
+LineSettings withLay(LineSettings lines, const Garment& garment, int dart,
+                     std::optional<DartLay> lay, const Symmetry* symmetry);
+
 /// With the kink at the end of a seam trued or kept. Stores nothing if the general rule already
 /// says so.
 LineSettings withSeamEnd(LineSettings lines, const SeamGraph& graph, const SeamEnd& end,

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/dart_edits.h"
 #include "app/document/document.h"
+#include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
 #include "app/document/names.h"
 #include "app/text/figures.h"
@@ -121,7 +121,8 @@ void DartForm::refresh() {
 }
 
 void DartForm::showSettings() {
-    const DartSettings settings = saidOfDart(*document_.garment(), document_.state().lines, dart_);
+    const DartSettings settings =
+        dartSettings(*document_.garment(), document_.state().lines, dart_);
     DartSettings usual;
     usual.intake = drawnIntake().value_or(0);
     fields_.show(kDartFields, settings, usual);
@@ -136,7 +137,7 @@ void DartForm::take(const SettingChange& change) {
     const LineSettings& lines = document_.state().lines;
     const Garment& garment = *document_.garment();
     const DartSettings settings =
-        fields_.changed(kDartFields, saidOfDart(garment, lines, dart_), change);
+        fields_.changed(kDartFields, dartSettings(garment, lines, dart_), change);
     if (change.path == "intake") {
         setIntake(settings.intake);
     } else {

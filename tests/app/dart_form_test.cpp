@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/dart_edits.h"
+#include "app/document/line_edits.h"
 #include "app/document/project_state.h"
 #include "app/widgets/number_edits.h"
 #include "core/pattern/darts.h"
