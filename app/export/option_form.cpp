@@ -2,6 +2,7 @@
 #include "app/export/option_form.h"
 
 #include <QLabel>
+#include <QSignalBlocker>
 #include <algorithm>
 
 namespace toile::app {
@@ -77,6 +78,21 @@ void OptionForm::show(FormatId format, const ExportOptions& options) {
             }
         }
     }
+}
+
+PieceChoice::PieceChoice(QWidget* parent) : QComboBox(parent) {
+    setAccessibleName(tr("Pieces"));
+    setToolTip(tr("Which pieces are wanted"));
+    hide();
+    connect(this, &QComboBox::currentIndexChanged, this, &PieceChoice::chosen);
+}
+
+void PieceChoice::offer(int selected, bool chosen) {
+    const QSignalBlocker quiet(this);
+    clear();
+    addItems({tr("All pieces"), tr("Selected pieces (%1)").arg(selected)});
+    setCurrentIndex(chosen && selected > 0 ? 1 : 0);
+    setVisible(selected > 0);
 }
 
 }  // namespace toile::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QComboBox>
 #include <QFormLayout>
 
 #include "app/widgets/setting_fields.h"
@@ -26,6 +27,22 @@ private:
     QFormLayout* form_;
     ExportOptions options_;
     std::optional<SettingFields> fields_;
+};
+
+/// All pieces or the selected ones, for a dialog of export or printing.
+class PieceChoice : public QComboBox {
+    Q_OBJECT
+
+public:
+    /// Hidden until pieces are offered.
+    explicit PieceChoice(QWidget* parent);
+
+    /// Hides the choice if no piece is selected. @param chosen  whether to choose the selected ones
+    void offer(int selected, bool chosen);
+    bool isSelectedOnly() const { return currentIndex() == 1; }
+
+signals:
+    void chosen();
 };
 
 }  // namespace toile::app
