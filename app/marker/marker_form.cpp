@@ -17,8 +17,8 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kSeamsHigh = 120;               // pixels
-const Eigen::Vector2d kUsualSheet(610, 305);  // a cutting mat, mm
+constexpr int kSeamsHigh = 120, kListWidth = 132;  // pixels
+const Eigen::Vector2d kUsualSheet(610, 305);       // a cutting mat, mm
 
 /// The size of a sheet: the form's view of MarkerSettings::sheet.
 struct SheetSize {
@@ -79,6 +79,7 @@ void MarkerForm::addChoice(QGridLayout& grid, QComboBox& field, const char* name
     auto* label = new QLabel(title, this);
     label->setBuddy(&field);
     fields_.dress(field, name, QString(title).remove('&'), tip);
+    field.setMinimumWidth(kListWidth);
     const int row = grid.rowCount();
     grid.addWidget(label, row, 0);
     grid.addWidget(&field, row, 1);
@@ -89,7 +90,6 @@ void MarkerForm::addCloth(QGridLayout& grid) {
     addChoice(grid, *material_, "markerMaterial", tr("&Material"),
               tr("Each material has a marker of its own. Set the material of a piece in the panel "
                  "Piece."));
-    material_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(material_, &QComboBox::activated, this, [this](int index) {
         desk_.setMaterial(material_->itemData(index).toString().toStdString());
     });
@@ -183,7 +183,7 @@ void MarkerForm::showMaterials() {
     material_->clear();
     for (const std::string& material : desk_.materials()) {
         material_->addItem(
-            material.empty() ? tr("Fabric of the garment") : QString::fromStdString(material),
+            material.empty() ? tr("Garment's fabric") : QString::fromStdString(material),
             QString::fromStdString(material));
     }
     material_->setCurrentIndex(material_->findData(QString::fromStdString(desk_.material())));

@@ -8017,8 +8017,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; Nähte, an denen das nicht geht, stehen darunter.</translation>
     </message>
     <message>
-        <source>Fabric of the garment</source>
-        <translation>Stoff des Kleidungsstücks</translation>
+        <source>Garment&apos;s fabric</source>
+        <translation>Eigener Stoff</translation>
     </message>
 </context>
 <context>
