@@ -19,7 +19,6 @@
 #include "app/base/text.h"
 #include "app/export/drawing_preview.h"
 #include "app/export/option_form.h"
-#include "app/export/piece_choice.h"
 #include "app/text/error_text.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/formats/pdf/pdf_writer.h"

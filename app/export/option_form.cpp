@@ -1,17 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/export/option_form.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QFormLayout>
 #include <QLabel>
-#include <QScopedValueRollback>
+#include <QSignalBlocker>
 #include <algorithm>
 
-#include "app/base/text.h"
-
 namespace toile::app {
+
+namespace {
+
+FieldValue valueOf(const FormatOption& row, const ExportOptions& options) {
+    const std::string text = row.get(options);
+    if (row.isSwitch) {
+        return {text == "on" ? 1.0 : 0.0};
+    }
+    if (row.words.empty()) {
+        return {QString::fromStdString(text).toDouble()};
+    }
+    const auto word = std::ranges::find(row.words, text);
+    return {word == row.words.end() ? std::nullopt
+                                    : std::optional<double>(word - row.words.begin())};
+}
+
+std::string textOf(const FormatOption& row, const FieldValue& value) {
+    const double number = value.number.value_or(0);
+    return row.isSwitch        ? (number > 0 ? "on" : "off")
+           : row.words.empty() ? QString::number(number, 'g', 10).toStdString()
+                               : row.words[static_cast<std::size_t>(number)];
+}
+
+/// The options of a format as a description of settings.
+auto fieldsOf(FormatId format) {
+    return [format](FieldVisitor& at, ExportOptions& options) {
+        for (const FormatOption& row : formatOptions()) {
+            if (std::ranges::find(row.formats, format) != row.formats.end()) {
+                using Kind = SettingField::Kind;
+                FieldValue value = valueOf(row, options);
+                const Setting setting{row.name, row.title, row.title,      row.help,
+                                      nullptr,  row.names, Quantity::Count};
+                const Kind kind = row.isSwitch        ? Kind::Switch
+                                  : row.words.empty() ? Kind::Number
+                                                      : Kind::Choice;
+                if (at.visit(setting, value, kind, false, row.least, row.most)) {
+                    row.set(options, textOf(row, value));
+                }
+            }
+        }
+    };
+}
+
+}  // namespace
 
 OptionForm::OptionForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout(this)) {
     form_->setContentsMargins(0, 0, 0, 0);
@@ -20,77 +58,41 @@ OptionForm::OptionForm(QWidget* parent) : QWidget(parent), form_(new QFormLayout
 
 void OptionForm::show(FormatId format, const ExportOptions& options) {
     options_ = options;
-    fields_.clear();
+    const auto describe = fieldsOf(format);
+    fields_.emplace(
+        *this, [] { return -1; },
+        [this, describe](const SettingChange& change) {
+            options_ = fields_->changed(describe, options_, change);
+            fields_->show(describe, options_);  // an option may change others
+            emit optionsChanged();
+        });
     while (form_->rowCount() > 0) {
         form_->removeRow(0);
     }
+    fields_->make(describe, {}, options_);
     for (const FormatOption& row : formatOptions()) {
-        if (std::ranges::find(row.formats, format) == row.formats.end()) {
-            continue;
-        }
-        QWidget* field = makeField(row);
-        field->setObjectName(row.name);
-        field->setToolTip(tr(row.help) + '.');
-        const QString title = app::tr(row.title);
-        field->setAccessibleName(title);
-        if (row.isSwitch) {
-            form_->addRow(QString(), field);
-        } else {
-            form_->addRow(title + ':', field);
-        }
-        fields_.emplace_back(&row, field);
-    }
-    showValues();
-}
-
-QWidget* OptionForm::makeField(const FormatOption& row) {
-    if (row.isSwitch) {
-        auto* box = new QCheckBox(app::tr(row.title), this);
-        connect(box, &QCheckBox::toggled, this,
-                [this, &row](bool on) { take(row, on ? "on" : "off"); });
-        return box;
-    }
-    if (row.words.empty()) {
-        auto* number = new QDoubleSpinBox(this);
-        number->setRange(row.least, row.most);
-        number->setDecimals(0);
-        number->setKeyboardTracking(false);
-        connect(number, &QDoubleSpinBox::valueChanged, this, [this, &row](double value) {
-            take(row, QString::number(value, 'g', 10).toStdString());
-        });
-        return number;
-    }
-    auto* combo = new QComboBox(this);
-    for (const char* name : row.names) {
-        combo->addItem(app::tr(name));
-    }
-    connect(combo, &QComboBox::activated, this,
-            [this, &row](int index) { take(row, row.words[static_cast<std::size_t>(index)]); });
-    return combo;
-}
-
-void OptionForm::take(const FormatOption& row, const std::string& value) {
-    if (isShowing_ || !row.set(options_, value)) {
-        return;
-    }
-    showValues();
-    emit optionsChanged();
-}
-
-void OptionForm::showValues() {
-    const QScopedValueRollback guard(isShowing_, true);
-    for (const auto& [row, field] : fields_) {
-        const std::string value = row->get(options_);
-        if (auto* box = qobject_cast<QCheckBox*>(field)) {
-            box->setChecked(value == "on");
-        } else if (auto* number = qobject_cast<QDoubleSpinBox*>(field)) {
-            number->setValue(QString::fromStdString(value).toDouble());
-        } else if (auto* combo = qobject_cast<QComboBox*>(field)) {
-            const auto at = std::ranges::find(row->words, value);
-            combo->setCurrentIndex(
-                at == row->words.end() ? -1 : static_cast<int>(at - row->words.begin()));
+        if (std::ranges::find(row.formats, format) != row.formats.end()) {
+            fields_->addRow(*form_, row.name);
+            if (auto* label = qobject_cast<QLabel*>(form_->labelForField(&fields_->at(row.name)))) {
+                label->setText(label->text() + ':');
+            }
         }
     }
+}
+
+PieceChoice::PieceChoice(QWidget* parent) : QComboBox(parent) {
+    setAccessibleName(tr("Pieces"));
+    setToolTip(tr("Which pieces are wanted"));
+    hide();
+    connect(this, &QComboBox::currentIndexChanged, this, &PieceChoice::chosen);
+}
+
+void PieceChoice::offer(int selected, bool chosen) {
+    const QSignalBlocker quiet(this);
+    clear();
+    addItems({tr("All pieces"), tr("Selected pieces (%1)").arg(selected)});
+    setCurrentIndex(chosen && selected > 0 ? 1 : 0);
+    setVisible(selected > 0);
 }
 
 }  // namespace toile::app

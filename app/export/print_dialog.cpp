@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "app/export/option_form.h"
-#include "app/export/piece_choice.h"
 #include "app/export/sheet_preview.h"
 #include "app/text/error_text.h"
 

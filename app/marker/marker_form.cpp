@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/marker/marker_form.h"
 
-#include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListWidget>
@@ -14,21 +11,26 @@
 #include <utility>
 
 #include "app/marker/marker_desk.h"
-#include "app/widgets/number_edits.h"
-#include "core/base/units.h"
-#include "core/garment/fabric.h"
+#include "core/marker/marker_fields.h"
 
 namespace toile::app {
 
 namespace {
 
-constexpr int kSeamsHigh = 120;               // pixels
-constexpr int kFieldWide = 128;               // pixels
-constexpr double kLongestGap = 1000;          // mm
-constexpr double kLongestRepeat = 10'000;     // mm
-constexpr double kMaxSheet = kMaxClothWidth;  // mm
-constexpr int kMaxGarments = 200;
-const Eigen::Vector2d kUsualSheet(610, 305);  // a cutting mat, mm
+constexpr int kSeamsHigh = 120, kListWidth = 132;  // pixels
+const Eigen::Vector2d kUsualSheet(610, 305);       // a cutting mat, mm
+
+/// The size of a sheet: the form's view of MarkerSettings::sheet.
+struct SheetSize {
+    double along = kUsualSheet.x(), across = kUsualSheet.y();
+};
+
+constexpr auto kSheetFields = [](auto& at, auto& sheet) {
+    at.field(Setting{"along", TR("Sheet &length"), TR("Length of the sheet"), TR("Along the warp")},
+             sheet.along, 1, kMaxClothWidth);
+    at.field(Setting{"across", TR("Sheet wi&dth"), TR("Width of the sheet"), TR("Across the warp")},
+             sheet.across, 1, kMaxClothWidth);
+};
 
 /// Rows of the list of kinds.
 enum Kind { Roll, Sheets, Hides };
@@ -42,14 +44,15 @@ Kind kindOf(const MarkerSettings& settings) {
 MarkerForm::MarkerForm(MarkerDesk& desk, QWidget* parent)
     : QWidget(parent),
       desk_(desk),
-      guard_(*new FieldGuard(this)),
+      fields_(
+          *this, [this] { return desk_.document().newGesture(); },
+          [this](const SettingChange& change) { take(change); }),
       material_(new QComboBox(this)),
       kind_(new QComboBox(this)),
-      turns_(new QComboBox(this)),
       matched_(new QListWidget(this)),
-      tolerance_(new AngleEdit(this)),
-      folded_(new QCheckBox(tr("F&olded lengthwise"), this)),
-      garments_(new QDoubleSpinBox(this)) {
+      matchedTitle_(new QLabel(tr("Match stripes &across"), this)) {
+    fields_.make<MarkerSettings>(kMarkerSettingsFields, "marker");
+    fields_.make<SheetSize>(kSheetFields, "markerSheet");
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(10, 6, 10, 6);
     grid->setHorizontalSpacing(8);
@@ -64,157 +67,68 @@ MarkerForm::MarkerForm(MarkerDesk& desk, QWidget* parent)
 }
 
 void MarkerForm::addHeading(QGridLayout& grid, const QString& text) {
-    auto* label = new QLabel(text, this);
-    QFont strong = label->font();
-    strong.setWeight(QFont::DemiBold);
-    label->setFont(strong);
     const int row = grid.rowCount();
     if (row > 1) {
         grid.setRowMinimumHeight(row, 8);
     }
-    grid.addWidget(label, row + 1, 0, 1, 2);
+    grid.addWidget(makeHeading(text, this), row + 1, 0, 1, 2);
 }
 
-void MarkerForm::addRow(QGridLayout& grid, const char* name, const QString& title,
-                        const QString& tip, QWidget& field) {
+void MarkerForm::addChoice(QGridLayout& grid, QComboBox& field, const char* name,
+                           const QString& title, const QString& tip) {
     auto* label = new QLabel(title, this);
     label->setBuddy(&field);
-    field.setObjectName(name);
-    field.setAccessibleName(QString(title).remove('&'));
-    field.setToolTip(tip);
-    field.setFixedWidth(kFieldWide);
-    field.setFocusPolicy(Qt::StrongFocus);
-    guard_.install(field);
-    field.installEventFilter(this);
+    fields_.dress(field, name, QString(title).remove('&'), tip);
+    field.setMinimumWidth(kListWidth);
     const int row = grid.rowCount();
     grid.addWidget(label, row, 0);
     grid.addWidget(&field, row, 1);
 }
 
-LengthEdit* MarkerForm::addLength(QGridLayout& grid, const char* name, const QString& title,
-                                  const QString& tip, double least, double most,
-                                  std::function<void(MarkerSettings&, double)> set) {
-    auto* field = new LengthEdit(this);
-    field->setRange(least, most);
-    field->setKeyboardTracking(false);
-    addRow(grid, name, title, tip, *field);
-    connect(field, &QDoubleSpinBox::valueChanged, this,
-            [this, set = std::move(set), text = QString(title).remove('&')](double value) {
-                change(
-                    tr("%1 of the marker").arg(text),
-                    [&](MarkerSettings& settings) { set(settings, value); }, true);
-            });
-    return field;
-}
-
 void MarkerForm::addCloth(QGridLayout& grid) {
     addHeading(grid, tr("Cloth"));
-    addRow(
-        grid, "markerMaterial", tr("&Material"),
-        tr("Each material is laid by itself; what a piece is cut from is said in the panel Piece"),
-        *material_);
+    addChoice(grid, *material_, "markerMaterial", tr("&Material"),
+              tr("Each material has a marker of its own. Set the material of a piece in the panel "
+                 "Piece."));
     connect(material_, &QComboBox::activated, this, [this](int index) {
         desk_.setMaterial(material_->itemData(index).toString().toStdString());
     });
     kind_->addItems({tr("Roll"), tr("Sheets"), tr("Hides…")});
-    addRow(
-        grid, "markerKind", tr("&Comes as"),
-        tr("A roll, of which as little as may be is used, sheets of one size, or hides that are "
-           "read from drawings: DXF or SVG, the largest line the edge, lines within it holes, or "
-           "zones where their layer is called \"grade 2\""),
-        *kind_);
+    addChoice(
+        grid, *kind_, "markerKind", tr("&Fabric form"),
+        tr("A roll, of which as little as possible is used, sheets of one size, or hides read "
+           "from DXF or SVG drawings: the largest line is the edge, lines within it are holes, "
+           "or zones if their layer is called \"grade 2\"."));
     connect(kind_, &QComboBox::activated, this, &MarkerForm::chooseKind);
-    width_ = addLength(grid, "markerWidth", tr("&Width"),
-                       tr("From selvedge to selvedge; at first as the fabric is sold"), 1,
-                       kMaxClothWidth,
-                       [](MarkerSettings& settings, double value) { settings.width = value; });
-    const auto sheetSide = [](int axis) {
-        return [axis](MarkerSettings& settings, double value) {
-            if (settings.sheet) {
-                (*settings.sheet)[axis] = value;
-            }
-        };
-    };
-    along_ = addLength(grid, "markerSheetAlong", tr("Sheet &length"),
-                       tr("Of a sheet, along the warp"), 1, kMaxSheet, sheetSide(0));
-    across_ = addLength(grid, "markerSheetAcross", tr("Sheet wi&dth"),
-                        tr("Of a sheet, across the warp"), 1, kMaxSheet, sheetSide(1));
-    folded_->setObjectName("markerFolded");
-    folded_->setToolTip(
-        tr("Two layers, right sides together: pairs are cut at once, and what is its own mirror "
-           "image is cut on the fold"));
-    const int row = grid.rowCount();
-    grid.addWidget(folded_, row, 0, 1, 2);
-    connect(folded_, &QCheckBox::clicked, this, [this](bool on) {
-        change(on ? tr("Fold the cloth") : tr("Unfold the cloth"),
-               [on](MarkerSettings& settings) { settings.isFolded = on; });
-    });
+    for (const char* path : {"width", "along", "across", "isFolded"}) {
+        fields_.addRow(grid, path, grid.rowCount());
+    }
 }
 
 void MarkerForm::addPieces(QGridLayout& grid) {
     addHeading(grid, tr("Pieces"));
-    garments_->setRange(1, kMaxGarments);
-    garments_->setDecimals(0);
-    garments_->setKeyboardTracking(false);
-    addRow(grid, "markerGarments", tr("&Garments"), tr("How many of the garment are cut at once"),
-           *garments_);
-    connect(garments_, &QDoubleSpinBox::valueChanged, this, [this](double count) {
-        change(
-            tr("Garments of the marker"),
-            [count](MarkerSettings& settings) { settings.garments = static_cast<int>(count); },
-            true);
-    });
-    gap_ =
-        addLength(grid, "markerGap", tr("Ga&p"), tr("Between two pieces, at least"), 0, kLongestGap,
-                  [](MarkerSettings& settings, double value) { settings.gap = value; });
-    border_ =
-        addLength(grid, "markerBorder", tr("&Border"),
-                  tr("Between the pieces and all edges of the cloth, at least"), 0, kLongestGap,
-                  [](MarkerSettings& settings, double value) { settings.border = value; });
-    turns_->addItems({tr("Either way up"), tr("One way"), tr("Freely")});  // as TurnRule
-    addRow(grid, "markerTurns", tr("&Turned"),
-           tr("How pieces may lie: with the grain along the warp either way up, all one way for "
-              "nap and prints with an up, or freely on cloth without a grain"),
-           *turns_);
-    connect(turns_, &QComboBox::activated, this, [this](int rule) {
-        change(tr("Turning of pieces"),
-               [rule](MarkerSettings& settings) { settings.turns = static_cast<TurnRule>(rule); });
-    });
-    tolerance_->setRange(0, 45);
-    tolerance_->setWrapping(false);
-    tolerance_->setKeyboardTracking(false);
-    addRow(grid, "markerTolerance", tr("O&ff the grain by"),
-           tr("So much more a piece may be turned, to both sides"), *tolerance_);
-    connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double degrees) {
-        change(
-            tr("Turning of pieces"),
-            [degrees](MarkerSettings& settings) { settings.tolerance = degrees * kDegree; }, true);
-    });
+    for (const char* path : {"garments", "gap", "border", "turns", "tolerance"}) {
+        fields_.addRow(grid, path, grid.rowCount());
+    }
+    fields_.setRange("tolerance", 0, 45);
 }
 
 void MarkerForm::addStripes(QGridLayout& grid) {
     addHeading(grid, tr("Stripes and plaids"));
-    warp_ = addLength(grid, "markerRepeatWarp", tr("Repeat a&long"),
-                      tr("From one stripe to the next along the warp; 0: there are none"), 0,
-                      kLongestRepeat,
-                      [](MarkerSettings& settings, double value) { settings.repeat.warp = value; });
-    weft_ = addLength(grid, "markerRepeatWeft", tr("Repeat acro&ss"),
-                      tr("From one stripe to the next across the warp; 0: there are none"), 0,
-                      kLongestRepeat,
-                      [](MarkerSettings& settings, double value) { settings.repeat.weft = value; });
+    fields_.addRow(grid, "repeat.warp", grid.rowCount());
+    fields_.addRow(grid, "repeat.weft", grid.rowCount());
     matched_->setObjectName("markerMatched");
     matched_->setAccessibleName(tr("Seams that match"));
     matched_->setToolTip(
-        tr("Along these seams the repeat goes on from one piece to the other; what cannot be kept "
-           "is named below"));
+        tr("Along these seams the repeat continues from one piece to the other; seams where that "
+           "is impossible are named below."));
     matched_->setFixedHeight(kSeamsHigh);
-    matchedTitle_ = new QLabel(tr("It &goes on across"), this);
     matchedTitle_->setBuddy(matched_);
     const int row = grid.rowCount();
     grid.addWidget(matchedTitle_, row, 0, 1, 2);
     grid.addWidget(matched_, row + 1, 0, 1, 2);
     connect(matched_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        // Once the list has done with it: it is filled anew.
+        // Later: this fills the list again.
         QMetaObject::invokeMethod(
             this,
             [this, seam = item->text().toStdString(),
@@ -223,28 +137,27 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     });
 }
 
-/// Others stay, those too that are not in sight.
+/// Keeps other names, also those that the list does not show.
 void MarkerForm::match(const std::string& seam, bool isMatched) {
-    change(tr("Seams that match"), [&](MarkerSettings& settings) {
-        std::erase(settings.matched, seam);
-        if (isMatched) {
-            settings.matched.push_back(seam);
-            std::ranges::sort(settings.matched);
-        }
-    });
-}
-
-bool MarkerForm::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::FocusIn) {
-        gesture_ = desk_.document().newGesture();
-    }
-    return QWidget::eventFilter(watched, event);
-}
-
-void MarkerForm::change(const QString& text, const Change& change, bool isTyped) {
     MarkerSettings settings = desk_.settings();
-    change(settings);
-    desk_.setSettings(text, settings, isTyped ? gesture_ : -1);
+    std::erase(settings.matched, seam);
+    if (isMatched) {
+        settings.matched.push_back(seam);
+        std::ranges::sort(settings.matched);
+    }
+    desk_.setSettings(tr("Seams that match"), settings, -1);
+}
+
+void MarkerForm::take(const SettingChange& change) {
+    MarkerSettings settings = desk_.settings();
+    if (change.path == "along" || change.path == "across") {
+        if (settings.sheet) {
+            (*settings.sheet)[change.path == "along" ? 0 : 1] = *change.value.number;
+        }
+    } else {
+        settings = fields_.changed(kMarkerSettingsFields, settings, change);
+    }
+    desk_.setSettings(change.text, settings, change.gesture);
 }
 
 void MarkerForm::chooseKind(int kind) {
@@ -252,31 +165,32 @@ void MarkerForm::chooseKind(int kind) {
         emit hidesWanted();
         return;
     }
-    if (kind == kindOf(desk_.settings())) {
-        return;  // and has the size that was typed
+    MarkerSettings settings = desk_.settings();
+    if (kind == kindOf(settings)) {
+        return;  // and keep the size that was typed
     }
-    change(tr("Kind of cloth"), [kind](MarkerSettings& settings) {
-        settings.hides.clear();
-        settings.sheet.reset();
-        if (kind == Sheets) {
-            settings.sheet = kUsualSheet;
-            settings.isFolded = false;
-        }
-    });
+    settings.hides.clear();
+    settings.sheet.reset();
+    if (kind == Sheets) {
+        settings.sheet = kUsualSheet;
+        settings.isFolded = false;
+    }
+    desk_.setSettings(tr("Kind of cloth"), settings, -1);
 }
 
 void MarkerForm::showMaterials() {
     const QSignalBlocker quiet(material_);
     material_->clear();
     for (const std::string& material : desk_.materials()) {
-        material_->addItem(material.empty() ? tr("Own fabric") : QString::fromStdString(material),
-                           QString::fromStdString(material));
+        material_->addItem(
+            material.empty() ? tr("Garment's fabric") : QString::fromStdString(material),
+            QString::fromStdString(material));
     }
     material_->setCurrentIndex(material_->findData(QString::fromStdString(desk_.material())));
     material_->setEnabled(material_->count() > 1);
 }
 
-/// That are sewn, each once, of the pieces that are laid.
+/// Names of the sewn seams of the pieces in the marker, each once.
 std::vector<std::string> MarkerForm::seamNames() const {
     std::set<std::string> names;
     if (desk_.marker()) {
@@ -294,7 +208,7 @@ std::vector<std::string> MarkerForm::seamNames() const {
 
 void MarkerForm::showSeams() {
     const QSignalBlocker quiet(matched_);
-    const int row = matched_->currentRow();  // the keys go on from there
+    const int row = matched_->currentRow();
     matched_->clear();
     const std::vector<std::string>& matched = shown_->settings.matched;
     for (const std::string& name : shown_->seams) {
@@ -327,38 +241,17 @@ void MarkerForm::refresh() {
     showSeams();
     const Kind kind = kindOf(settings);
     kind_->setCurrentIndex(kind);
-    const auto show = [this](LengthEdit& field, bool isShown) {
-        field.setVisible(isShown);
-        for (QLabel* label : findChildren<QLabel*>()) {
-            if (label->buddy() == &field) {
-                label->setVisible(isShown);
-            }
-        }
-    };
-    show(*width_, kind == Roll);
-    show(*along_, kind == Sheets);
-    show(*across_, kind == Sheets);
-    folded_->setVisible(kind == Roll);
-    showLength(*width_, settings.width > 0 ? settings.width : now.width, settings.width > 0);
+    fields_.setShown("width", kind == Roll);
+    fields_.setShown("along", kind == Sheets);
+    fields_.setShown("across", kind == Sheets);
+    fields_.setShown("isFolded", kind == Roll);
+    MarkerSettings usual;
+    usual.width = now.width;
+    fields_.show(kMarkerSettingsFields, settings, usual);
     if (settings.sheet) {
-        showLength(*along_, settings.sheet->x(), false);
-        showLength(*across_, settings.sheet->y(), false);
+        fields_.show(kSheetFields, SheetSize{settings.sheet->x(), settings.sheet->y()});
     }
-    folded_->setChecked(settings.isFolded);
-    {
-        const QSignalBlocker quiet(garments_);
-        garments_->setValue(settings.garments);
-    }
-    showLength(*gap_, settings.gap, false);
-    showLength(*border_, settings.border, false);
-    turns_->setCurrentIndex(static_cast<int>(settings.turns));
-    {
-        const QSignalBlocker quiet(tolerance_);
-        tolerance_->setValue(settings.tolerance / kDegree);
-    }
-    tolerance_->setEnabled(settings.turns != TurnRule::Free);
-    showLength(*warp_, settings.repeat.warp, false);
-    showLength(*weft_, settings.repeat.weft, false);
+    fields_.setEnabled("tolerance", settings.turns != TurnRule::Free);
 }
 
 }  // namespace toile::app

@@ -2,29 +2,22 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/widgets/setting_fields.h"
 #include "core/marker/marker_settings.h"
 
-class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
-class QGridLayout;
-class QLabel;
 class QListWidget;
 
 namespace toile::app {
 
-class AngleEdit;
-class FieldGuard;
-class LengthEdit;
 class MarkerDesk;
 
-/// What is said of the cloth and of how the pieces may lie on it: one step of the history each, or
-/// one for as long as a field is typed in.
+/// The settings of the cloth and of how the pieces may lie on it. Each change is a step of the
+/// history.
 class MarkerForm : public QWidget {
     Q_OBJECT
 
@@ -32,30 +25,24 @@ public:
     /// `desk` must outlive this.
     explicit MarkerForm(MarkerDesk& desk, QWidget* parent = nullptr);
 
-    bool eventFilter(QObject* watched, QEvent* event) override;
-    /// What the document says, whatever was chosen and came to nothing.
+    /// Shows the settings of the document, after a choice that came to nothing.
     void showAgain();
 
 signals:
-    /// Hides are to be laid on: they are to be chosen.
+    /// The user wants to choose hides.
     void hidesWanted();
 
 private:
-    using Change = std::function<void(MarkerSettings&)>;
-
     void addCloth(QGridLayout& grid);
     void addPieces(QGridLayout& grid);
     void addStripes(QGridLayout& grid);
-    LengthEdit* addLength(QGridLayout& grid, const char* name, const QString& title,
-                          const QString& tip, double least, double most,
-                          std::function<void(MarkerSettings&, double)> set);
-    void addRow(QGridLayout& grid, const char* name, const QString& title, const QString& tip,
-                QWidget& field);
     void addHeading(QGridLayout& grid, const QString& text);
-    void change(const QString& text, const Change& change, bool isTyped = false);
+    void addChoice(QGridLayout& grid, QComboBox& field, const char* name, const QString& title,
+                   const QString& tip);
+    void take(const SettingChange& change);
     void chooseKind(int kind);
     void match(const std::string& seam, bool isMatched);
-    /// What is typed and not taken yet is not touched by a marker that gets better.
+    /// Shows the settings if they have changed: typing is not disturbed by a better marker.
     void refresh();
     void showMaterials();
     void showSeams();
@@ -74,18 +61,11 @@ private:
     };
 
     MarkerDesk& desk_;
-    FieldGuard& guard_;
-    QComboBox *material_, *kind_, *turns_;
-    LengthEdit *width_ = nullptr, *along_ = nullptr, *across_ = nullptr;
-    LengthEdit *gap_ = nullptr, *border_ = nullptr;
-    LengthEdit *warp_ = nullptr, *weft_ = nullptr;
+    SettingFields fields_;
+    QComboBox *material_, *kind_;
     QListWidget* matched_;
-    QLabel* matchedTitle_ = nullptr;
-    AngleEdit* tolerance_;
-    QCheckBox* folded_;
-    QDoubleSpinBox* garments_;
-    int gesture_ = -1;
-    std::optional<Shown> shown_;
+    QLabel* matchedTitle_;
+    std::optional<Shown> shown_{};
 };
 
 }  // namespace toile::app

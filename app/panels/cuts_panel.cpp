@@ -17,6 +17,7 @@
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
+#include "app/widgets/setting_fields.h"
 
 namespace toile::app {
 
@@ -41,11 +42,8 @@ bool isOf(const Seam& seam, CutId cut) {
 CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      count_(new QLabel(this)),
+      count_(makeHeading({}, this)),
       table_(new QTreeWidget(this)) {
-    QFont strong = count_->font();
-    strong.setWeight(QFont::DemiBold);
-    count_->setFont(strong);
     count_->setContentsMargins(4, 3, 8, 3);
     table_->setObjectName("cutTable");
     table_->setAccessibleName(tr("Cuts"));

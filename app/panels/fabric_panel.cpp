@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: fabric, limits, fit and width are fields of one form that all
-// follow the material which is shown, and share the step of the history that is being typed.
 #include "app/panels/fabric_panel.h"
 
 #include <QComboBox>
@@ -9,11 +7,11 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <iterator>
+#include <tuple>
 #include <utility>
 
 #include "app/document/document.h"
@@ -22,8 +20,8 @@
 #include "app/text/error_text.h"
 #include "app/text/fabric_name.h"
 #include "app/text/figures.h"
-#include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
+#include "app/widgets/setting_fields.h"
 #include "core/layout/arrange.h"
 #include "core/project/place_pieces.h"
 
@@ -32,7 +30,6 @@ namespace toile::app {
 namespace {
 
 constexpr double kPercentPerShare = 100;
-constexpr double kMin = -50, kMax = 200;  // percent
 constexpr const char* kCustom = "custom";
 constexpr int kPanelAir = 10;
 /// Triangles whose figures take a millisecond or two, in three directions.
@@ -42,11 +39,39 @@ constexpr Overlay kDirections[] = {Overlay::Warp, Overlay::Weft, Overlay::Bias};
 constexpr const char* kLinks[] = {"warp", "weft", "bias"};
 constexpr const char* kPieceLink = "piece";
 
+constexpr auto kLimitFields = [](auto& at, auto& fabric) {
+    const auto limits = [&at](auto& of, const char* least, const char* leastName, const char* most,
+                              const char* mostName) {
+        at.field(Setting{least,
+                         "",
+                         leastName,
+                         TR("How much shorter the cloth can become without folds; 0 or less"),
+                         nullptr,
+                         {},
+                         Quantity::Percent},
+                 of.least, -0.5, 0);
+        at.field(Setting{most,
+                         "",
+                         mostName,
+                         TR("How far the cloth can be stretched; 0 or more"),
+                         nullptr,
+                         {},
+                         Quantity::Percent},
+                 of.most, 0, 2);
+    };
+    limits(fabric.warp, "warpLeast", TR("Warp, shrinks"), "warpMost", TR("Warp, stretches"));
+    limits(fabric.weft, "weftLeast", TR("Weft, shrinks"), "weftMost", TR("Weft, stretches"));
+    limits(fabric.bias, "biasLeast", TR("Bias, shrinks"), "biasMost", TR("Bias, stretches"));
+    at.field(Setting{"width", TR("&Width"), TR("Width of the cloth"),
+                     TR("As it is sold, from selvedge to selvedge")},
+             fabric.width, 1, kMaxClothWidth);
+};
+
 bool isSmall(const FabricQuestion& question) {
     return !question.scene || question.scene->faces.size() < kSmall;
 }
 
-/// Place among the presets; their number for one that is none of them.
+/// Row of a preset; the number of presets for other fabrics.
 int rowOf(const Fabric& fabric) {
     const auto presets = fabricPresets();
     const Fabric* preset = presetOf(fabric);
@@ -84,18 +109,17 @@ std::vector<QWidget*> widgetsOfRows(const QGridLayout& grid, int first, int end)
     return widgets;
 }
 
+QLabel* makeWrappedNote(const QString& text, const char* objectName, QWidget* parent) {
+    QLabel* note = makeNote(objectName, parent);
+    note->setText(text);
+    note->setWordWrap(true);
+    return note;
+}
+
 void setShown(const std::vector<QWidget*>& widgets, bool shown) {
     for (QWidget* widget : widgets) {
         widget->setVisible(shown);
     }
-}
-
-QLabel* makeHeading(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    QFont strong = label->font();
-    strong.setWeight(QFont::DemiBold);
-    label->setFont(strong);
-    return label;
 }
 
 }  // namespace
@@ -103,7 +127,9 @@ QLabel* makeHeading(const QString& text, QWidget* parent) {
 FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& work)
     : QWidget(parent),
       document_(document),
-      fieldGuard_(*new FieldGuard(this)),
+      fields_(
+          *this, [this] { return document_.newGesture(); },
+          [this](const SettingChange& change) { take(change); }),
       pages_(new QStackedWidget(this)),
       materialTitle_(new QLabel(tr("Fabric &of"), this)),
       material_(new QComboBox(this)),
@@ -117,8 +143,8 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
               made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
           }
       }) {
-    auto* empty = makeNote(tr("Open a garment to say what it is cut from."));
-    empty->setObjectName("fabricEmpty");
+    fields_.make<Fabric>(kLimitFields, "fabric");
+    auto* empty = makeWrappedNote(tr("Open a garment to set its fabric."), "fabricEmpty", this);
     empty->setAlignment(Qt::AlignCenter);
     empty->setContentsMargins(kPanelAir, kPanelAir, kPanelAir, kPanelAir);
     pages_->addWidget(scrolledColumn(*makeContents(), pages_));
@@ -136,13 +162,6 @@ QWidget& FabricPanel::firstField() const {
     return *preset_;
 }
 
-QLabel* FabricPanel::makeNote(const QString& text) {
-    auto* note = new QLabel(text, this);
-    note->setWordWrap(true);
-    note->setForegroundRole(QPalette::PlaceholderText);
-    return note;
-}
-
 QWidget* FabricPanel::makeContents() {
     auto* contents = new QWidget(this);
     auto* grid = new QGridLayout(contents);
@@ -151,12 +170,8 @@ QWidget* FabricPanel::makeContents() {
     grid->setVerticalSpacing(5);
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
-    material_->setObjectName("fabricMaterial");
-    material_->setAccessibleName(tr("Fabric of"));
-    material_->setToolTip(
-        tr("The garment, or what pieces of another material are cut from (panel Piece)"));
-    material_->setFocusPolicy(Qt::StrongFocus);
-    fieldGuard_.install(*material_);
+    fields_.dress(*material_, "fabricMaterial", tr("Fabric of"),
+                  tr("The garment, or another material that pieces are cut from (panel Piece)."));
     connect(material_, &QComboBox::activated, this, [this](int index) {
         shown_ = material_->itemData(index).toString().toStdString();
         refresh();
@@ -164,12 +179,7 @@ QWidget* FabricPanel::makeContents() {
     materialTitle_->setBuddy(material_);
     grid->addWidget(materialTitle_, 0, 0);
     grid->addWidget(material_, 0, 1, 1, 2);
-    preset_->setObjectName("fabricPreset");
-    preset_->setAccessibleName(tr("Fabric"));
-    preset_->setToolTip(tr("What the garment is cut from"));
-    preset_->setFocusPolicy(Qt::StrongFocus);
-    fieldGuard_.install(*preset_);
-    preset_->installEventFilter(this);
+    fields_.dress(*preset_, "fabricPreset", tr("Fabric"), tr("The fabric of the garment."));
     for (const Fabric& preset : fabricPresets()) {
         preset_->addItem(capitalised(fabricName(preset)));
     }
@@ -182,102 +192,58 @@ QWidget* FabricPanel::makeContents() {
     constexpr int kFitRow = 8, kLastRow = 14;
     addLimits(*grid);
     grid->addWidget(
-        makeNote(tr("Presets are rules of thumb. Where it matters, measure a sample and "
-                    "type what it allows.")),
+        makeWrappedNote(tr("Presets are rules of thumb. If it matters, measure a sample "
+                           "and type its limits."),
+                        "fabricNote", this),
         6, 0, 1, 3);
     limitWidgets_ = widgetsOfRows(*grid, 2, kFitRow - 1);
     addFit(*grid, kFitRow);
     fitWidgets_ = widgetsOfRows(*grid, kFitRow, kLastRow);
-    QLabel* unstated =
-        makeNote(tr("Fabric not stated: choose one to see where it must give more than it can."));
-    unstated->setObjectName("fabricUnstated");
-    unstated_ = unstated;
-    grid->addWidget(unstated, kLastRow, 0, 1, 3);
+    unstated_ =
+        makeWrappedNote(tr("No fabric set. Choose one to see where it is strained too far."),
+                        "fabricUnstated", this);
+    grid->addWidget(unstated_, kLastRow, 0, 1, 3);
     addCloth(*grid, kLastRow + 1);
     return contents;
 }
 
 void FabricPanel::addCloth(QGridLayout& grid, int row) {
-    width_ = new LengthEdit(this);
-    width_->setObjectName("fabricWidth");
-    width_->setAccessibleName(tr("Width of the cloth"));
-    width_->setToolTip(tr("As it is sold, from selvedge to selvedge"));
-    width_->setRange(1, kMaxClothWidth);
-    width_->setFocusPolicy(Qt::StrongFocus);
-    fieldGuard_.install(*width_);
-    width_->installEventFilter(this);
-    connect(width_, &QDoubleSpinBox::valueChanged, this, &FabricPanel::setWidth);
-    auto* title = new QLabel(tr("&Width"), this);
-    title->setBuddy(width_);
-    grid.addWidget(title, row, 0);
-    grid.addWidget(width_, row, 1, 1, 2);
-    need_ = makeNote({});
-    need_->setObjectName("fabricNeed");
+    fields_.addRow(grid, "width", row);
+    need_ = makeWrappedNote({}, "fabricNeed", this);
     need_->setToolTip(
-        tr("The box around the pieces that are cut from this, one of each, with their "
+        tr("The box around the pieces that are cut from this fabric, one of each, with their "
            "allowances, the grain upwards"));
     grid.addWidget(need_, row + 1, 0, 1, 3);
     grid.setRowStretch(row + 2, 1);
 }
 
 void FabricPanel::addLimits(QGridLayout& grid) {
-    const QString leastTip =
-        tr("How much shorter the cloth can be taken in without folds; 0 or "
-           "less");
-    const QString mostTip = tr("How far the cloth can be stretched; 0 or more");
-    QWidget* parent = this;
-    auto* least = new QLabel(tr("Takes in"), parent);
-    least->setToolTip(leastTip);
-    auto* most = new QLabel(tr("Stretches"), parent);
-    most->setToolTip(mostTip);
+    auto* least = new QLabel(tr("Shrinks"), this);
+    auto* most = new QLabel(tr("Stretches"), this);
+    least->setToolTip(fields_.at("warpLeast").toolTip());
+    most->setToolTip(fields_.at("warpMost").toolTip());
     for (QLabel* heading : {least, most}) {
         heading->setForegroundRole(QPalette::PlaceholderText);
     }
     grid.addWidget(least, 2, 1, Qt::AlignRight);
     grid.addWidget(most, 2, 2, Qt::AlignRight);
-    struct Direction {
-        StrainLimits Fabric::*member;
-        QString title, tip;
-        const char *leastName, *mostName;
-    };
-    const Direction directions[] = {
-        {&Fabric::warp, tr("Warp"), tr("Along the grain"), "fabricWarpLeast", "fabricWarpMost"},
-        {&Fabric::weft, tr("Weft"), tr("Across the grain"), "fabricWeftLeast", "fabricWeftMost"},
-        {&Fabric::bias, tr("Bias"), tr("At 45° to the grain"), "fabricBiasLeast",
-         "fabricBiasMost"}};
-    std::size_t next = 0;
-    for (const Direction& direction : directions) {
-        const int row = 3 + static_cast<int>(next / 2);
-        auto* title = new QLabel(direction.title, parent);
-        title->setToolTip(direction.tip);
-        grid.addWidget(title, row, 0);
-        PercentEdit* low =
-            makeField(direction.leastName, tr("%1, takes in").arg(direction.title), leastTip);
-        PercentEdit* high =
-            makeField(direction.mostName, tr("%1, stretches").arg(direction.title), mostTip);
-        low->setRange(kMin, 0);
-        high->setRange(0, kMax);
-        grid.addWidget(low, row, 1);
-        grid.addWidget(high, row, 2);
-        limits_[next++] = {direction.member, &StrainLimits::least, low};
-        limits_[next++] = {direction.member, &StrainLimits::most, high};
+    const std::tuple<const char*, QString, QString> directions[] = {
+        {"warp", tr("Warp"), tr("Along the grain")},
+        {"weft", tr("Weft"), tr("Across the grain")},
+        {"bias", tr("Bias"), tr("At 45° to the grain")}};
+    int row = 3;
+    for (const auto& [key, title, tip] : directions) {
+        auto* label = new QLabel(title, this);
+        label->setToolTip(tip);
+        grid.addWidget(label, row, 0);
+        int column = 1;
+        for (const char* end : {"Least", "Most"}) {
+            QWidget& field = fields_.at(std::string(key) + end);
+            field.setMinimumWidth(76);
+            grid.addWidget(&field, row, column++);
+        }
+        ++row;
     }
-    for (const Limit& limit : limits_) {
-        connect(limit.field, &QDoubleSpinBox::valueChanged, this,
-                [this, limit](double percent) { setLimit(limit, percent); });
-    }
-}
-
-PercentEdit* FabricPanel::makeField(const char* name, const QString& label, const QString& tip) {
-    auto* field = new PercentEdit(this);
-    field->setObjectName(name);
-    field->setAccessibleName(label);
-    field->setToolTip(tip);
-    field->setFocusPolicy(Qt::StrongFocus);
-    field->setMinimumWidth(76);
-    fieldGuard_.install(*field);
-    field->installEventFilter(this);
-    return field;
 }
 
 void FabricPanel::addFit(QGridLayout& grid, int row) {
@@ -312,13 +278,6 @@ void FabricPanel::addFit(QGridLayout& grid, int row) {
     worst_->setWordWrap(true);
     connectLink(worst_);
     grid.addWidget(worst_, row, 0, 1, 3);
-}
-
-bool FabricPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::FocusIn) {
-        gesture_ = document_.newGesture();
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void FabricPanel::changeEvent(QEvent* event) {
@@ -420,14 +379,7 @@ void FabricPanel::refresh() {
     showMaterials();
     const Fabric& fabric = fabricOf(shown_, document_.state().materials, document_.fabric());
     preset_->setCurrentIndex(rowOf(fabric));
-    for (const Limit& limit : limits_) {
-        const QSignalBlocker quiet(limit.field);
-        limit.field->setValue(kPercentPerShare * fabric.*limit.direction.*limit.end);
-    }
-    {
-        const QSignalBlocker quiet(width_);
-        width_->setValue(fabric.width);
-    }
+    fields_.show(kLimitFields, fabric);
     const bool isStated = hasLimits(fabric);
     setShown(limitWidgets_, isStated);
     unstated_->setVisible(!isStated);
@@ -452,7 +404,7 @@ void FabricPanel::showFit() {
         return;
     }
     if (!fit_->worst || fit_->worst->piece >= document_.pieceCount()) {
-        worst_->setText(tr("The fabric can do all that is asked of it."));
+        worst_->setText(tr("All strain is within the fabric's limits."));
         return;
     }
     const QString name = pieceName(document_, fit_->worst->piece);
@@ -468,13 +420,13 @@ void FabricPanel::choosePreset(int index) {
     const auto presets = fabricPresets();
     Fabric& fabric = shownFabric(next);
     if (index >= 0 && index < static_cast<int>(presets.size())) {
-        // A width that was typed stays.
+        // Keep a typed width.
         const Fabric* before = presetOf(fabric);
         const double width = fabric.width;
         fabric = presets[static_cast<std::size_t>(index)];
         fabric.width = before && before->width == width ? fabric.width : width;
     } else {
-        // Limits of 0 are nothing to begin with.
+        // Limits of 0 are no starting point.
         fabric = hasLimits(fabric) ? fabric : *fabricPreset("woven");
         fabric.id = kCustom;
     }
@@ -483,27 +435,19 @@ void FabricPanel::choosePreset(int index) {
                              ? tr("Fabric: %1").arg(name)
                              : tr("Fabric of %1: %2").arg(QString::fromStdString(shown_), name);
     document_.edit(text, std::move(next));
-    gesture_ = document_.newGesture();
     refresh();
 }
 
-void FabricPanel::setLimit(const Limit& limit, double percent) {
-    if (!document_.garment()) {
-        return;
-    }
-    DocumentState next = document_.state();
-    Fabric& fabric = shownFabric(next);
-    fabric.id = kCustom;
-    fabric.*limit.direction.*limit.end = percent / kPercentPerShare;
-    document_.edit(tr("Fabric limits"), std::move(next), gesture_);
-    refresh();
-}
-
-void FabricPanel::setWidth(double millimetres) {
+void FabricPanel::take(const SettingChange& change) {
     if (document_.garment()) {
         DocumentState next = document_.state();
-        shownFabric(next).width = millimetres;
-        document_.edit(tr("Width of the cloth"), std::move(next), gesture_);
+        Fabric& fabric = shownFabric(next);
+        fabric = fields_.changed(kLimitFields, fabric, change);
+        const bool isLimit = change.path != "width";
+        fabric.id = isLimit ? kCustom : fabric.id;
+        document_.edit(isLimit ? tr("Fabric limits") : change.text, std::move(next),
+                       change.gesture);
+        refresh();
     }
 }
 

@@ -1,38 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/lines_panel.h"
 
-#include <QCheckBox>
-#include <QEvent>
+#include <QDate>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
 #include <QScrollArea>
-#include <QSignalBlocker>
+#include <QToolButton>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
-#include "app/panels/line_forms.h"
+#include "app/panels/dart_form.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/segment_form.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
-#include "core/base/units.h"
+#include "core/pattern/line_fields.h"
 
 namespace toile::app {
 
 namespace {
 
-constexpr int kWidestField = 140;  // logical pixels
+/// Shown for settings that are off.
+LineSettings proposedLines() {
+    LineSettings lines;
+    lines.trueBelow = kProposedTrueing;
+    return lines;
+}
 
-void setQuietly(QDoubleSpinBox& field, double value) {
-    const QSignalBlocker quiet(field);
-    field.setValue(value);
+void setSpacing(QGridLayout& grid) {
+    grid.setContentsMargins(10, 6, 10, 6);
+    grid.setHorizontalSpacing(8);
+    grid.setVerticalSpacing(4);
 }
 
 }  // namespace
@@ -40,29 +44,19 @@ void setQuietly(QDoubleSpinBox& field, double value) {
 LinesPanel::LinesPanel(Document& document, QWidget* parent)
     : QWidget(parent),
       document_(document),
-      fieldGuard_(new FieldGuard(this)),
-      fair_(new QCheckBox(tr("&Fair lines"), this)),
-      true_(new QCheckBox(tr("&True seam ends, up to"), this)),
-      tolerance_(new LengthEdit(this)),
-      smoothing_(new LengthEdit(this)),
-      trueBelow_(new AngleEdit(this)),
-      straying_(new QLabel(this)),
-      allowance_(new AllowanceForm(document, *fieldGuard_, this)),
-      label_(new LabelForm(document, this)),
+      fields_(
+          *this, [this] { return document_.newGesture(); },
+          [this](const SettingChange& change) { take(change); }),
+      straying_(makeNote("lineStraying", this)),
       ends_(new SeamEndsList(this)),
-      dart_(new DartForm(document, *fieldGuard_, this)),
-      segment_(new SegmentForm(document, *fieldGuard_, this)) {
+      dart_(new DartForm(document, this)),
+      segment_(new SegmentForm(document, this)) {
+    fields_.make(kLineFields, {}, proposedLines());
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
     columns->addWidget(scrolledColumn(*makeSettings(), this), 1);
-    auto* added = new QWidget(this);
-    auto* rows = new QVBoxLayout(added);
-    rows->setContentsMargins(0, 0, 0, 0);
-    rows->setSpacing(0);
-    rows->addWidget(allowance_);
-    rows->addWidget(label_, 1);
-    columns->addWidget(scrolledColumn(*added, this), 1);
+    columns->addWidget(scrolledColumn(*makeAdditions(), this), 1);
     columns->addWidget(ends_, 4);
     auto* selected = new QWidget(this);
     auto* forms = new QVBoxLayout(selected);
@@ -71,15 +65,6 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
     forms->addWidget(dart_);
     forms->addWidget(segment_, 1);
     columns->addWidget(scrolledColumn(*selected, this), 3);
-    connect(fair_, &QCheckBox::clicked, this, &LinesPanel::setFair);
-    connect(true_, &QCheckBox::clicked, this, &LinesPanel::setTrueing);
-    connect(tolerance_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        setFairing(&Fairing::tolerance, value, tr("Distance of fair lines"));
-    });
-    connect(smoothing_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        setFairing(&Fairing::smoothing, value, tr("Smoothing of lines"));
-    });
-    connect(trueBelow_, &QDoubleSpinBox::valueChanged, this, &LinesPanel::setTrueBelow);
     connect(ends_, &SeamEndsList::trueingWanted, this, [this](int end, bool trued) {
         const LineSettings lines = withSeamEnd(document_.state().lines, document_.garment()->seams,
                                                facts_.ends[static_cast<std::size_t>(end)], trued);
@@ -87,81 +72,58 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
                            trued ? tr("Trueing of a seam end") : tr("Kink at a seam end"));
     });
     connect(ends_, &SeamEndsList::seamChosen, &document_, &Document::setSeam);
-    connect(allowance_, &AllowanceForm::wanted, &document_, &Document::setLines);
-    connect(label_, &LabelForm::wanted, &document_, &Document::setLines);
-    connect(dart_, &DartForm::wanted, &document_, &Document::setLines);
-    connect(segment_, &SegmentForm::wanted, &document_, &Document::setLines);
     connect(&document_, &Document::changed, this, &LinesPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LinesPanel::refresh);
     refresh();
 }
 
 QWidget& LinesPanel::firstField() const {
-    return *fair_;
+    return fields_.at("fairing");
 }
 
 QWidget* LinesPanel::makeSettings() {
     auto* settings = new QWidget(this);
-    fair_->setObjectName("fairLines");
-    fair_->setToolTip(
-        tr("Draw every line as a smooth curve of the same length, near the outline "
-           "as it was flattened"));
-    true_->setObjectName("trueSeamEnds");
-    true_->setToolTip(
-        tr("Turn the lines at the ends of seams so that they run on into each other "
-           "once sewn, where they miss that by no more than this"));
-    tolerance_->setObjectName("fairTolerance");
-    tolerance_->setToolTip(tr("How far a line may stray from the exact outline"));
-    tolerance_->setRange(kMinFairTolerance, kMaxFairTolerance);
-    smoothing_->setObjectName("fairSmoothing");
-    smoothing_->setToolTip(tr("The larger, the longer the waves that are smoothed out"));
-    smoothing_->setRange(kMinSmoothing, kMaxSmoothing);
-    setQuietly(*tolerance_, Fairing{}.tolerance);
-    setQuietly(*smoothing_, Fairing{}.smoothing);
-    trueBelow_->setObjectName("trueBelow");
-    trueBelow_->setAccessibleName(tr("True seam ends up to this kink"));
-    trueBelow_->setWrapping(false);
-    trueBelow_->setRange(0, kMaxKink / kDegree);
-    straying_->setObjectName("lineStraying");
     straying_->setWordWrap(true);
-    straying_->setForegroundRole(QPalette::PlaceholderText);
     auto* grid = new QGridLayout(settings);
-    grid->setContentsMargins(10, 6, 10, 6);
-    grid->setHorizontalSpacing(8);
-    grid->setVerticalSpacing(4);
-    grid->addWidget(fair_, 0, 0, 1, 2);
-    const std::pair<QString, LengthEdit*> rows[] = {{tr("&May stray by"), tolerance_},
-                                                    {tr("Smoot&hing length"), smoothing_}};
-    int row = 1;
-    for (const auto& [text, field] : rows) {
-        auto* label = new QLabel(text, settings);
-        label->setBuddy(field);
-        label->setIndent(18);
-        field->setAccessibleName(label->text().remove('&'));
-        grid->addWidget(label, row, 0);
-        grid->addWidget(field, row++, 1);
+    setSpacing(*grid);
+    int row = 0;
+    for (const char* path : {"fairing", "fairing.tolerance", "fairing.smoothing", "trueBelow"}) {
+        fields_.addRow(*grid, path, row++);
     }
-    grid->addWidget(true_, row, 0);
-    grid->addWidget(trueBelow_, row++, 1);
     grid->addWidget(straying_, row++, 0, 1, 3);
     grid->setColumnStretch(2, 1);
     grid->setRowStretch(row, 1);
-    for (QDoubleSpinBox* field :
-         std::initializer_list<QDoubleSpinBox*>{tolerance_, smoothing_, trueBelow_}) {
-        field->setFocusPolicy(Qt::StrongFocus);
-        field->setMinimumWidth(86);
-        field->setMaximumWidth(kWidestField);
-        fieldGuard_->install(*field);
-        field->installEventFilter(this);
-    }
     return settings;
 }
 
-bool LinesPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::FocusIn) {
-        gesture_ = document_.newGesture();
-    }
-    return QWidget::eventFilter(watched, event);
+QWidget* LinesPanel::makeAdditions() {
+    auto* additions = new QWidget(this);
+    auto* grid = new QGridLayout(additions);
+    setSpacing(*grid);
+    // A switch is the label of its group's first field: the panel is low.
+    grid->addWidget(&fields_.at("allowance"), 0, 0);
+    grid->addWidget(&fields_.at("allowance.seam"), 0, 1);
+    fields_.addRow(*grid, "allowance.hem", 1);
+    grid->addWidget(&fields_.at("notches"), 2, 0);
+    grid->addWidget(&fields_.at("notches.form"), 2, 1);
+    fields_.addRow(*grid, "notches.depth", 3);
+    auto* label = new QGridLayout;
+    label->setHorizontalSpacing(8);
+    label->setVerticalSpacing(4);
+    grid->addLayout(label, 4, 0, 1, 3);
+    fields_.addRow(*label, "label.size", 0);
+    fields_.addRow(*label, "label.date", 1);
+    auto* today =
+        makeButton("labelToday", tr("Today"), tr("Write today's date on the labels"), this);
+    label->addWidget(today, 1, 2);
+    grid->setColumnStretch(3, 1);
+    grid->setRowStretch(5, 1);
+    connect(today, &QToolButton::clicked, this, [this] {
+        auto& date = fields_.at<QLineEdit>("label.date");
+        date.setText(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat));
+        emit date.editingFinished();
+    });
+    return additions;
 }
 
 void LinesPanel::showEvent(QShowEvent* event) {
@@ -172,6 +134,11 @@ void LinesPanel::showEvent(QShowEvent* event) {
 }
 
 void LinesPanel::onChanged(DocumentChanges what) {
+    if (what.testFlag(DocumentChange::Opened)) {  // the rest was about another garment
+        notches_ = {};
+        fields_.at<QLineEdit>("label.size").setModified(false);
+        fields_.at<QLineEdit>("label.date").setModified(false);
+    }
     if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
                 DocumentChange::Seams | DocumentChange::Options)) {
         refresh();
@@ -200,20 +167,9 @@ void LinesPanel::refresh() {
 
 void LinesPanel::showSettings() {
     const LineSettings& lines = document_.state().lines;
-    const bool open = document_.garment() != nullptr;
-    for (QWidget* field :
-         std::initializer_list<QWidget*>{fair_, true_, tolerance_, smoothing_, trueBelow_}) {
-        field->setEnabled(open);
-    }
-    allowance_->refresh();
-    label_->refresh();
-    fair_->setChecked(lines.fairing.has_value());
-    true_->setChecked(lines.trueBelow > 0);
-    if (lines.fairing) {  // else they say what would be
-        setQuietly(*tolerance_, lines.fairing->tolerance);
-        setQuietly(*smoothing_, lines.fairing->smoothing);
-    }
-    setQuietly(*trueBelow_, (lines.trueBelow > 0 ? lines.trueBelow : kProposedTrueing) / kDegree);
+    fields_.setEnabled(document_.garment() != nullptr);
+    fields_.show(kLineFields, lines, proposedLines());
+    notches_ = lines.notches.value_or(notches_);
 }
 
 void LinesPanel::showStraying() {
@@ -241,33 +197,19 @@ void LinesPanel::showSelected() {
     segment_->show(facts_);
 }
 
-void LinesPanel::setFair(bool fair) {
-    LineSettings lines = document_.state().lines;
-    lines.fairing =
-        fair ? std::optional(Fairing{tolerance_->value(), smoothing_->value()}) : std::nullopt;
-    document_.setLines(std::move(lines), fair ? tr("Fair lines") : tr("Exact outlines"));
-}
-
-void LinesPanel::setFairing(double Fairing::*field, double value, const QString& text) {
-    LineSettings lines = document_.state().lines;
-    Fairing fairing = lines.fairing.value_or(Fairing{tolerance_->value(), smoothing_->value()});
-    fairing.*field = value;
-    fairing.isFixed |= field == &Fairing::tolerance;
-    lines.fairing = fairing;
-    document_.setLines(std::move(lines), text, gesture_);
-}
-
-void LinesPanel::setTrueing(bool trued) {
-    LineSettings lines = document_.state().lines;
-    lines.trueBelow = trued ? trueBelow_->value() * kDegree : 0;
-    document_.setLines(trued ? withFairing(std::move(lines)) : lines,
-                       trued ? tr("True seam ends") : tr("Seam ends as they are"));
-}
-
-void LinesPanel::setTrueBelow(double degrees) {
-    LineSettings lines = document_.state().lines;
-    lines.trueBelow = degrees * kDegree;
-    document_.setLines(withFairing(std::move(lines)), tr("True seam ends"), gesture_);
+void LinesPanel::take(const SettingChange& change) {
+    const LineSettings& before = document_.state().lines;
+    LineSettings lines = fields_.changed(kLineFields, before, change);
+    if (change.path == "fairing.tolerance") {
+        lines.fairing->isFixed = true;
+    } else if (change.path == "trueBelow" && lines.trueBelow > 0) {
+        lines = withFairing(std::move(lines));
+    } else if (lines.notches && !before.notches) {
+        lines.notches->automatic = notches_.automatic;
+        lines.notches->notches = notches_.notches;
+    }
+    document_.setLines(std::move(lines), change.text, change.gesture);
+    showSettings();
 }
 
 }  // namespace toile::app

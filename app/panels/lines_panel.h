@@ -5,19 +5,14 @@
 
 #include "app/document/document_change.h"
 #include "app/document/line_facts.h"
+#include "app/widgets/setting_fields.h"
 
-class QCheckBox;
 class QLabel;
 
 namespace toile::app {
 
-class AllowanceForm;
-class AngleEdit;
 class DartForm;
 class Document;
-class FieldGuard;
-class LabelForm;
-class LengthEdit;
 class SeamEndsList;
 class SegmentForm;
 
@@ -35,34 +30,26 @@ public:
     QWidget& firstField() const;
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     QWidget* makeSettings();
+    QWidget* makeAdditions();
     void onChanged(DocumentChanges what);
     void refresh();
     void showSettings();
     void showStraying();
     void showSelected();
-    void setFair(bool fair);
-    void setFairing(double Fairing::*field, double value, const QString& text);
-    void setTrueing(bool trued);
-    void setTrueBelow(double degrees);
+    void take(const SettingChange& change);
 
     Document& document_;
-    FieldGuard* fieldGuard_;
-    QCheckBox *fair_, *true_;
-    LengthEdit *tolerance_, *smoothing_;
-    AngleEdit* trueBelow_;
+    SettingFields fields_;
     QLabel* straying_;
-    AllowanceForm* allowance_;
-    LabelForm* label_;
     SeamEndsList* ends_;
     DartForm* dart_;
     SegmentForm* segment_;
     LineFacts facts_;
-    int gesture_ = -1;
+    NotchRules notches_{};  ///< the last ones: notches that the user placed return with them
     bool isStale_ = true;
 };
 

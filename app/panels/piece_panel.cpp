@@ -24,7 +24,7 @@
 #include "app/panels/shared_values.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
-#include "app/widgets/number_edits.h"
+#include "app/widgets/setting_fields.h"
 #include "core/base/units.h"
 
 namespace toile::app {
@@ -401,15 +401,11 @@ PiecePanel::PiecePanel(Document& document, const ActionRegistry& actions, QWidge
     : QWidget(parent),
       piece_(new PieceForm(document, actions, this)),
       position_(new PositionForm(document, this)) {
-    auto* heading = new QLabel(tr("Position"), this);
-    QFont strong = heading->font();
-    strong.setWeight(QFont::DemiBold);
-    heading->setFont(strong);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 6, 10, 6);
     layout->setSpacing(5);
     layout->addWidget(piece_);
-    layout->addWidget(heading);
+    layout->addWidget(makeHeading(tr("Position"), this));
     layout->addWidget(position_);
     layout->addStretch(1);
     alignLabels({piece_, position_});

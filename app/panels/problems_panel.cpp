@@ -19,6 +19,7 @@
 #include "app/panels/problems_model.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/cell_delegate.h"
+#include "app/widgets/setting_fields.h"
 
 namespace toile::app {
 
@@ -70,7 +71,7 @@ ProblemsPanel::ProblemsPanel(ReadyChecker& checker, QWidget* parent)
       model_(new ProblemsModel(this)),
       table_(new QTreeView(this)),
       mark_(new QLabel(this)),
-      verdict_(new QLabel(this)),
+      verdict_(makeHeading({}, this)),
       empty_(new QLabel(this)),
       pages_(new QStackedWidget(this)) {
     makeTable();
@@ -98,9 +99,6 @@ QWidget* ProblemsPanel::makeHead() {
     mark_->setObjectName("verdictMark");
     verdict_->setObjectName("verdict");
     verdict_->setAccessibleName(tr("Ready to cut?"));
-    QFont strong = verdict_->font();
-    strong.setWeight(QFont::DemiBold);
-    verdict_->setFont(strong);
     row->addWidget(mark_);
     row->addWidget(verdict_, 1);
     constexpr const char* kNames[] = {"showFaults", "showDoubts", "showNotes"};

@@ -29,6 +29,7 @@
 #include "app/text/figures.h"
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/scrolled.h"
+#include "app/widgets/setting_fields.h"
 #include "core/project/piece_names.h"
 
 namespace toile::app {
@@ -66,12 +67,12 @@ ProofPanel::ProofPanel(Document& document, PatternProof& proof, QAction& prove, 
       model_(new ProofModel(document, this)),
       table_(new QTreeView(this)),
       misfits_(new QTreeWidget(this)),
-      sentence_(new QLabel(this)),
-      particulars_(new QLabel(this)),
-      outdated_(new QLabel(this)),
+      sentence_(makeHeading({}, this)),
+      particulars_(makeNote("proofParticulars", this)),
+      outdated_(makeHeading({}, this)),
       empty_(new QLabel(this)),
       prove_(new QPushButton(this)),
-      stop_(new QToolButton(this)),
+      stop_(makeButton("stopProof", tr("Stop"), {}, this)),
       progress_(new QProgressBar(this)),
       pages_(new QStackedWidget(this)) {
     setAccessibleName(tr("Proof"));
@@ -115,28 +116,17 @@ QWidget* ProofPanel::makeHead(QAction& prove, QAction& save) {
     sentence_->setObjectName("proofSentence");
     sentence_->setWordWrap(true);
     sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    QFont strong = sentence_->font();
-    strong.setWeight(QFont::DemiBold);
-    sentence_->setFont(strong);
-    particulars_->setObjectName("proofParticulars");
     particulars_->setWordWrap(true);
-    particulars_->setForegroundRole(QPalette::PlaceholderText);
     outdated_->setObjectName("proofOutdated");
-    outdated_->setFont(strong);
     prove_->setObjectName("proveButton");
     prove_->setToolTip(prove.toolTip());
     standsFor(*prove_, prove);
-    stop_->setObjectName("stopProof");
-    stop_->setText(tr("Stop"));
     connect(stop_, &QToolButton::clicked, this, [this] { proof_.cancel(); });
     progress_->setObjectName("proofProgress");
     progress_->setRange(0, kProofSteps);
     progress_->setTextVisible(false);
     progress_->setMaximumWidth(160);
-    auto* report = new QToolButton(head);
-    report->setObjectName("saveProofButton");
-    report->setText(tr("Save report…"));
-    report->setToolTip(save.toolTip());
+    auto* report = makeButton("saveProofButton", tr("Save report…"), save.toolTip(), head);
     report->setAutoRaise(true);
     standsFor(*report, save);
     auto* row = new QHBoxLayout;

@@ -5,11 +5,7 @@
 #include <QTimer>
 
 #include "app/document/document_state.h"
-#include "app/widgets/number_edits.h"
-
-class QCheckBox;
-class QGridLayout;
-class QLabel;
+#include "app/widgets/setting_fields.h"
 
 namespace toile::app {
 
@@ -33,16 +29,9 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    /// A step with the length that it goes by.
-    struct Step {
-        QCheckBox* box;
-        LengthEdit* field;
-    };
-
-    Step addStep(QGridLayout& grid, const char* name, const QString& text, const QString& tip);
-    ScanSteps said() const;
-    void showSteps(const ScanSteps& steps);
-    /// Reads the garment by what is said now, at once.
+    void makeLayout();
+    void setSteps(const ScanSteps& steps);
+    /// Reads the garment with the current steps at once.
     void tryNow();
     void showEffect();
     /// Something else is done: what is tried stays.
@@ -55,8 +44,8 @@ private:
     bool isTrying_ = false;  ///< the history changes by this
     bool isLeft_ = false;
     QTimer soon_;
-    QCheckBox* debris_;
-    Step holes_{}, smoothing_{}, triangles_{};
+    ScanSteps steps_{}, usual_{};  ///< usual: lengths of steps that are off
+    SettingFields fields_;
     QLabel* effect_;
 };
 

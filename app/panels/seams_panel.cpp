@@ -19,6 +19,7 @@
 #include "app/panels/seams_model.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/cell_delegate.h"
+#include "app/widgets/setting_fields.h"
 
 namespace toile::app {
 
@@ -86,7 +87,7 @@ SeamsPanel::SeamsPanel(Document& document, const ActionRegistry& actions, QWidge
       model_(new SeamsModel(document, this)),
       sorted_(new Filter(this)),
       table_(new QTreeView(this)),
-      summary_(new QLabel(this)),
+      summary_(makeHeading({}, this)),
       empty_(new QLabel(this)),
       free_(new QCheckBox(tr("Show free edges"), this)),
       pages_(new QStackedWidget(this)) {
@@ -130,9 +131,6 @@ QWidget* SeamsPanel::makeHead(const ActionRegistry& actions) {
     auto* row = new QHBoxLayout(head);
     row->setContentsMargins(8, 3, 8, 3);
     summary_->setObjectName("seamSummary");
-    QFont strong = summary_->font();
-    strong.setWeight(QFont::DemiBold);
-    summary_->setFont(strong);
     free_->setObjectName("showFreeEdges");
     free_->setToolTip(tr("Also list hems, openings and other edges that are sewn to nothing"));
     connect(free_, &QCheckBox::toggled, this, &SeamsPanel::showFreeEdges);

@@ -5,67 +5,56 @@
 #include <optional>
 
 #include "app/document/line_facts.h"
+#include "app/widgets/setting_fields.h"
 
 class QCheckBox;
-class QGridLayout;
-class QLabel;
-class QToolButton;
 
 namespace toile::app {
 
-class AllowanceRows;
 class Document;
-class FieldGuard;
-class LengthEdit;
-class SewnRows;
-class StripRows;
 
-/// The segment of an outline that is selected: how long it is, how it is drawn, what it meets at
-/// its ends, and the turn point at a selected vertex. Says what is to be said of it.
+/// The selected segment of an outline: its length, its line, the allowance, extension and facing
+/// along it, the seam that it belongs to, and the turn point at a selected vertex. Edits are
+/// mirrored where the document mirrors them.
 class SegmentForm : public QWidget {
     Q_OBJECT
 
 public:
-    SegmentForm(Document& document, FieldGuard& guard, QWidget* parent = nullptr);
+    explicit SegmentForm(Document& document, QWidget* parent = nullptr);
 
-    /// Shows what is selected now.
-    /// @param facts  of the document's garment as it is shown; stay until the next call
+    /// Shows the selection.
+    /// @param facts  of the document's garment as it is shown; must exist until the next call
     void show(const LineFacts& facts);
-    /// Shows that there is nothing.
+    /// Shows no segment.
     void clear();
 
-signals:
-    /// A decision about a segment. @param gesture  as for Document::edit
-    void wanted(const toile::LineSettings& lines, const QString& text, int gesture);
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-    void makeRows(FieldGuard& guard);
-    void setFieldsEnabled(bool enabled);
+    void makeLayout();
     std::optional<SegmentAt> selected(const LineFacts& facts) const;
-    void showLengths(const LineFacts& facts, const Segment& segment);
+    void showLengths();
+    void showBeside();
     void showKinks(const LineFacts& facts, const SegmentAt& at);
     void showTurnPoint(const LineFacts& facts);
-    void setLength(std::optional<double> length);
-    void setTolerance(std::optional<double> tolerance);
-    void setStraight(bool straight);
+    void take(const SettingChange& change);
+    LineSettings withSettings(const std::string& changed, SegmentSettings settings) const;
+    LineSettings withFacing(std::optional<double> width) const;
+    std::vector<SegmentAt> alike(bool bothSides) const;
+    void addNotch();
+    void removeNotch();
     void setTurnPoint(bool turns);
 
     Document& document_;
-    QLabel *title_, *lengths_, *kinks_;
-    LengthEdit *length_, *tolerance_;
-    QToolButton *asWorn_, *asOthers_, *addPoint_, *removePoint_;
-    QCheckBox* straight_;
-    AllowanceRows* allowance_;
-    StripRows* strips_;
-    SewnRows* sewn_;
-    int gesture_ = -1;
-    std::optional<SegmentAt> at_;
-    Segment shown_{};                            ///< as it was last shown
+    SettingFields fields_;
+    QLabel *title_, *lengths_, *kinks_, *notches_;
+    QToolButton *addPoint_, *removePoint_, *addNotch_, *removeNotch_;
+    QCheckBox* bothSides_;
+    QString cornerHelp_{};
+    const LineFacts* facts_ = nullptr;  ///< null if no segment is shown
+    std::optional<SegmentAt> at_{};
+    Segment shown_{};                            ///< with the length that its partner has
     std::optional<LineStretch> partner_{};       ///< of the segment that it is sewn to
-    std::optional<TurnPointSettings> vertex_{};  ///< the selected one, where it is on an outline
+    int seam_ = -1;                              ///< to which it belongs; -1: it is not sewn
+    std::optional<TurnPointSettings> vertex_{};  ///< at the selected vertex of an outline
 };
 
 }  // namespace toile::app

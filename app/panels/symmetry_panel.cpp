@@ -21,6 +21,7 @@
 #include "app/widgets/cell_delegate.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/scrolled.h"
+#include "app/widgets/setting_fields.h"
 
 namespace toile::app {
 
@@ -44,8 +45,8 @@ SymmetryPanel::SymmetryPanel(Document& document, QWidget* parent)
       document_(document),
       mirror_(new QComboBox(this)),
       edits_(new QCheckBox(tr("Mirror &edits"), this)),
-      plane_(new QLabel(this)),
-      drawn_(new QLabel(this)),
+      plane_(makeNote("mirrorPlane", this)),
+      drawn_(makeNote("mirrorDrawn", this)),
       pieces_(new MirroredPiecesList(this)),
       seams_(new QTreeWidget(this)) {
     makeSeamList();
@@ -90,10 +91,7 @@ QWidget* SymmetryPanel::makeSettings() {
            "pieces are equal"));
     for (QLabel* label : {plane_, drawn_}) {
         label->setWordWrap(true);
-        label->setForegroundRole(QPalette::PlaceholderText);
     }
-    plane_->setObjectName("mirrorPlane");
-    drawn_->setObjectName("mirrorDrawn");
     auto* label = new QLabel(tr("&Mirrored pieces"), settings);
     label->setBuddy(mirror_);
     mirror_->setAccessibleName(tr("Mirrored pieces"));

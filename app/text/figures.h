@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/document/view_state.h"
+#include "core/base/setting.h"
 #include "core/flatten/base/flat_piece.h"
 #include "core/seam/seam_measure.h"
 #include "core/toile/pipeline.h"
@@ -70,9 +71,6 @@ QString strainRange(const PieceQuality& quality);
 /// How a method is called in the window, in the list of pieces as in the menu.
 QString methodName(Method method);
 
-// lupdate is told of this name, and takes the namespace for the context.
-#define TR(text) text
-
 /// How a method is called in the window, untranslated, with a mark before the letter that chooses
 /// it in the menu; `methodName` (figures.h) is what a person reads elsewhere.
 constexpr const char* methodText(Method method) {
@@ -96,8 +94,6 @@ constexpr const char* methodText(Method method) {
     }
     return "";
 }
-
-#undef TR
 
 /// What an overlay is called and how its numbers are read.
 struct OverlayWords {

@@ -11,10 +11,8 @@
 #include <string_view>
 
 #include "core/base/characters.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
-
-/// Marks a text for translation in the window: its collector looks for this. Expands to the text.
-#define TR(text) text
 
 namespace toile {
 namespace {

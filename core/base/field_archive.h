@@ -40,6 +40,15 @@ public:
         fields_.read(key, value, limits...);
     }
     void text(std::string_view key, std::string& value) { fields_.read(key, value); }
+    void texts(std::string_view key, std::vector<std::string>& values) {
+        fields_.readEach(key, [&](const JsonDocument& json, const std::string& place) {
+            if (json.is_string()) {
+                values.push_back(json.template get<std::string>());
+            } else {
+                fields_.failAt(place, "must be a text");
+            }
+        });
+    }
     template <class Kind>
     void id(std::string_view key, Id<Kind>& id) {
         fields_.readWord(key, id.value, "16 hexadecimal digits", parseId);
@@ -135,6 +144,12 @@ public:
     void text(const char* key, const std::string& value) {
         if (!value.empty()) {
             json_[key] = value;
+        }
+    }
+    /// Omitted if empty.
+    void texts(const char* key, const std::vector<std::string>& values) {
+        if (!values.empty()) {
+            json_[key] = values;
         }
     }
     template <class Kind>

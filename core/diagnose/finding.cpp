@@ -8,14 +8,12 @@
 #include <numbers>
 
 #include "core/base/characters.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/base/wording.h"
 
 namespace toile {
 namespace {
-
-// The window's translation tools look for this name (app/translations.cmake).
-#define TR(text) text
 
 constexpr Word<Severity> kSeverities[] = {
     {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
@@ -105,8 +103,6 @@ constexpr FindingWords kWords[] = {
 /// For a piece with several rims.
 constexpr const char* kTube =
     TR("the piece is a tube with %1 openings, and lies flat only when it is cut open");
-
-#undef TR
 
 static_assert(std::size(kWords) == kFindingKindCount);
 

@@ -6,11 +6,9 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/formats/formats.h"
-
-/// Marks a text for translation in the window: its text collector looks for this. Returns the text.
-#define TR(text) text
 
 namespace toile {
 namespace {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/file.h"
+#include "core/base/setting.h"
 #include "core/base/text.h"
 #include "core/formats/dxf/apparel_dxf.h"
 #include "core/formats/garmentcode/garmentcode_writer.h"
@@ -12,9 +13,6 @@
 #include "core/formats/read_backs.h"
 #include "core/formats/tables/report_tables.h"
 #include "core/formats/writers.h"
-
-/// Marks a text for translation in the window: its text collector looks for this. Returns the text.
-#define TR(text) text
 
 namespace toile {
 namespace {

@@ -61,7 +61,7 @@ void readProof(JsonFields& fields, const fs::path& folder, Project& project) {
             project.bodyElsewhere = std::move(body.elsewhere);
         });
         FieldReader at(proof);
-        project_fields::kProof(at, project.proof);
+        kProofFields(at, project.proof);
     });
 }
 
@@ -84,7 +84,7 @@ OrderedJson proofJson(const ProofPlan& plan, const fs::path& folder) {
     if (!plan.body.empty()) {
         json["body"] = referenceJson({plan.body, {}, {}}, folder);
     }
-    project_fields::kProof(at, plan);
+    kProofFields(at, plan);
     return json;
 }
 

@@ -3515,6 +3515,658 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>divided by %1 it falls into %2 pieces, and at most %3 are read; divide it otherwise, or join its parts in the modelling program</source>
         <translation>sie zerfällt bei der Teilung nach „%1“ in %2 Schnittteile, und höchstens %3 werden gelesen; teilen Sie sie anders, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
     </message>
+    <message>
+        <source>Either way up</source>
+        <translation>In beide Richtungen</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>In einer Richtung</translation>
+    </message>
+    <message>
+        <source>Freely</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>Repeat a&amp;long</source>
+        <translation>Rapport &amp;längs</translation>
+    </message>
+    <message>
+        <source>Repeat along the warp</source>
+        <translation>Rapport längs der Kette</translation>
+    </message>
+    <message>
+        <source>Distance of stripes along the warp; 0: no stripes</source>
+        <translation>Abstand der Streifen längs der Kette; 0: keine Streifen</translation>
+    </message>
+    <message>
+        <source>Repeat acro&amp;ss</source>
+        <translation>Rapport q&amp;uer</translation>
+    </message>
+    <message>
+        <source>Repeat across the warp</source>
+        <translation>Rapport quer zur Kette</translation>
+    </message>
+    <message>
+        <source>Distance of stripes across the warp; 0: no stripes</source>
+        <translation>Abstand der Streifen quer zur Kette; 0: keine Streifen</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>Width of the marker</source>
+        <translation>Breite des Schnittbilds</translation>
+    </message>
+    <message>
+        <source>From selvedge to selvedge; by default that of the fabric</source>
+        <translation>Von Webkante zu Webkante; zunächst die des Stoffs</translation>
+    </message>
+    <message>
+        <source>Ga&amp;p</source>
+        <translation>&amp;Abstand</translation>
+    </message>
+    <message>
+        <source>Gap of the marker</source>
+        <translation>Abstand im Schnittbild</translation>
+    </message>
+    <message>
+        <source>Smallest distance between two pieces</source>
+        <translation>Kleinster Abstand zwischen zwei Teilen</translation>
+    </message>
+    <message>
+        <source>&amp;Border</source>
+        <translation>&amp;Rand</translation>
+    </message>
+    <message>
+        <source>Border of the marker</source>
+        <translation>Rand des Schnittbilds</translation>
+    </message>
+    <message>
+        <source>Smallest distance between the pieces and all edges of the cloth</source>
+        <translation>Kleinster Abstand zwischen den Teilen und allen Kanten des Stoffs</translation>
+    </message>
+    <message>
+        <source>&amp;Turned</source>
+        <translation>Ge&amp;dreht</translation>
+    </message>
+    <message>
+        <source>Turning of pieces</source>
+        <translation>Drehen der Teile</translation>
+    </message>
+    <message>
+        <source>With the grain along the warp either way up, all one way for nap and directional prints, or freely on cloth without a grain</source>
+        <translation>Mit dem Fadenlauf längs der Kette in beide Richtungen, alle in einer Richtung bei Strich und gerichteten Mustern, oder frei auf Stoff ohne Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Grain tol&amp;erance</source>
+        <translation>Fad&amp;enlauf-Toleranz</translation>
+    </message>
+    <message>
+        <source>Grain tolerance</source>
+        <translation>Fadenlauf-Toleranz</translation>
+    </message>
+    <message>
+        <source>How far a piece may be turned in addition, to both sides</source>
+        <translation>Wie weit ein Teil zusätzlich gedreht werden darf, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>F&amp;olded lengthwise</source>
+        <translation>Der Länge nach ge&amp;faltet</translation>
+    </message>
+    <message>
+        <source>Folded cloth</source>
+        <translation>Gefalteter Stoff</translation>
+    </message>
+    <message>
+        <source>Two layers, right sides together: pairs are cut at once, and symmetric pieces on the fold</source>
+        <translation>Zwei Lagen, rechts auf rechts: Paare werden auf einmal zugeschnitten, symmetrische Teile im Bruch</translation>
+    </message>
+    <message>
+        <source>&amp;Garments</source>
+        <translation>Kleidun&amp;gsstücke</translation>
+    </message>
+    <message>
+        <source>Garments of the marker</source>
+        <translation>Kleidungsstücke des Schnittbilds</translation>
+    </message>
+    <message>
+        <source>Number of garments that are cut at once</source>
+        <translation>Anzahl der Kleidungsstücke, die auf einmal zugeschnitten werden</translation>
+    </message>
+    <message>
+        <source>Slit</source>
+        <translation>Einschnitt</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>T</source>
+        <translation>T</translation>
+    </message>
+    <message>
+        <source>Castle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Over the first leg</source>
+        <translation>Über den ersten Schenkel</translation>
+    </message>
+    <message>
+        <source>Over the second leg</source>
+        <translation>Über den zweiten Schenkel</translation>
+    </message>
+    <message>
+        <source>Mitred</source>
+        <translation>Auf Gehrung</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Stumpf</translation>
+    </message>
+    <message>
+        <source>Right angle to the one before</source>
+        <translation>Im rechten Winkel zum vorigen</translation>
+    </message>
+    <message>
+        <source>Right angle to this one</source>
+        <translation>Im rechten Winkel zu diesem</translation>
+    </message>
+    <message>
+        <source>Mirrored, the one before</source>
+        <translation>Gespiegelt, der vorige</translation>
+    </message>
+    <message>
+        <source>Mirrored, this one</source>
+        <translation>Gespiegelt, dieser</translation>
+    </message>
+    <message>
+        <source>Stepped</source>
+        <translation>Abgestuft</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>&amp;Toleranz</translation>
+    </message>
+    <message>
+        <source>Tolerance of fair lines</source>
+        <translation>Toleranz der ausgeglichenen Linien</translation>
+    </message>
+    <message>
+        <source>How far a line may be from the exact outline</source>
+        <translation>Wie weit eine Linie vom genauen Umriss entfernt sein darf</translation>
+    </message>
+    <message>
+        <source>Smoot&amp;hing length</source>
+        <translation>&amp;Glättungslänge</translation>
+    </message>
+    <message>
+        <source>Smoothing length</source>
+        <translation>Glättungslänge</translation>
+    </message>
+    <message>
+        <source>Larger values smooth longer waves</source>
+        <translation>Größere Werte glätten längere Wellen</translation>
+    </message>
+    <message>
+        <source>Len&amp;gth</source>
+        <translation>L&amp;änge</translation>
+    </message>
+    <message>
+        <source>Length of a segment</source>
+        <translation>Länge eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Length in the pattern, on both sides of a seam</source>
+        <translation>Länge im Schnittmuster, auf beiden Seiten einer Naht</translation>
+    </message>
+    <message>
+        <source>3D length</source>
+        <translation>3D-Länge</translation>
+    </message>
+    <message>
+        <source>T&amp;olerance</source>
+        <translation>T&amp;oleranz</translation>
+    </message>
+    <message>
+        <source>Tolerance of a segment</source>
+        <translation>Toleranz eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>How far the line of this segment may be from the exact outline; makes lines fair</source>
+        <translation>Wie weit die Linie dieses Abschnitts vom genauen Umriss entfernt sein darf; Linien werden dafür ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Straight</source>
+        <translation>Gerade Linie</translation>
+    </message>
+    <message>
+        <source>Straight segment</source>
+        <translation>Abschnitt als gerade Linie</translation>
+    </message>
+    <message>
+        <source>Draw the segment as one straight line; makes lines fair</source>
+        <translation>Den Abschnitt als eine gerade Linie zeichnen; Linien werden dafür ausgeglichen</translation>
+    </message>
+    <message>
+        <source>Allo&amp;wance</source>
+        <translation>&amp;Zugabe</translation>
+    </message>
+    <message>
+        <source>Allowance of a segment</source>
+        <translation>Zugabe eines Abschnitts</translation>
+    </message>
+    <message>
+        <source>Width of the cloth beyond the line</source>
+        <translation>Breite des Stoffs außerhalb der Linie</translation>
+    </message>
+    <message>
+        <source>Corner at its &amp;start</source>
+        <translation>Ecke am An&amp;fang</translation>
+    </message>
+    <message>
+        <source>Corner of an allowance</source>
+        <translation>Ecke einer Zugabe</translation>
+    </message>
+    <message>
+        <source>How the allowances meet where the segment starts, anti-clockwise round the piece</source>
+        <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>E&amp;xtension</source>
+        <translation>Verlän&amp;gerung</translation>
+    </message>
+    <message>
+        <source>Extension of an edge</source>
+        <translation>Verlängerung einer Kante</translation>
+    </message>
+    <message>
+        <source>Extend a free edge in parallel by this width, for a button stand or a turn-up</source>
+        <translation>Eine freie Kante parallel um diese Breite verlängern, für eine Knopfleiste oder einen Umschlag</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>Seams</source>
+        <translation>Nähte</translation>
+    </message>
+    <message>
+        <source>Width of seam allowances</source>
+        <translation>Breite der Nahtzugaben</translation>
+    </message>
+    <message>
+        <source>Allowance along edges that are sewn to others</source>
+        <translation>Zugabe entlang von Kanten, die an andere genäht werden</translation>
+    </message>
+    <message>
+        <source>Hems</source>
+        <translation>Säume</translation>
+    </message>
+    <message>
+        <source>Width of hems</source>
+        <translation>Breite der Saumzugaben</translation>
+    </message>
+    <message>
+        <source>Allowance along free edges</source>
+        <translation>Zugabe entlang von freien Kanten</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Form of notches</source>
+        <translation>Form der Knipse</translation>
+    </message>
+    <message>
+        <source>How a notch is cut or drawn</source>
+        <translation>Wie ein Knips geschnitten oder gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth of notches</source>
+        <translation>Tiefe der Knipse</translation>
+    </message>
+    <message>
+        <source>From the cutting line inwards; at most half the allowance, if there is one</source>
+        <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, falls es eine gibt</translation>
+    </message>
+    <message>
+        <source>&amp;Intake</source>
+        <translation>&amp;Inhalt</translation>
+    </message>
+    <message>
+        <source>Intake of a dart</source>
+        <translation>Abnäherinhalt</translation>
+    </message>
+    <message>
+        <source>Distance of the legs at the mouth, in the pattern; the legs keep their length</source>
+        <translation>Abstand der Schenkel an der Öffnung, im Schnittmuster; die Schenkel behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>As flattened</source>
+        <translation>Wie abgewickelt</translation>
+    </message>
+    <message>
+        <source>Fol&amp;d</source>
+        <translation>G&amp;elegt</translation>
+    </message>
+    <message>
+        <source>Fold of a dart</source>
+        <translation>Lage eines Abnähers</translation>
+    </message>
+    <message>
+        <source>Over which leg the closed dart is laid. The first leg comes first, anti-clockwise round the piece; by convention it is laid towards the centre, or downwards</source>
+        <translation>Über welchen Schenkel der geschlossene Abnäher gelegt wird. Der erste kommt gegen den Uhrzeigersinn um das Schnittteil zuerst; üblich ist zur Mitte oder nach unten</translation>
+    </message>
+    <message>
+        <source>By convention</source>
+        <translation>Wie üblich</translation>
+    </message>
+    <message>
+        <source>Si&amp;ze</source>
+        <translation>Grö&amp;ße</translation>
+    </message>
+    <message>
+        <source>Size on labels</source>
+        <translation>Größe auf den Schnittteilen</translation>
+    </message>
+    <message>
+        <source>The size on the labels of all pieces</source>
+        <translation>Die Größe auf den Beschriftungen aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>&amp;Date</source>
+        <translation>&amp;Datum</translation>
+    </message>
+    <message>
+        <source>Date on labels</source>
+        <translation>Datum auf den Schnittteilen</translation>
+    </message>
+    <message>
+        <source>The date on the labels of all pieces, as it is printed</source>
+        <translation>Das Datum auf den Beschriftungen aller Schnittteile, so wie es gedruckt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Fair lines</source>
+        <translation>&amp;Linien ausgleichen</translation>
+    </message>
+    <message>
+        <source>Fair lines</source>
+        <translation>Linien ausgleichen</translation>
+    </message>
+    <message>
+        <source>Draw every line as a smooth curve of the same length, near the exact outline</source>
+        <translation>Jede Linie als glatte Kurve derselben Länge zeichnen, nahe am genauen Umriss</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth corners up to</source>
+        <translation>Knicke a&amp;usgleichen bis</translation>
+    </message>
+    <message>
+        <source>Smooth corners at seams</source>
+        <translation>Knicke an Nahtenden ausgleichen</translation>
+    </message>
+    <message>
+        <source>Turn the lines at the ends of seams so that they run into each other once sewn, if they miss that by no more than this angle</source>
+        <translation>Die Linien an Nahtenden so drehen, dass sie genäht ineinander übergehen, falls dazu nicht mehr als dieser Winkel fehlt</translation>
+    </message>
+    <message>
+        <source>Seam &amp;allowance</source>
+        <translation>N&amp;ahtzugabe</translation>
+    </message>
+    <message>
+        <source>Seam allowance</source>
+        <translation>Nahtzugabe</translation>
+    </message>
+    <message>
+        <source>Leave cloth beyond the seam lines, and cut along the line around it</source>
+        <translation>Außerhalb der Nahtlinien Stoff zugeben und an der Linie darum zuschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Notches</source>
+        <translation>&amp;Knipse</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>Mark places of the seams that meet when they are sewn</source>
+        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>Drop &amp;debris</source>
+        <translation>&amp;Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Drop debris</source>
+        <translation>Bruchstücke entfernen</translation>
+    </message>
+    <message>
+        <source>Leave out fragments that are too small for a piece, but not several of one kind, such as buttons</source>
+        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind, außer mehreren gleichen, etwa Knöpfen</translation>
+    </message>
+    <message>
+        <source>Close &amp;holes with a perimeter up to</source>
+        <translation>&amp;Löcher schließen bis zu einem Umfang von</translation>
+    </message>
+    <message>
+        <source>Close holes</source>
+        <translation>Löcher schließen</translation>
+    </message>
+    <message>
+        <source>Patches continue the cloth around them; neck, sleeves and hem stay open, however short they are</source>
+        <translation>Flicken setzen den Stoff ringsum fort; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth noise by at most</source>
+        <translation>&amp;Rauschen glätten um höchstens</translation>
+    </message>
+    <message>
+        <source>Smooth noise</source>
+        <translation>Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>No point moves farther; folds and hems stay</source>
+        <translation>Kein Punkt bewegt sich weiter; Falten und Säume bleiben</translation>
+    </message>
+    <message>
+        <source>&amp;Remesh with edges of</source>
+        <translation>&amp;Dreiecke neu bilden mit Kanten von</translation>
+    </message>
+    <message>
+        <source>Edge length of the mesh</source>
+        <translation>Kantenlänge des Netzes</translation>
+    </message>
+    <message>
+        <source>Replace the triangles by ones of about equal size; the names and the UV map of the file are lost</source>
+        <translation>Die Dreiecke durch etwa gleich große ersetzen; Namen und UV-Karte der Datei gehen verloren</translation>
+    </message>
+    <message>
+        <source>This pattern</source>
+        <translation>Dieser Schnitt</translation>
+    </message>
+    <message>
+        <source>The designer&apos;s panels</source>
+        <translation>Die Teile des Entwerfers</translation>
+    </message>
+    <message>
+        <source>The reference pattern</source>
+        <translation>Der Vergleichsschnitt</translation>
+    </message>
+    <message>
+        <source>As the fabric</source>
+        <translation>Wie der Stoff</translation>
+    </message>
+    <message>
+        <source>N/m</source>
+        <translation>N/m</translation>
+    </message>
+    <message>
+        <source>Stretch, warp</source>
+        <translation>Zug, Kette</translation>
+    </message>
+    <message>
+        <source>Stretch stiffness along the warp</source>
+        <translation>Zugsteifigkeit längs der Kette</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip, 1 m wide, that is stretched along the warp</source>
+        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Kettrichtung</translation>
+    </message>
+    <message>
+        <source>Stretch, weft</source>
+        <translation>Zug, Schuss</translation>
+    </message>
+    <message>
+        <source>Stretch stiffness along the weft</source>
+        <translation>Zugsteifigkeit längs des Schusses</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip, 1 m wide, that is stretched along the weft</source>
+        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Schussrichtung</translation>
+    </message>
+    <message>
+        <source>Shear</source>
+        <translation>Schub</translation>
+    </message>
+    <message>
+        <source>Shear stiffness</source>
+        <translation>Schubsteifigkeit</translation>
+    </message>
+    <message>
+        <source>Resistance to shear, as when the cloth is pulled on the bias</source>
+        <translation>Widerstand gegen Schub, etwa bei Zug im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Bending</source>
+        <translation>Biegung</translation>
+    </message>
+    <message>
+        <source>Bending stiffness</source>
+        <translation>Biegesteifigkeit</translation>
+    </message>
+    <message>
+        <source>Resistance to bending</source>
+        <translation>Widerstand gegen Biegung</translation>
+    </message>
+    <message>
+        <source>µN·m</source>
+        <translation>µN·m</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Weight of the cloth</source>
+        <translation>Gewicht des Stoffs</translation>
+    </message>
+    <message>
+        <source>Only counts with gravity</source>
+        <translation>Zählt nur mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>g/m²</source>
+        <translation>g/m²</translation>
+    </message>
+    <message>
+        <source>Pattern to test</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Pattern of the proof</source>
+        <translation>Schnitt der Nähprobe</translation>
+    </message>
+    <message>
+        <source>The pattern as it is written to a file and read back, or another one to compare with</source>
+        <translation>Der Schnitt, wie er in eine Datei geschrieben und wieder gelesen wird, oder ein anderer zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles of the proof</source>
+        <translation>Dreiecke der Nähprobe</translation>
+    </message>
+    <message>
+        <source>Length of the edges of the triangles that are sewn; shorter ones are finer and take longer. 0: as in the garment</source>
+        <translation>Kantenlänge der Dreiecke, die genäht werden; kürzere sind feiner und dauern länger. 0: wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>As in the garment</source>
+        <translation>Wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Pressure of the proof</source>
+        <translation>Druck der Nähprobe</translation>
+    </message>
+    <message>
+        <source>Presses the cloth onto the dress form; below 0 it is filled like a cushion. 10 Pa are 1 g on 10 cm²</source>
+        <translation>Drückt den Stoff auf den Körper; unter 0 wird er gefüllt wie ein Kissen. 10 Pa sind 1 g auf 10 cm²</translation>
+    </message>
+    <message>
+        <source>Pa</source>
+        <translation>Pa</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Proof with gravity</source>
+        <translation>Nähprobe mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Let the cloth hang by its weight</source>
+        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
+    </message>
+    <message>
+        <source>Cloth touches itself</source>
+        <translation>Stoff berührt sich selbst</translation>
+    </message>
+    <message>
+        <source>Proof with layers that touch</source>
+        <translation>Nähprobe mit Lagen, die sich berühren</translation>
+    </message>
+    <message>
+        <source>Keep layers of cloth apart, which takes longer; otherwise cloth passes through cloth</source>
+        <translation>Lagen von Stoff auseinanderhalten, was länger dauert; sonst geht Stoff durch Stoff hindurch</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the cloth</source>
+        <translation>Dicke des Stoffs</translation>
+    </message>
+    <message>
+        <source>Distance between layers of cloth</source>
+        <translation>Abstand zwischen Lagen von Stoff</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -6201,179 +6853,105 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>ease %1</source>
         <translation>Mehrweite %1</translation>
     </message>
-</context>
-<context>
-    <name>toile::app::AllowanceForm</name>
     <message>
-        <source>Seam &amp;allowance</source>
-        <translation>N&amp;ahtzugabe</translation>
+        <source>Sheet &amp;length</source>
+        <translation>Bogen&amp;länge</translation>
     </message>
     <message>
-        <source>&amp;Notches</source>
-        <translation>&amp;Knipse</translation>
+        <source>Length of the sheet</source>
+        <translation>Länge des Bogens</translation>
     </message>
     <message>
-        <source>Width of seam allowances</source>
-        <translation>Breite der Nahtzugaben</translation>
+        <source>Along the warp</source>
+        <translation>Längs der Kette</translation>
     </message>
     <message>
-        <source>Width of hems</source>
-        <translation>Breite der Saumzugaben</translation>
+        <source>Sheet wi&amp;dth</source>
+        <translation>Bogen&amp;breite</translation>
     </message>
     <message>
-        <source>Leave cloth beyond the seam lines, and cut along the line round it</source>
-        <translation>Außerhalb der Nahtlinien Stoff zugeben und an der Linie darum zuschneiden</translation>
+        <source>Width of the sheet</source>
+        <translation>Breite des Bogens</translation>
     </message>
     <message>
-        <source>Allowance along edges that are sewn to others</source>
-        <translation>Zugabe entlang von Kanten, die an andere genäht werden</translation>
+        <source>Across the warp</source>
+        <translation>Quer zur Kette</translation>
     </message>
     <message>
-        <source>Allowance along edges that are sewn to nothing</source>
-        <translation>Zugabe entlang von Kanten, an die nichts genäht wird</translation>
+        <source>How much shorter the cloth can become without folds; 0 or less</source>
+        <translation>Um wie viel kürzer der Stoff ohne Falten werden kann; 0 oder weniger</translation>
     </message>
     <message>
-        <source>Mark places of the seams that come to lie on each other when they are sewn</source>
-        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
+        <source>How far the cloth can be stretched; 0 or more</source>
+        <translation>Wie weit sich der Stoff dehnen lässt; 0 oder mehr</translation>
     </message>
     <message>
-        <source>What a notch is cut or drawn as</source>
-        <translation>Als was ein Knips geschnitten oder gezeichnet wird</translation>
+        <source>Warp, shrinks</source>
+        <translation>Kette, schrumpft</translation>
     </message>
     <message>
-        <source>Slit</source>
-        <translation>Einschnitt</translation>
+        <source>Warp, stretches</source>
+        <translation>Kette, dehnt sich</translation>
     </message>
     <message>
-        <source>V</source>
-        <translation>V</translation>
+        <source>Weft, shrinks</source>
+        <translation>Schuss, schrumpft</translation>
     </message>
     <message>
-        <source>T</source>
-        <translation>T</translation>
+        <source>Weft, stretches</source>
+        <translation>Schuss, dehnt sich</translation>
     </message>
     <message>
-        <source>Castle</source>
-        <translation>Rechteck</translation>
+        <source>Bias, shrinks</source>
+        <translation>Schräg, schrumpft</translation>
     </message>
     <message>
-        <source>From the cutting line inwards; at most half the allowance where there is one</source>
-        <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, wo es eine gibt</translation>
+        <source>Bias, stretches</source>
+        <translation>Schräg, dehnt sich</translation>
     </message>
     <message>
-        <source>Hems</source>
-        <translation>Säume</translation>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
     </message>
     <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
+        <source>Width of the cloth</source>
+        <translation>Breite des Stoffs</translation>
     </message>
     <message>
-        <source>Allowance of seams</source>
-        <translation>Nahtzugabe</translation>
+        <source>As it is sold, from selvedge to selvedge</source>
+        <translation>Wie er verkauft wird, von Webkante zu Webkante</translation>
     </message>
     <message>
-        <source>Allowance of hems</source>
-        <translation>Saumzugabe</translation>
+        <source>Fa&amp;cing</source>
+        <translation>&amp;Beleg</translation>
     </message>
     <message>
-        <source>Form of notches</source>
-        <translation>Form der Knipse</translation>
+        <source>Facing of an edge</source>
+        <translation>Beleg einer Kante</translation>
     </message>
     <message>
-        <source>Depth of notches</source>
-        <translation>Tiefe der Knipse</translation>
+        <source>Copy a strip of this width along the segment as a piece of its own, a facing or a lining; neighbouring segments share one facing</source>
+        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren, als Beleg oder Futter; benachbarte Abschnitte teilen sich einen Beleg</translation>
     </message>
     <message>
-        <source>Seam allowance</source>
-        <translation>Nahtzugabe</translation>
+        <source>none</source>
+        <translation>ohne</translation>
     </message>
     <message>
-        <source>No seam allowance</source>
-        <translation>Keine Nahtzugabe</translation>
+        <source>&amp;Ease</source>
+        <translation>&amp;Einhalteweite</translation>
     </message>
     <message>
-        <source>Notches</source>
-        <translation>Knipse</translation>
+        <source>Ease of a seam</source>
+        <translation>Einhalteweite einer Naht</translation>
     </message>
     <message>
-        <source>No notches</source>
-        <translation>Keine Knipse</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::AllowanceRows</name>
-    <message>
-        <source>By itself</source>
-        <translation>Von selbst</translation>
+        <source>How much longer the left side of the seam is than the right side</source>
+        <translation>Um wie viel länger die linke Seite der Naht ist als die rechte</translation>
     </message>
     <message>
-        <source>Mitred</source>
-        <translation>Auf Gehrung</translation>
-    </message>
-    <message>
-        <source>Square</source>
-        <translation>Stumpf</translation>
-    </message>
-    <message>
-        <source>Right angle to the one before</source>
-        <translation>Im rechten Winkel zum vorigen</translation>
-    </message>
-    <message>
-        <source>Right angle to this one</source>
-        <translation>Im rechten Winkel zu diesem</translation>
-    </message>
-    <message>
-        <source>Mirrored, the one before</source>
-        <translation>Gespiegelt, der vorige</translation>
-    </message>
-    <message>
-        <source>Mirrored, this one</source>
-        <translation>Gespiegelt, dieser</translation>
-    </message>
-    <message>
-        <source>Stepped</source>
-        <translation>Abgestuft</translation>
-    </message>
-    <message>
-        <source>How much cloth is left beyond the line. Bold: typed by you, else that of its kind, seam or hem</source>
-        <translation>Wie viel Stoff außerhalb der Linie bleibt. Fett: von Ihnen eingegeben, sonst wie für Nähte oder Säume</translation>
-    </message>
-    <message>
-        <source>As its kind</source>
-        <translation>Wie üblich</translation>
-    </message>
-    <message>
-        <source>Take the typed width back: as for all seams, or all hems</source>
-        <translation>Die eingegebene Breite zurücknehmen: wie für alle Nähte oder alle Säume</translation>
-    </message>
-    <message>
-        <source>Allo&amp;wance</source>
-        <translation>&amp;Zugabe</translation>
-    </message>
-    <message>
-        <source>Corner at its &amp;start</source>
-        <translation>Ecke am An&amp;fang</translation>
-    </message>
-    <message>
-        <source>Allowance of a segment</source>
-        <translation>Zugabe eines Abschnitts</translation>
-    </message>
-    <message>
-        <source>Corner of an allowance</source>
-        <translation>Ecke einer Zugabe</translation>
-    </message>
-    <message>
-        <source>On both sides</source>
-        <translation>Auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>The width holds for what is sewn to the segment too</source>
-        <translation>Die Breite gilt auch für das, was an den Abschnitt genäht wird</translation>
-    </message>
-    <message>
-        <source>How the allowances meet where the segment begins, anti-clockwise round the piece. The one before is %1</source>
-        <translation>Wie die Zugaben dort zusammentreffen, wo der Abschnitt beginnt, gegen den Uhrzeigersinn um das Schnittteil. Der vorige ist %1</translation>
+        <source>3D length</source>
+        <translation>3D-Länge</translation>
     </message>
 </context>
 <context>
@@ -6710,48 +7288,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::DartForm</name>
     <message>
-        <source>How far the legs are apart at the mouth, in the pattern; the legs stay as long as they are. Bold: typed by you</source>
-        <translation>Wie weit die Schenkel im Schnitt an der Öffnung auseinanderliegen; die Schenkel bleiben so lang, wie sie sind. Fett: von Ihnen eingegeben</translation>
-    </message>
-    <message>
-        <source>The same as the angle between the legs at the tip</source>
-        <translation>Dasselbe als Winkel zwischen den Schenkeln an der Spitze</translation>
-    </message>
-    <message>
-        <source>As the cloth lies</source>
-        <translation>Wie der Stoff liegt</translation>
-    </message>
-    <message>
-        <source>Take the typed intake back: as wide as the dart lies flat</source>
-        <translation>Den eingegebenen Inhalt zurücknehmen: so weit, wie der Abnäher flach liegt</translation>
-    </message>
-    <message>
-        <source>By convention</source>
-        <translation>Wie üblich</translation>
-    </message>
-    <message>
-        <source>Over the first leg</source>
-        <translation>Über den ersten Schenkel</translation>
-    </message>
-    <message>
-        <source>Over the second leg</source>
-        <translation>Über den zweiten Schenkel</translation>
-    </message>
-    <message>
-        <source>Over which leg the closed dart is laid. The first is met first, anti-clockwise round the piece; by convention it is laid towards the centre, or downwards</source>
-        <translation>Über welchen Schenkel der geschlossene Abnäher gelegt wird. Der erste kommt gegen den Uhrzeigersinn um das Schnittteil zuerst; üblich ist zur Mitte oder nach unten</translation>
-    </message>
-    <message>
-        <source>&amp;Intake</source>
-        <translation>&amp;Inhalt</translation>
-    </message>
-    <message>
         <source>Ang&amp;le</source>
         <translation>Wi&amp;nkel</translation>
-    </message>
-    <message>
-        <source>Lai&amp;d</source>
-        <translation>G&amp;elegt</translation>
     </message>
     <message>
         <source>Legs %1 long</source>
@@ -6762,20 +7300,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>So weit reichen die Schenkel nicht: Der Inhalt muss unter %1 liegen.</translation>
     </message>
     <message>
-        <source>Intake of a dart</source>
-        <translation>Abnäherinhalt</translation>
-    </message>
-    <message>
-        <source>Lay of a dart</source>
-        <translation>Lage eines Abnähers</translation>
-    </message>
-    <message>
         <source>One leg is longer than the other: the intake must be above %1.</source>
         <translation>Ein Schenkel ist länger als der andere: Der Inhalt muss über %1 liegen.</translation>
     </message>
     <message>
         <source>What opens by 60° or more is a corner and no dart: the intake must be below %1.</source>
         <translation>Was sich um 60° oder mehr öffnet, ist eine Ecke und kein Abnäher: Der Inhalt muss unter %1 liegen.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>The intake as the angle between the legs at the tip.</source>
+        <translation>Der Inhalt als Winkel zwischen den Schenkeln an der Spitze.</translation>
     </message>
 </context>
 <context>
@@ -6925,36 +7463,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Open a garment to say what it is cut from.</source>
-        <translation>Öffnen Sie ein Kleidungsstück, um zu sagen, woraus es geschnitten wird.</translation>
-    </message>
-    <message>
         <source>Fabric</source>
         <translation>Material</translation>
     </message>
     <message>
-        <source>What the garment is cut from</source>
-        <translation>Woraus das Kleidungsstück geschnitten wird</translation>
-    </message>
-    <message>
         <source>&amp;Fabric</source>
         <translation>&amp;Material</translation>
-    </message>
-    <message>
-        <source>Presets are rules of thumb. Where it matters, measure a sample and type what it allows.</source>
-        <translation>Vorgaben sind Faustregeln. Wo es darauf ankommt, messen Sie eine Probe und geben ein, was sie zulässt.</translation>
-    </message>
-    <message>
-        <source>How much shorter the cloth can be taken in without folds; 0 or less</source>
-        <translation>Wie viel kürzer der Stoff ohne Falten werden kann; 0 oder weniger</translation>
-    </message>
-    <message>
-        <source>How far the cloth can be stretched; 0 or more</source>
-        <translation>Wie weit sich der Stoff dehnen lässt; 0 oder mehr</translation>
-    </message>
-    <message>
-        <source>Takes in</source>
-        <translation>Staucht</translation>
     </message>
     <message>
         <source>Stretches</source>
@@ -6985,14 +7499,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Unter 45° dazu</translation>
     </message>
     <message>
-        <source>%1, takes in</source>
-        <translation>%1, staucht</translation>
-    </message>
-    <message>
-        <source>%1, stretches</source>
-        <translation>%1, dehnt</translation>
-    </message>
-    <message>
         <source>Beyond the fabric</source>
         <translation>Mehr, als der Stoff hergibt</translation>
     </message>
@@ -7007,10 +7513,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Nothing is flat yet.</source>
         <translation>Noch ist nichts flach.</translation>
-    </message>
-    <message>
-        <source>The fabric can do all that is asked of it.</source>
-        <translation>Das Material kann alles, was von ihm verlangt wird.</translation>
     </message>
     <message>
         <source>Worst: %1, %2 of it</source>
@@ -7049,36 +7551,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Material von %1: %2</translation>
     </message>
     <message>
-        <source>Fabric not stated: choose one to see where it must give more than it can.</source>
-        <translation>Stoff nicht angegeben: Wählen Sie einen, um zu sehen, wo er mehr nachgeben muss, als er kann.</translation>
-    </message>
-    <message>
-        <source>The garment, or what pieces of another material are cut from (panel Piece)</source>
-        <translation>Das Kleidungsstück, oder woraus Teile einer anderen Stoffart zugeschnitten werden (Bereich Schnittteil)</translation>
-    </message>
-    <message>
-        <source>Width of the cloth</source>
-        <translation>Breite des Stoffs</translation>
-    </message>
-    <message>
-        <source>As it is sold, from selvedge to selvedge</source>
-        <translation>Wie er verkauft wird, von Webkante zu Webkante</translation>
-    </message>
-    <message>
-        <source>&amp;Width</source>
-        <translation>&amp;Breite</translation>
-    </message>
-    <message>
-        <source>The box around the pieces that are cut from this, one of each, with their allowances, the grain upwards</source>
-        <translation>Das Rechteck um die Teile, die daraus zugeschnitten werden, je eines, mit ihren Zugaben, der Fadenlauf nach oben</translation>
-    </message>
-    <message>
         <source>Needs %1 of it, as the pieces lie now</source>
         <translation>Braucht %1 davon, so wie die Teile liegen</translation>
     </message>
     <message>
         <source>As the pieces lie now they take %1 across, more than its width</source>
         <translation>So wie die Teile liegen, brauchen sie %1 in der Breite, mehr als der Stoff hat</translation>
+    </message>
+    <message>
+        <source>Open a garment to set its fabric.</source>
+        <translation>Öffnen Sie ein Kleidungsstück, um seinen Stoff zu wählen.</translation>
+    </message>
+    <message>
+        <source>The garment, or another material that pieces are cut from (panel Piece).</source>
+        <translation>Das Kleidungsstück oder eine andere Stoffart, aus der Teile zugeschnitten werden (Bereich Schnittteil).</translation>
+    </message>
+    <message>
+        <source>The fabric of the garment.</source>
+        <translation>Der Stoff des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Presets are rules of thumb. If it matters, measure a sample and type its limits.</source>
+        <translation>Vorgaben sind Faustregeln. Wenn es darauf ankommt, messen Sie eine Probe und tragen Sie ihre Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>No fabric set. Choose one to see where it is strained too far.</source>
+        <translation>Kein Stoff gewählt. Wählen Sie einen, um zu sehen, wo er zu weit gedehnt wird.</translation>
+    </message>
+    <message>
+        <source>The box around the pieces that are cut from this fabric, one of each, with their allowances, the grain upwards</source>
+        <translation>Der Rahmen um die Teile, die aus diesem Stoff zugeschnitten werden, je eines, mit Zugaben, Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Shrinks</source>
+        <translation>Schrumpft</translation>
+    </message>
+    <message>
+        <source>All strain is within the fabric&apos;s limits.</source>
+        <translation>Alle Dehnungen liegen in den Grenzen des Stoffs.</translation>
     </message>
 </context>
 <context>
@@ -7314,41 +7824,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::LabelForm</name>
-    <message>
-        <source>The size that the labels of all pieces name</source>
-        <translation>Die Größe, die auf allen Schnittteilen steht</translation>
-    </message>
-    <message>
-        <source>The date that the labels of all pieces name, as it is to be read</source>
-        <translation>Das Datum, das auf allen Schnittteilen steht, so wie es zu lesen ist</translation>
-    </message>
-    <message>
-        <source>Today</source>
-        <translation>Heute</translation>
-    </message>
-    <message>
-        <source>Write the date of today on the labels</source>
-        <translation>Das heutige Datum auf die Schnittteile schreiben</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze</source>
-        <translation>Grö&amp;ße</translation>
-    </message>
-    <message>
-        <source>&amp;Date</source>
-        <translation>&amp;Datum</translation>
-    </message>
-    <message>
-        <source>Size on labels</source>
-        <translation>Größe auf den Schnittteilen</translation>
-    </message>
-    <message>
-        <source>Date on labels</source>
-        <translation>Datum auf den Schnittteilen</translation>
-    </message>
-</context>
-<context>
     <name>toile::app::LeaveOutDialog</name>
     <message>
         <source>Leave out small pieces</source>
@@ -7382,56 +7857,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::LinesPanel</name>
     <message>
-        <source>&amp;Fair lines</source>
-        <translation>&amp;Linien ausgleichen</translation>
-    </message>
-    <message>
-        <source>&amp;True seam ends, up to</source>
-        <translation>Knicke a&amp;usgleichen bis</translation>
-    </message>
-    <message>
-        <source>Distance of fair lines</source>
-        <translation>Abweichung der Linien</translation>
-    </message>
-    <message>
-        <source>Smoothing of lines</source>
-        <translation>Glättung der Linien</translation>
-    </message>
-    <message>
         <source>Trueing of a seam end</source>
         <translation>Knick an einem Nahtende ausgleichen</translation>
     </message>
     <message>
         <source>Kink at a seam end</source>
         <translation>Knick an einem Nahtende lassen</translation>
-    </message>
-    <message>
-        <source>Draw every line as a smooth curve of the same length, near the outline as it was flattened</source>
-        <translation>Jede Linie als glatte Kurve derselben Länge zeichnen, nahe am Umriss, wie er abgewickelt wurde</translation>
-    </message>
-    <message>
-        <source>Turn the lines at the ends of seams so that they run on into each other once sewn, where they miss that by no more than this</source>
-        <translation>Die Linien an Nahtenden so drehen, dass sie genäht ineinander übergehen, wo dazu nicht mehr als dieser Winkel fehlt</translation>
-    </message>
-    <message>
-        <source>How far a line may stray from the exact outline</source>
-        <translation>Wie weit eine Linie vom genauen Umriss abweichen darf</translation>
-    </message>
-    <message>
-        <source>The larger, the longer the waves that are smoothed out</source>
-        <translation>Je größer, desto längere Wellen werden geglättet</translation>
-    </message>
-    <message>
-        <source>True seam ends up to this kink</source>
-        <translation>Nahtenden bis zu diesem Knick ausgleichen</translation>
-    </message>
-    <message>
-        <source>&amp;May stray by</source>
-        <translation>A&amp;bweichung bis</translation>
-    </message>
-    <message>
-        <source>Smoot&amp;hing length</source>
-        <translation>&amp;Glättungslänge</translation>
     </message>
     <message>
         <source>Every line is the exact outline.</source>
@@ -7446,20 +7877,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Fair lines</source>
-        <translation>Linien ausgleichen</translation>
+        <source>Today</source>
+        <translation>Heute</translation>
     </message>
     <message>
-        <source>Exact outlines</source>
-        <translation>Genaue Umrisse</translation>
-    </message>
-    <message>
-        <source>True seam ends</source>
-        <translation>Knicke an Nahtenden ausgleichen</translation>
-    </message>
-    <message>
-        <source>Seam ends as they are</source>
-        <translation>Nahtenden lassen, wie sie sind</translation>
+        <source>Write today&apos;s date on the labels</source>
+        <translation>Das heutige Datum auf die Schnittteile schreiben</translation>
     </message>
 </context>
 <context>
@@ -7538,24 +7961,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::MarkerForm</name>
     <message>
-        <source>F&amp;olded lengthwise</source>
-        <translation>Der Länge nach ge&amp;faltet</translation>
-    </message>
-    <message>
-        <source>%1 of the marker</source>
-        <translation>%1 des Schnittbilds</translation>
-    </message>
-    <message>
         <source>Cloth</source>
         <translation>Stoff</translation>
     </message>
     <message>
         <source>&amp;Material</source>
         <translation>Stoff&amp;art</translation>
-    </message>
-    <message>
-        <source>Each material is laid by itself; what a piece is cut from is said in the panel Piece</source>
-        <translation>Jede Stoffart wird für sich gelegt; woraus ein Teil zugeschnitten wird, steht im Bereich Schnittteil</translation>
     </message>
     <message>
         <source>Roll</source>
@@ -7570,151 +7981,43 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Häute …</translation>
     </message>
     <message>
-        <source>&amp;Comes as</source>
-        <translation>&amp;Kommt als</translation>
-    </message>
-    <message>
-        <source>A roll, of which as little as may be is used, sheets of one size, or hides that are read from drawings: DXF or SVG, the largest line the edge, lines within it holes, or zones where their layer is called &quot;grade 2&quot;</source>
-        <translation>Eine Rolle, von der so wenig wie möglich verbraucht wird, Bögen einer Größe, oder Häute, die aus Zeichnungen gelesen werden: DXF oder SVG, die größte Linie der Rand, Linien darin Löcher, oder Zonen, wo ihre Ebene „grade 2“ heißt</translation>
-    </message>
-    <message>
-        <source>&amp;Width</source>
-        <translation>&amp;Breite</translation>
-    </message>
-    <message>
-        <source>From selvedge to selvedge; at first as the fabric is sold</source>
-        <translation>Von Webkante zu Webkante; zuerst so, wie der Stoff verkauft wird</translation>
-    </message>
-    <message>
-        <source>Sheet &amp;length</source>
-        <translation>Bogen&amp;länge</translation>
-    </message>
-    <message>
-        <source>Of a sheet, along the warp</source>
-        <translation>Eines Bogens, längs der Kette</translation>
-    </message>
-    <message>
-        <source>Sheet wi&amp;dth</source>
-        <translation>Bogen&amp;breite</translation>
-    </message>
-    <message>
-        <source>Of a sheet, across the warp</source>
-        <translation>Eines Bogens, quer zur Kette</translation>
-    </message>
-    <message>
-        <source>Two layers, right sides together: pairs are cut at once, and what is its own mirror image is cut on the fold</source>
-        <translation>Zwei Lagen, rechts auf rechts: Paare werden auf einmal zugeschnitten, und was sein eigenes Spiegelbild ist, im Bruch</translation>
-    </message>
-    <message>
-        <source>Fold the cloth</source>
-        <translation>Stoff falten</translation>
-    </message>
-    <message>
-        <source>Unfold the cloth</source>
-        <translation>Stoff auffalten</translation>
-    </message>
-    <message>
         <source>Pieces</source>
         <translation>Teile</translation>
-    </message>
-    <message>
-        <source>&amp;Garments</source>
-        <translation>Kleidun&amp;gsstücke</translation>
-    </message>
-    <message>
-        <source>How many of the garment are cut at once</source>
-        <translation>Wie viele des Kleidungsstücks auf einmal zugeschnitten werden</translation>
-    </message>
-    <message>
-        <source>Garments of the marker</source>
-        <translation>Kleidungsstücke des Schnittbilds</translation>
-    </message>
-    <message>
-        <source>Ga&amp;p</source>
-        <translation>&amp;Abstand</translation>
-    </message>
-    <message>
-        <source>Between two pieces, at least</source>
-        <translation>Mindestens, zwischen zwei Teilen</translation>
-    </message>
-    <message>
-        <source>&amp;Border</source>
-        <translation>&amp;Rand</translation>
-    </message>
-    <message>
-        <source>Between the pieces and all edges of the cloth, at least</source>
-        <translation>Mindestens, zwischen den Teilen und allen Kanten des Stoffs</translation>
-    </message>
-    <message>
-        <source>Either way up</source>
-        <translation>In beide Richtungen</translation>
-    </message>
-    <message>
-        <source>One way</source>
-        <translation>In einer Richtung</translation>
-    </message>
-    <message>
-        <source>Freely</source>
-        <translation>Frei</translation>
-    </message>
-    <message>
-        <source>&amp;Turned</source>
-        <translation>Ge&amp;dreht</translation>
-    </message>
-    <message>
-        <source>How pieces may lie: with the grain along the warp either way up, all one way for nap and prints with an up, or freely on cloth without a grain</source>
-        <translation>Wie Teile liegen dürfen: mit dem Fadenlauf längs der Kette in beide Richtungen, alle in einer Richtung bei Strich und bei Mustern mit einem Oben, oder frei auf Stoff ohne Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turning of pieces</source>
-        <translation>Drehen der Teile</translation>
-    </message>
-    <message>
-        <source>O&amp;ff the grain by</source>
-        <translation>Neben dem &amp;Fadenlauf um</translation>
-    </message>
-    <message>
-        <source>So much more a piece may be turned, to both sides</source>
-        <translation>So viel weiter darf ein Teil gedreht werden, nach beiden Seiten</translation>
     </message>
     <message>
         <source>Stripes and plaids</source>
         <translation>Streifen und Karos</translation>
     </message>
     <message>
-        <source>Repeat a&amp;long</source>
-        <translation>Rapport &amp;längs</translation>
-    </message>
-    <message>
-        <source>From one stripe to the next along the warp; 0: there are none</source>
-        <translation>Von einem Streifen zum nächsten längs der Kette; 0: Es gibt keine</translation>
-    </message>
-    <message>
-        <source>Repeat acro&amp;ss</source>
-        <translation>Rapport q&amp;uer</translation>
-    </message>
-    <message>
-        <source>From one stripe to the next across the warp; 0: there are none</source>
-        <translation>Von einem Streifen zum nächsten quer zur Kette; 0: Es gibt keine</translation>
-    </message>
-    <message>
         <source>Seams that match</source>
         <translation>Nähte, an denen der Rapport passt</translation>
-    </message>
-    <message>
-        <source>Along these seams the repeat goes on from one piece to the other; what cannot be kept is named below</source>
-        <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; was sich nicht halten lässt, steht darunter</translation>
-    </message>
-    <message>
-        <source>It &amp;goes on across</source>
-        <translation>Er &amp;geht weiter über</translation>
     </message>
     <message>
         <source>Kind of cloth</source>
         <translation>Art des Stoffs</translation>
     </message>
     <message>
-        <source>Own fabric</source>
+        <source>Match stripes &amp;across</source>
+        <translation>Rapport p&amp;asst an</translation>
+    </message>
+    <message>
+        <source>Each material has a marker of its own. Set the material of a piece in the panel Piece.</source>
+        <translation>Jede Stoffart hat ein eigenes Schnittbild. Die Stoffart eines Teils legen Sie im Bereich Schnittteil fest.</translation>
+    </message>
+    <message>
+        <source>&amp;Fabric form</source>
+        <translation>Sto&amp;ffform</translation>
+    </message>
+    <message>
+        <source>A roll, of which as little as possible is used, sheets of one size, or hides read from DXF or SVG drawings: the largest line is the edge, lines within it are holes, or zones if their layer is called &quot;grade 2&quot;.</source>
+        <translation>Eine Rolle, von der so wenig wie möglich verbraucht wird, Bögen einer Größe, oder Häute aus DXF- oder SVG-Zeichnungen: die größte Linie ist der Rand, Linien darin sind Löcher, oder Zonen, wenn ihre Ebene „grade 2“ heißt.</translation>
+    </message>
+    <message>
+        <source>Along these seams the repeat continues from one piece to the other; seams where that is impossible are named below.</source>
+        <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; Nähte, an denen das nicht geht, stehen darunter.</translation>
+    </message>
+    <message>
+        <source>Garment&apos;s fabric</source>
         <translation>Eigener Stoff</translation>
     </message>
 </context>
@@ -9007,144 +9310,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stoff</translation>
     </message>
     <message>
-        <source>This pattern</source>
-        <translation>Diesen Schnitt</translation>
-    </message>
-    <message>
-        <source>The designer&apos;s panels</source>
-        <translation>Die Teile des Entwerfers</translation>
-    </message>
-    <message>
-        <source>The reference pattern</source>
-        <translation>Den Vergleichsschnitt</translation>
-    </message>
-    <message>
-        <source>What is sewn: the pattern as it is written to a file and read back, or another to compare with</source>
-        <translation>Was genäht wird: der Schnitt, wie er in eine Datei geschrieben und wieder gelesen wird, oder ein anderer zum Vergleich</translation>
-    </message>
-    <message>
         <source>The design</source>
-        <translation>Dem Entwurf</translation>
+        <translation>Der Entwurf</translation>
     </message>
     <message>
         <source>A body…</source>
-        <translation>Einem Körper…</translation>
+        <translation>Ein Körper…</translation>
     </message>
     <message>
         <source>Another body…</source>
-        <translation>Einem anderen Körper…</translation>
-    </message>
-    <message>
-        <source>What the cloth lies on while it is sewn: the design&apos;s own surface, or the mesh of a body in the garment&apos;s place</source>
-        <translation>Worauf der Stoff liegt, während er genäht wird: die Fläche des Entwurfs selbst oder das Netz eines Körpers am Ort des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source> Pa</source>
-        <translation> Pa</translation>
-    </message>
-    <message>
-        <source>Presses the cloth onto what holds it; below 0 it is filled as a cushion is. 10 Pa are 1 g on 10 cm²</source>
-        <translation>Drückt den Stoff auf das, was ihn hält; unter 0 wird er gefüllt wie ein Kissen. 10 Pa sind 1 g auf 10 cm²</translation>
-    </message>
-    <message>
-        <source>As the garment has them</source>
-        <translation>Wie im Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Length of the edges of the triangles that are sewn; the shorter, the finer, and the longer it takes. 0: as the garment has them</source>
-        <translation>Kantenlänge der Dreiecke, die genäht werden; je kürzer, desto feiner, und desto länger dauert es. 0: wie im Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Let the cloth hang by its weight</source>
-        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
-    </message>
-    <message>
-        <source>Gravity</source>
-        <translation>Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Sew</source>
-        <translation>Nähen</translation>
-    </message>
-    <message>
-        <source>Held by</source>
-        <translation>Gehalten von</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Druck</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Cloth touches itself</source>
-        <translation>Stoff berührt sich selbst</translation>
-    </message>
-    <message>
-        <source>Layers of cloth keep off each other; it takes longer. Else cloth goes through cloth</source>
-        <translation>Lagen von Stoff halten sich voneinander ab; das dauert länger. Sonst geht Stoff durch Stoff hindurch</translation>
-    </message>
-    <message>
-        <source>Its unit</source>
-        <translation>Seine Einheit</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>Dicke</translation>
-    </message>
-    <message>
-        <source>The unit that the body&apos;s file is in</source>
-        <translation>Die Einheit der Datei des Körpers</translation>
-    </message>
-    <message>
-        <source>As its file says</source>
-        <translation>Wie seine Datei sagt</translation>
-    </message>
-    <message>
-        <source>How far layers of cloth keep off each other</source>
-        <translation>Wie weit sich Lagen von Stoff voneinander abhalten</translation>
+        <translation>Ein anderer Körper…</translation>
     </message>
     <message>
         <source>Measured cloth</source>
         <translation>Gemessener Stoff</translation>
     </message>
     <message>
-        <source>What you have measured of the cloth, in place of what is known of its fabric</source>
-        <translation>Was Sie am Stoff gemessen haben, anstelle dessen, was von seiner Art bekannt ist</translation>
-    </message>
-    <message>
-        <source>Proof of another pattern</source>
-        <translation>Nähprobe eines anderen Schnitts</translation>
-    </message>
-    <message>
         <source>Unit of the body</source>
         <translation>Einheit des Körpers</translation>
-    </message>
-    <message>
-        <source>Pressure of the proof</source>
-        <translation>Druck der Nähprobe</translation>
-    </message>
-    <message>
-        <source>Triangles of the proof</source>
-        <translation>Dreiecke der Nähprobe</translation>
-    </message>
-    <message>
-        <source>Thickness of the cloth</source>
-        <translation>Dicke des Stoffs</translation>
-    </message>
-    <message>
-        <source>Proof with gravity</source>
-        <translation>Nähprobe mit Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Proof without gravity</source>
-        <translation>Nähprobe ohne Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Cloth goes through itself</source>
-        <translation>Stoff geht durch sich hindurch</translation>
     </message>
     <message>
         <source>Proof on the design</source>
@@ -9161,6 +9344,26 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>as measured</source>
         <translation>wie gemessen</translation>
+    </message>
+    <message>
+        <source>Use measured values of the cloth in place of those of its fabric</source>
+        <translation>Gemessene Werte des Stoffs anstelle der Werte seiner Art verwenden</translation>
+    </message>
+    <message>
+        <source>Dress form</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>What the cloth lies on while it is sewn: the design&apos;s own surface, or the mesh of a body in the garment&apos;s place.</source>
+        <translation>Worauf der Stoff liegt, während er genäht wird: die Fläche des Entwurfs selbst oder das Netz eines Körpers am Ort des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>The unit of the body&apos;s file.</source>
+        <translation>Die Einheit der Datei des Körpers.</translation>
+    </message>
+    <message>
+        <source>As in its file</source>
+        <translation>Wie in seiner Datei</translation>
     </message>
 </context>
 <context>
@@ -9518,40 +9721,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::ScanForm</name>
     <message>
-        <source>Drop &amp;debris</source>
-        <translation>&amp;Bruchstücke entfernen</translation>
-    </message>
-    <message>
         <source>Prepare the scan</source>
         <translation>Scan aufbereiten</translation>
-    </message>
-    <message>
-        <source>Leave out fragments that are too small for a piece; what comes as several of a kind, such as buttons, stays</source>
-        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind; was mehrfach gleich vorkommt, etwa Knöpfe, bleibt</translation>
-    </message>
-    <message>
-        <source>Close &amp;holes of a perimeter up to</source>
-        <translation>&amp;Löcher schließen bis zu einem Umfang von</translation>
-    </message>
-    <message>
-        <source>Patches go on as the cloth around them does; neck, sleeves and hem stay open however short they are</source>
-        <translation>Flicken setzen den Stoff ringsum fort; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
-    </message>
-    <message>
-        <source>&amp;Smooth noise by at most</source>
-        <translation>&amp;Rauschen glätten um höchstens</translation>
-    </message>
-    <message>
-        <source>No point moves farther; folds and hems stay</source>
-        <translation>Kein Punkt bewegt sich weiter; Falten und Säume bleiben</translation>
-    </message>
-    <message>
-        <source>Make &amp;triangles anew, with edges of</source>
-        <translation>&amp;Dreiecke neu machen, mit Kanten von</translation>
-    </message>
-    <message>
-        <source>All about as large; names and UV map of the file go</source>
-        <translation>Alle etwa gleich groß; Namen und UV-Karte der Datei entfallen</translation>
     </message>
     <message>
         <source>Reading…</source>
@@ -9770,22 +9941,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>As in 3D</source>
-        <translation>Wie in 3D</translation>
-    </message>
-    <message>
-        <source>Take the typed length back: as long as on the garment</source>
-        <translation>Die eingegebene Länge zurücknehmen: so lang wie am Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>As the others</source>
-        <translation>Wie die anderen</translation>
-    </message>
-    <message>
-        <source>Take the typed distance back: as for all other lines</source>
-        <translation>Die eingegebene Abweichung zurücknehmen: wie bei allen anderen Linien</translation>
-    </message>
-    <message>
         <source>Add turn point</source>
         <translation>Eckpunkt setzen</translation>
     </message>
@@ -9802,40 +9957,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Linie an der ausgewählten Ecke des Netzes glatt weiterlaufen lassen</translation>
     </message>
     <message>
-        <source>Straight</source>
-        <translation>Gerade Linie</translation>
-    </message>
-    <message>
-        <source>A kink is what two lines that are sewn together lack to run on into each other; else by how much the outline turns</source>
-        <translation>Ein Knick ist, was zwei zusammengenähten Linien fehlt, um ineinander überzugehen; sonst, um wie viel der Umriss abbiegt</translation>
-    </message>
-    <message>
-        <source>Draw the segment as one straight line; lines are made fair for it</source>
-        <translation>Den Abschnitt als eine gerade Linie zeichnen; dafür werden Linien ausgeglichen</translation>
-    </message>
-    <message>
-        <source>Length in the pattern, on both sides of a seam. Bold: typed by you</source>
-        <translation>Länge im Schnittmuster, auf beiden Seiten einer Naht. Fett: von Ihnen eingegeben</translation>
-    </message>
-    <message>
-        <source>How far the line of this segment may stray from the exact outline; lines are made fair for it. Bold: typed by you</source>
-        <translation>Wie weit die Linie dieses Abschnitts vom genauen Umriss abweichen darf; dafür werden Linien ausgeglichen. Fett: von Ihnen eingegeben</translation>
-    </message>
-    <message>
-        <source>Len&amp;gth</source>
-        <translation>L&amp;änge</translation>
-    </message>
-    <message>
-        <source>May &amp;stray by</source>
-        <translation>Ab&amp;weichung bis</translation>
-    </message>
-    <message>
         <source>Segment</source>
         <translation>Abschnitt</translation>
-    </message>
-    <message>
-        <source>Select a seam, or a stretch of outline by a double click.</source>
-        <translation>Wählen Sie eine Naht, oder ein Stück Umriss durch Doppelklick.</translation>
     </message>
     <message>
         <source>%1 in 3D, %2 in the pattern</source>
@@ -9858,28 +9981,64 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Enden: %1, %2</translation>
     </message>
     <message>
-        <source>Length of a segment</source>
-        <translation>Länge eines Abschnitts</translation>
-    </message>
-    <message>
-        <source>Distance of a segment</source>
-        <translation>Abweichung eines Abschnitts</translation>
-    </message>
-    <message>
-        <source>Straight segment</source>
-        <translation>Abschnitt als gerade Linie</translation>
-    </message>
-    <message>
-        <source>Segment no longer straight</source>
-        <translation>Abschnitt nicht mehr gerade</translation>
-    </message>
-    <message>
         <source>Turn point</source>
         <translation>Eckpunkt</translation>
     </message>
     <message>
         <source>Removal of a turn point</source>
         <translation>Entfernen eines Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Add a notch in the middle of the longest part without one</source>
+        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
+    </message>
+    <message>
+        <source>Remove the notch nearest to the middle</source>
+        <translation>Den Knips entfernen, der der Mitte am nächsten ist</translation>
+    </message>
+    <message>
+        <source>On both sides</source>
+        <translation>Auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Set the allowance of the edge that is sewn to the segment, too</source>
+        <translation>Auch die Zugabe der Kante setzen, die an den Abschnitt genäht wird</translation>
+    </message>
+    <message>
+        <source>A kink is the angle that two lines sewn together lack to run into each other; at other ends the angle by which the outline turns</source>
+        <translation>Ein Knick ist der Winkel, der zwei zusammengenähten Linien fehlt, um ineinander überzugehen; an anderen Enden der Winkel, um den der Umriss abbiegt</translation>
+    </message>
+    <message>
+        <source>Add a notch</source>
+        <translation>Einen Knips setzen</translation>
+    </message>
+    <message>
+        <source>Remove a notch</source>
+        <translation>Einen Knips entfernen</translation>
+    </message>
+    <message>
+        <source>Notches</source>
+        <translation>Knipse</translation>
+    </message>
+    <message>
+        <source>Select a seam, or double-click a part of an outline.</source>
+        <translation>Wählen Sie eine Naht, oder doppelklicken Sie auf ein Stück Umriss.</translation>
+    </message>
+    <message>
+        <source>The segment before is %1.</source>
+        <translation>Der vorige Abschnitt ist %1.</translation>
+    </message>
+    <message>
+        <source>%1, facing</source>
+        <translation>%1, Beleg</translation>
+    </message>
+    <message>
+        <source>Notch</source>
+        <translation>Knips</translation>
+    </message>
+    <message>
+        <source>Removal of a notch</source>
+        <translation>Entfernen eines Knipses</translation>
     </message>
 </context>
 <context>
@@ -9899,6 +10058,25 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: close the proposals</source>
         <translation>Klick auf eine gestrichelte Linie: den vorgeschlagenen Schnitt auswählen · Griff ziehen: ihn verschieben · Esc: die Vorschläge schließen</translation>
+    </message>
+</context>
+<context>
+    <name>toile::app::SettingFields</name>
+    <message>
+        <source>Clear the field to remove your value.</source>
+        <translation>Leeren Sie das Feld, um Ihren Wert zu entfernen.</translation>
+    </message>
+    <message>
+        <source>Bold: set by you.</source>
+        <translation>Fett: von Ihnen gesetzt.</translation>
+    </message>
+    <message>
+        <source>Remove the value that you have set</source>
+        <translation>Den Wert entfernen, den Sie gesetzt haben</translation>
+    </message>
+    <message>
+        <source>%1: off</source>
+        <translation>%1: aus</translation>
     </message>
 </context>
 <context>
@@ -9925,53 +10103,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::SewnRows</name>
-    <message>
-        <source>As in 3D</source>
-        <translation>Wie in 3D</translation>
-    </message>
-    <message>
-        <source>Take the stated ease back: as the garment has it</source>
-        <translation>Die angegebene Einhalteweite zurücknehmen: wie am Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Add a notch in the middle of the longest way without one</source>
-        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
-    </message>
-    <message>
-        <source>Take away the notch nearest to the middle</source>
-        <translation>Den Knips entfernen, der der Mitte am nächsten ist</translation>
-    </message>
-    <message>
-        <source>How much longer the left side of the seam is meant to be. Bold: stated by you</source>
-        <translation>Um wie viel länger die linke Seite der Naht sein soll. Fett: von Ihnen angegeben</translation>
-    </message>
-    <message>
-        <source>Add a notch</source>
-        <translation>Einen Knips setzen</translation>
-    </message>
-    <message>
-        <source>Take a notch away</source>
-        <translation>Einen Knips entfernen</translation>
-    </message>
-    <message>
-        <source>&amp;Ease</source>
-        <translation>&amp;Einhalteweite</translation>
-    </message>
-    <message>
-        <source>Notches</source>
-        <translation>Knipse</translation>
-    </message>
-    <message>
-        <source>Notch</source>
-        <translation>Knips</translation>
-    </message>
-    <message>
-        <source>Removal of a notch</source>
-        <translation>Entfernen eines Knipses</translation>
-    </message>
-</context>
-<context>
     <name>toile::app::SheetPreview</name>
     <message>
         <source>Preview</source>
@@ -9983,100 +10114,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::StiffnessForm</name>
-    <message>
-        <source>As the fabric</source>
-        <translation>Wie der Stoff</translation>
-    </message>
-    <message>
-        <source>N/m</source>
-        <translation>N/m</translation>
-    </message>
-    <message>
-        <source>µN·m</source>
-        <translation>µN·m</translation>
-    </message>
-    <message>
-        <source>g/m²</source>
-        <translation>g/m²</translation>
-    </message>
-    <message>
-        <source>Stretch, warp</source>
-        <translation>Zug, Kette</translation>
-    </message>
-    <message>
-        <source>What a strip of the cloth, 1 m wide, resists being stretched along the warp with: the force by the strain. Empty: as the fabric</source>
-        <translation>Womit sich ein Streifen des Stoffs, 1 m breit, gegen Zug in Kettrichtung wehrt: die Kraft durch die Dehnung. Leer: wie der Stoff</translation>
-    </message>
-    <message>
-        <source>Stretch, weft</source>
-        <translation>Zug, Schuss</translation>
-    </message>
-    <message>
-        <source>The same along the weft. Empty: as the fabric</source>
-        <translation>Dasselbe in Schussrichtung. Leer: wie der Stoff</translation>
-    </message>
-    <message>
-        <source>Shear</source>
-        <translation>Schub</translation>
-    </message>
-    <message>
-        <source>What it resists being sheared with, on the bias. Empty: as the fabric</source>
-        <translation>Womit er sich gegen Schub im schrägen Fadenlauf wehrt. Leer: wie der Stoff</translation>
-    </message>
-    <message>
-        <source>Bending</source>
-        <translation>Biegung</translation>
-    </message>
-    <message>
-        <source>What it resists being bent with. Empty: as the fabric</source>
-        <translation>Womit er sich gegen Biegung wehrt. Leer: wie der Stoff</translation>
-    </message>
-    <message>
-        <source>Weight</source>
-        <translation>Gewicht</translation>
-    </message>
-    <message>
-        <source>What it weighs, which counts with gravity. Empty: as the fabric</source>
-        <translation>Was er wiegt, was bei Schwerkraft zählt. Leer: wie der Stoff</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::StripRows</name>
-    <message>
-        <source>Draw a free edge out parallel by so much, as a button stand or a turn-up; the edges beside it run on</source>
-        <translation>Eine freie Kante parallel um so viel herausziehen, als Knopfleiste oder Umschlag; die Kanten daneben laufen weiter</translation>
-    </message>
-    <message>
-        <source>Copy a strip of this width along the segment as a piece of its own, a facing or a lining; neighbouring segments with a facing share it</source>
-        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren, als Beleg oder Futter; benachbarte Abschnitte mit Beleg teilen sich ihn</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ohne</translation>
-    </message>
-    <message>
-        <source>E&amp;xtension</source>
-        <translation>Verlän&amp;gerung</translation>
-    </message>
-    <message>
-        <source>Fa&amp;cing</source>
-        <translation>&amp;Beleg</translation>
-    </message>
-    <message>
-        <source>Extension of an edge</source>
-        <translation>Verlängerung einer Kante</translation>
-    </message>
-    <message>
-        <source>%1, facing</source>
-        <translation>%1, Beleg</translation>
-    </message>
-    <message>
-        <source>Facing of an edge</source>
-        <translation>Beleg einer Kante</translation>
     </message>
 </context>
 <context>

@@ -153,47 +153,47 @@ private slots:
 
     void anAllowanceIsOneTickAndOneUndo() {
         QVERIFY(!document().derived().pattern->hasAllowance);
-        box("seamAllowance").setFocus();
-        QTest::keyClick(&box("seamAllowance"), Qt::Key_Space);
+        box("allowance").setFocus();
+        QTest::keyClick(&box("allowance"), Qt::Key_Space);
         QVERIFY(lines().allowance == AllowanceWidths{});
         QVERIFY(isDone());
         for (int k = 0; k < 2; ++k) {
             QVERIFY(piece(k).cuttingLine.rows() > 0);
         }
-        type("allowanceSeams", "12");
-        type("allowanceHems", "25");
+        type("allowanceSeam", "12");
+        type("allowanceHem", "25");
         QVERIFY(lines().allowance == (AllowanceWidths{12, 25}));
         QCOMPARE(steps(), 3);
-        type("allowanceHems", "501");  // more than can be
+        type("allowanceHem", "501");  // more than can be
         QCOMPARE(lines().allowance->hem, 25.0);
         undo();
         undo();
-        QCOMPARE(field("allowanceSeams").value(), AllowanceWidths{}.seam);
+        QCOMPARE(field("allowanceSeam").value(), AllowanceWidths{}.seam);
         undo();
-        QVERIFY(lines() == LineSettings{} && !box("seamAllowance").isChecked());
+        QVERIFY(lines() == LineSettings{} && !box("allowance").isChecked());
         // A width that is typed turns allowances on.
-        type("allowanceSeams", "8");
+        type("allowanceSeam", "8");
         QCOMPARE(lines().allowance->seam, 8.0);
-        QVERIFY(box("seamAllowance").isChecked());
+        QVERIFY(box("allowance").isChecked());
     }
 
     void notchesComeAndGoWithTheirFormAndKeepWhatWasPlaced() {
-        box("hasNotches").setFocus();
-        QTest::keyClick(&box("hasNotches"), Qt::Key_Space);
+        box("notches").setFocus();
+        QTest::keyClick(&box("notches"), Qt::Key_Space);
         QVERIFY(lines().notches == NotchRules{});
         QVERIFY(isDone());
         QVERIFY(!piece(0).notches.empty());
-        choose("notchForm", Qt::Key_End);
-        type("notchDepth", "7");
+        choose("notchesForm", Qt::Key_End);
+        type("notchesDepth", "7");
         QCOMPARE(lines().notches->form, NotchForm::Castle);
         QCOMPARE(lines().notches->depth, 7.0);
         LineSettings placed = lines();
         placed.notches->notches.push_back(
             {.line = document().garment()->seams.seams[0].place.left.line, .at = 0.3});
         document().setLines(placed, "Notch");
-        box("hasNotches").click();
+        box("notches").click();
         QVERIFY(!lines().notches);
-        box("hasNotches").click();
+        box("notches").click();
         QVERIFY(lines().notches == placed.notches);
     }
 
@@ -213,7 +213,7 @@ private slots:
         const auto widths = seamWidths();
         QVERIFY(std::ranges::count(widths, 5.0) == 1 && std::ranges::count(widths, 17.0) == 1);
         box("segmentBothSides").click();
-        QTest::mouseClick(&fixture_.find<QToolButton>("segmentAllowanceAsKind"), Qt::LeftButton);
+        QTest::mouseClick(&fixture_.find<QToolButton>("segmentAllowanceReset"), Qt::LeftButton);
         QVERIFY(isDone());
         QVERIFY(seamWidths() == (std::vector{10.0, 10.0}));
         QVERIFY(lines().segments.empty());
@@ -306,7 +306,7 @@ private slots:
     void aProjectKeepsLayersAndWhatWasSaid() {
         document().setSeam(0);
         type("segmentAllowance", "17");
-        box("hasNotches").click();
+        box("notches").click();
         QVERIFY(isDone());
         fixture_.action(ActionId::CuttingLine).trigger();
         fixture_.action(ActionId::Labels).trigger();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What edits of darts leave in the settings, without any window.
-#include "app/document/dart_edits.h"
-
 #include <QTest>
 
+#include "app/document/line_edits.h"
 #include "tests/app/support/run_test.h"
 
 using namespace toile;
@@ -23,7 +22,7 @@ private:
         seam.place = {{LineId{line}, 0, 1}, {LineId{line + 1}, 1, 0}};
     }
     DartSettings said(const LineSettings& lines, int dart) {
-        return saidOfDart(garment_, lines, dart);
+        return dartSettings(garment_, lines, dart);
     }
 
 private slots:

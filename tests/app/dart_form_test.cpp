@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/dart_edits.h"
+#include "app/document/line_edits.h"
 #include "app/document/project_state.h"
 #include "app/widgets/number_edits.h"
 #include "core/pattern/darts.h"
@@ -77,7 +77,7 @@ private slots:
         QVERIFY(isFlatAgain());
         QVERIFY(std::abs(drawn().intake - 20) < 1e-6);
         QVERIFY(std::abs(drawn().leg - 62) < 0.01);
-        QVERIFY(fixture_.find<QToolButton>("dartAsItLies").isEnabled());
+        QVERIFY(fixture_.find<QToolButton>("dartIntakeReset").isEnabled());
         // The angle says the same.
         const auto& angle = fixture_.find<QDoubleSpinBox>("dartAngle");
         QVERIFY(std::abs(angle.value() * std::acos(-1) / 180 - drawn().angle) < 1e-3);
@@ -88,7 +88,7 @@ private slots:
         type("dartAngle", "30");
         QVERIFY(isFlatAgain());
         QVERIFY(std::abs(drawn().angle * 180 / std::acos(-1) - 30) < 1e-4);
-        fixture_.find<QToolButton>("dartAsItLies").click();
+        fixture_.find<QToolButton>("dartIntakeReset").click();
         QVERIFY(isFlatAgain());
         QVERIFY(lines().darts.empty());
     }

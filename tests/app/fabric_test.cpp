@@ -323,7 +323,7 @@ private slots:
         type("fabricBiasMost", "200");
         type("fabricBiasLeast", "-50");
         QCOMPARE(label("fabricBeyondAny"), QString("0 %"));
-        QCOMPARE(label("fabricWorst"), QString("The fabric can do all that is asked of it."));
+        QCOMPARE(label("fabricWorst"), QString("All strain is within the fabric's limits."));
     }
 
     void largeGarmentsAreLookedAtElsewhere() {

@@ -103,7 +103,7 @@ private slots:
         fixture_.workspace().setUnit(LengthUnit::Millimetre);
         QVERIFY(fixture_.openAndWait(fixture_.path("cap.obj")));
         fixture_.action(ActionId::GoToLines).trigger();
-        QVERIFY(box("fairLines").hasFocus());
+        QVERIFY(box("fairing").hasFocus());
         QCOMPARE(document().garment()->seams.seams[0].kind, SeamKind::Seam);
     }
 
@@ -122,7 +122,7 @@ private slots:
     void fairLinesAreDrawnAndOneUndoTakesThemBack() {
         const PieceResults before = document().results();
         QCOMPARE(drawn(), 0);
-        QTest::keyClick(&box("fairLines"), Qt::Key_Space);
+        QTest::keyClick(&box("fairing"), Qt::Key_Space);
         QCOMPARE(steps(), 1);
         QVERIFY(isFlatAgain());
         QCOMPARE(drawn(), 2);
@@ -131,18 +131,18 @@ private slots:
         undo();
         QVERIFY(isFlatAgain());
         QCOMPARE(steps(), 0);
-        QVERIFY(!box("fairLines").isChecked());
+        QVERIFY(!box("fairing").isChecked());
         QVERIFY(document().results() == before);
     }
 
     void aNumberThatIsSpunIsOneStepAndTurnsFairLinesOn() {
-        auto& field = fixture_.find<QDoubleSpinBox>("fairTolerance");
+        auto& field = fixture_.find<QDoubleSpinBox>("fairingTolerance");
         field.setFocus();
         QTest::keyClick(&field, Qt::Key_Up);
         QTest::keyClick(&field, Qt::Key_Up);
         QCOMPARE(lines().fairing->tolerance, 3.0);
         QCOMPARE(steps(), 1);
-        type("fairSmoothing", "25");
+        type("fairingSmoothing", "25");
         QCOMPARE(lines().fairing->smoothing, 25.0);
         QCOMPARE(lines().fairing->tolerance, 3.0);
         QCOMPARE(steps(), 2);
@@ -169,7 +169,7 @@ private slots:
                                    .first = seam.right.first,
                                    .count = seam.right.count});
         QCOMPARE(fixture_.find<QDoubleSpinBox>("segmentLength").value(), 215.0);
-        QTest::mouseClick(&button("segmentAsWorn"), Qt::LeftButton);
+        QTest::mouseClick(&button("segmentLengthReset"), Qt::LeftButton);
         QVERIFY(lines() == LineSettings{});
         QVERIFY(isFlatAgain());
         QVERIFY(std::abs(seamMeasure().length2dLeft - worn) < 1e-6);
@@ -219,7 +219,7 @@ private slots:
         expectKinksAsDrawn();
         QVERIFY(!ends().topLevelItem(0)->text(SeamEndsList::Kept).contains("0.0"));
         // By the general rule all are, but for the one that is said to stay.
-        QTest::keyClick(&box("trueSeamEnds"), Qt::Key_Space);
+        QTest::keyClick(&box("trueBelowOn"), Qt::Key_Space);
         QVERIFY(std::abs(lines().trueBelow - 10 * kDegree) < 1e-12);
         type("trueBelow", "20");
         QCOMPARE(ends().topLevelItem(0)->checkState(0), Qt::Checked);
@@ -271,7 +271,7 @@ private slots:
     }
 
     void aProjectKeepsAllThatWasSaid() {
-        QTest::keyClick(&box("trueSeamEnds"), Qt::Key_Space);
+        QTest::keyClick(&box("trueBelowOn"), Qt::Key_Space);
         document().setSeam(0);
         type("segmentLength", "215");
         type("segmentTolerance", "2");
@@ -295,7 +295,7 @@ private slots:
     void theExactOutlineIsALayerOfItsOwn() {
         QAction& action = fixture_.action(ActionId::ExactOutline);
         QVERIFY(!action.isEnabled());
-        QTest::keyClick(&box("fairLines"), Qt::Key_Space);
+        QTest::keyClick(&box("fairing"), Qt::Key_Space);
         QVERIFY(isFlatAgain());
         const Scene& scene = *document().scene();
         QCOMPARE(scene.patternLines.exact.size(), std::size_t(2));
@@ -315,7 +315,7 @@ private slots:
     }
 
     void verticesAreFoundOnDrawnOutlines() {
-        QTest::keyClick(&box("fairLines"), Qt::Key_Space);
+        QTest::keyClick(&box("fairing"), Qt::Key_Space);
         QVERIFY(isFlatAgain());
         const Scene& scene = *document().scene();
         for (std::size_t p = 0; p < 2; ++p) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/document/allowance_edits.h"
+#include "app/document/line_edits.h"
 #include "core/symmetry/symmetry.h"
 #include "core/toile/garment_flattener.h"
 #include "tests/app/support/garments.h"

@@ -351,13 +351,13 @@ private slots:
         QVERIFY(document().state().proof == plan);
         QVERIFY(document().history().isClean());
         QVERIFY(find<QToolButton>("proofMeasured").isChecked());
-        QVERIFY(find<StatedEdit>("stiffnessBending").stated().has_value());
+        QVERIFY(find<StatedEdit>("proofStiffnessBending").stated().has_value());
     }
 
     void measuredClothIsStatedAndLeftToTheFabricAgain() {
         openSample("sheet.obj");
         press(ActionId::GoToProof);
-        auto& warp = find<StatedEdit>("stretchWarp");
+        auto& warp = find<StatedEdit>("proofStiffnessWarp");
         QVERIFY(!warp.isVisible());
         find<QToolButton>("proofMeasured").click();
         QVERIFY(warp.isVisible());
@@ -383,7 +383,7 @@ private slots:
         QVERIFY(!warp.font().bold());
         QTest::keyClick(&warp, Qt::Key_Up);  // from what holds
         QVERIFY(std::abs(*stated().warp - clothStiffness(document().fabric()).warp) < 1e-3);
-        auto& bending = find<StatedEdit>("stiffnessBending");
+        auto& bending = find<StatedEdit>("proofStiffnessBending");
         bending.setFocus();
         bending.selectAll();
         QTest::keyClicks(&bending, "0");

@@ -118,32 +118,47 @@ private slots:
         QVERIFY(!said().as);
     }
 
+    void aStepThatIsOffShowsTheLengthThatItWouldHave() {
+        openForm();
+        const auto& length = fixture_.find<LengthEdit>("scanEdgeLength");
+        QVERIFY(!length.isEnabled());
+        QCOMPARE(length.value(), 10.0);
+        toggle("scanEdgeLengthOn");
+        type("scanEdgeLength", "25");
+        toggle("scanEdgeLengthOn");
+        QCOMPARE(length.value(), 25.0);
+        QVERIFY(!length.isEnabled());
+        QVERIFY(isShown("6 fragments"));
+        QCOMPARE(said().scan.edgeLength, 0.0);
+        click("scanCancel");
+    }
+
     void everyStepIsOptionalAndAllAreOneOfTheHistory() {
         const int before = document().history().index();
         openForm();
         QVERIFY(isShown("1 hole closed"));
-        toggle("scanHoles");
-        QVERIFY(!fixture_.find<LengthEdit>("scanHolesLength").isEnabled());
+        toggle("scanLargestHoleOn");
+        QVERIFY(!fixture_.find<LengthEdit>("scanLargestHole").isEnabled());
         QVERIFY(isShown("3 openings"));
         QVERIFY(!effect().contains("closed"));
-        toggle("scanDebris");
+        toggle("scanDropDebris");
         QTRY_VERIFY_WITH_TIMEOUT(document().isCurrent() && !effect().contains("fragments"),
                                  test::kPatience);
-        toggle("scanDebris");
-        toggle("scanTriangles");
-        type("scanTrianglesLength", "2 cm");
+        toggle("scanDropDebris");
+        toggle("scanEdgeLengthOn");
+        type("scanEdgeLength", "2 cm");
         QVERIFY(form()->isVisible());  // Enter takes the value, no more
         QVERIFY(isShown("remeshed to"));
         QCOMPARE(said().scan, (ScanSteps{true, 0, 1, 20}));
         QCOMPARE(document().history().index(), before + 1);
-        toggle("scanSmoothing");
+        toggle("scanSmoothingOn");
         click("scanDone");  // at once
         QVERIFY(isGone());
         QCOMPARE(said().scan, (ScanSteps{true, 0, 0, 20}));
         // Opened again it has these values.
         openForm();
-        QVERIFY(!fixture_.find<QCheckBox>("scanHoles").isChecked());
-        QCOMPARE(fixture_.find<LengthEdit>("scanTrianglesLength").value(), 20.0);
+        QVERIFY(!fixture_.find<QCheckBox>("scanLargestHoleOn").isChecked());
+        QCOMPARE(fixture_.find<LengthEdit>("scanEdgeLength").value(), 20.0);
         QCOMPARE(document().history().index(), before + 1);
         click("scanCancel");
         QVERIFY(isGone());

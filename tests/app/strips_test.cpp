@@ -170,11 +170,11 @@ private slots:
     void easeIsStatedInTheForm() {
         const int seam = seamOf(SeamKind::Seam, true);
         document().setSeam(seam);
-        QVERIFY(field("segmentEase").isEnabled() && !button("segmentEaseAsWorn").isEnabled());
+        QVERIFY(field("segmentEase").isEnabled() && !button("segmentEaseReset").isEnabled());
         type("segmentEase", "3");
         const auto& graph = [this]() -> const SeamGraph& { return document().garment()->seams; };
         QCOMPARE(graph().seams[static_cast<std::size_t>(seam)].ease.value(), 0.03);
-        QTest::mouseClick(&button("segmentEaseAsWorn"), Qt::LeftButton);
+        QTest::mouseClick(&button("segmentEaseReset"), Qt::LeftButton);
         QVERIFY(!graph().seams[static_cast<std::size_t>(seam)].ease);
         document().setSeam(seamOf(SeamKind::Free, true));
         QVERIFY(!field("segmentEase").isEnabled());

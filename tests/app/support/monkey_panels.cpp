@@ -182,12 +182,17 @@ void Monkey::decideOnLines() {
     if (document.seamCount() > 0 && random_.chance(0.7)) {
         document.setSeam(random_.whole(0, document.seamCount() - 1));
     }
-    constexpr const char* kButtons[] = {
-        "fairLines",       "trueSeamEnds",       "segmentStraight",
-        "seamAllowance",   "hasNotches",         "segmentBothSides",
-        "segmentNotchAdd", "segmentNotchRemove", "segmentAllowanceAsKind"};
+    constexpr const char* kButtons[] = {"fairing",
+                                        "trueBelowOn",
+                                        "segmentStraight",
+                                        "allowance",
+                                        "notches",
+                                        "segmentBothSides",
+                                        "segmentNotchAdd",
+                                        "segmentNotchRemove",
+                                        "segmentAllowanceReset"};
     constexpr const char* kFields[] = {"segmentAllowance", "segmentExtension", "segmentFacing",
-                                       "segmentEase",      "allowanceSeams",   "dartIntake"};
+                                       "segmentEase",      "allowanceSeam",    "dartIntake"};
     const int choice = random_.whole(0, 9);
     if (choice < 4) {
         const char* name = kButtons[random_.whole(0, static_cast<int>(std::size(kButtons)) - 1)];
