@@ -6,9 +6,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/jobs/pattern_now.h"
 #include "app/marker/cloth_drag.h"
+#include "app/actions/workspace.h"
 #include "app/text/error_text.h"
 #include "core/geometry/polygon.h"
 

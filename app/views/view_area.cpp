@@ -83,12 +83,6 @@ void ViewArea::takeKeyboard(ViewKind view) {
     }
 }
 
-void ViewArea::setNavigation(Navigation navigation) {
-    for (SceneView* view : views_) {
-        view->setNavigation(navigation);
-    }
-}
-
 void ViewArea::frameSelection() {
     for (SceneView* view : views_) {
         view->frameSelection();

@@ -22,6 +22,7 @@
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
 #include "app/settings/theme.h"
+#include "app/views/canvas.h"
 #include "app/views/pattern_view.h"
 #include "app/views/tools/cut_tools.h"
 #include "app/views/tools/tool_box.h"
@@ -182,7 +183,7 @@ void MainWindow::connectParts() {
         if (const auto spot = contextMenus_->placeForDart()) {
             proposeDart(spot->piece, spot->flat);
         } else {
-            emit workspace_.refused(
+            centre_->banner().showSentence(
                 tr("Point at the place with the right button, or mark the worst spots first."));
         }
     });
@@ -198,7 +199,7 @@ void MainWindow::followChoices(const Choices& before) {
     if (now.theme != before.theme) {
         applyTheme(now.theme);
     }
-    views().setNavigation(now.navigation);
+    Canvas::setNavigation(now.navigation);
     updateHint();
     workspace_.setNewLines(now.newGarment == NewGarment::Pattern ? withPattern({})
                                                                  : LineSettings{});

@@ -1920,10 +1920,6 @@ veraltet</translation>
         <translation>Collada-Dateien nennen ihre Hochachse; als y gelesen</translation>
     </message>
     <message>
-        <source>z is up in 3MF files</source>
-        <translation>in 3MF-Dateien zeigt z nach oben</translation>
-    </message>
-    <message>
         <source>Collada files state their unit; read as metres</source>
         <translation>Collada-Dateien nennen ihre Einheit; als Meter gelesen</translation>
     </message>
@@ -3240,10 +3236,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>; %1 % davon hängen frei</translation>
     </message>
     <message>
-        <source>Faults found by sewing</source>
-        <translation>Beim Nähen gefundene Fehler</translation>
-    </message>
-    <message>
         <source>Look at it in the pattern, put it right, and prove again</source>
         <translation>Im Schnitt ansehen, in Ordnung bringen und erneut prüfen</translation>
     </message>
@@ -3514,6 +3506,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>divided by %1 it falls into %2 pieces, and at most %3 are read; divide it otherwise, or join its parts in the modelling program</source>
         <translation>sie zerfällt bei der Teilung nach „%1“ in %2 Schnittteile, und höchstens %3 werden gelesen; teilen Sie sie anders, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>Cloth that did not come to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces that are mirrored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces that fit another place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams that slip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seams of another length than the design</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces that the pattern lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pieces that the garment lacks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cloth nowhere near the design</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6491,45 +6515,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::CompareControls</name>
-    <message>
-        <source>&amp;Piece</source>
-        <translation>&amp;Schnittteil</translation>
-    </message>
-    <message>
-        <source>Follows what is selected in the main window</source>
-        <translation>Folgt der Auswahl im Hauptfenster</translation>
-    </message>
-    <message>
-        <source>Methods, up to four</source>
-        <translation>Verfahren, bis zu vier</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Four are compared already: take one away first</source>
-        <translation>Vier werden schon verglichen: nehmen Sie erst eines weg</translation>
-    </message>
-    <message>
-        <source>Comparing…</source>
-        <translation>Wird verglichen…</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>toile::app::CompareWindow</name>
     <message>
         <source>Compare methods</source>
@@ -6543,28 +6528,33 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are flattened by the same method for it. Drag a picture to move all of them, turn the wheel to zoom, double click to see everything.</source>
         <translation>★ bester Wert der Zeile. Naht-Δ ist der der schlechtesten Naht des Schnittteils; die angenähten Schnittteile werden dafür nach demselben Verfahren abgewickelt. Ein Bild zu ziehen bewegt alle, das Mausrad vergrößert, ein Doppelklick zeigt alles.</translation>
     </message>
-</context>
-<context>
-    <name>toile::app::ComparedColumn</name>
+    <message>
+        <source>Figures of the methods</source>
+        <translation>Zahlen der Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
     <message>
         <source>Use this method</source>
         <translation>Dieses Verfahren nehmen</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>In Gebrauch</translation>
-    </message>
-    <message>
-        <source>The garment is flattened by this method</source>
-        <translation>Das Kleidungsstück wird nach diesem Verfahren abgewickelt</translation>
     </message>
     <message>
         <source>Flatten the garment by this method from now on</source>
         <translation>Das Kleidungsstück von nun an nach diesem Verfahren abwickeln</translation>
     </message>
     <message>
-        <source>%1, the flat piece</source>
-        <translation>%1, das flache Schnittteil</translation>
+        <source>%1, the best</source>
+        <translation>%1, der beste</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
     </message>
     <message>
         <source>Waiting…</source>
@@ -6575,8 +6565,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wird abgewickelt…</translation>
     </message>
     <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <source>%1, the flat piece</source>
+        <translation>%1, das flache Schnittteil</translation>
     </message>
 </context>
 <context>
@@ -7079,21 +7069,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>As the pieces lie now they take %1 across, more than its width</source>
         <translation>So wie die Teile liegen, brauchen sie %1 in der Breite, mehr als der Stoff hat</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::FigureTable</name>
-    <message>
-        <source>Figures of the methods</source>
-        <translation>Zahlen der Verfahren</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
-    </message>
-    <message>
-        <source>%1, the best</source>
-        <translation>%1, der beste</translation>
     </message>
 </context>
 <context>
@@ -7950,13 +7925,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Seam lines may change</source>
         <translation>Nahtlinien dürfen sich ändern</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::MethodComparison</name>
-    <message>
-        <source>Comparing methods</source>
-        <translation>Verfahren werden verglichen</translation>
     </message>
 </context>
 <context>
