@@ -61,7 +61,7 @@ SettingsById settingsOfNew(const Garment& garment);
 /// @param before  settings of the pieces before, in their order
 SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
                            const std::vector<PieceSettings>& before);
-/// Makes its pattern and its scene.
+/// Makes its pattern and its scene; what the scene there is has of the same results is kept.
 void draw(Derived& derived, Progress& progress);
 
 }  // namespace toile::app

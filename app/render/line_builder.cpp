@@ -215,7 +215,7 @@ void addCuttingLines(const Pattern& pattern, Scene& scene) {
             closed << line, line.row(0);
             scene.patternLines.cutting.push_back(addLine(scene, Points3(), closed, kind));
             for (Eigen::Index k = 0; k < line.rows(); ++k) {
-                scene.pieces[i].edgeBox.extend(Eigen::Vector2d(line.row(k).transpose()));
+                scene.edgeBoxes[i].extend(Eigen::Vector2d(line.row(k).transpose()));
             }
         }
         for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
