@@ -69,9 +69,10 @@ void ActionRegistry::connectTo(GarmentActions& garment) const {
     }
 }
 
-void ActionRegistry::followEnabled(Workspace& workspace) const {
+void ActionRegistry::followEnabled(Workspace& workspace, DocumentChanges what) const {
     for (const ActionSpec& spec : actionTable()) {
-        if (spec.work.enabledWhen) {
+        if (spec.work.enabledWhen && (spec.work.enabledWhen.reads & what)) {
+            ++evaluations_;
             (*this)[spec.id].setEnabled(spec.work.enabledWhen(workspace));
         }
     }
@@ -80,6 +81,7 @@ void ActionRegistry::followEnabled(Workspace& workspace) const {
 void ActionRegistry::followChecked(Workspace& workspace) const {
     for (const ActionSpec& spec : actionTable()) {
         if (spec.work.checkedWhen) {
+            ++evaluations_;
             (*this)[spec.id].setChecked(spec.work.checkedWhen(workspace));
         }
     }
