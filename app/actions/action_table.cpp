@@ -15,9 +15,9 @@
 #include "app/document/mirrored_edits.h"
 #include "app/document/piece_edits.h"
 #include "app/render/scene.h"
-#include "app/actions/cut_proposals.h"
-#include "app/actions/pattern_proof.h"
-#include "app/actions/workspace.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/pattern_proof.h"
+#include "app/session/workspace.h"
 #include "app/text/figures.h"
 #include "core/assemble/cut_pieces.h"
 

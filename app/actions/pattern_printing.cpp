@@ -12,7 +12,7 @@
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "app/export/print_dialog.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 
 namespace toile::app {

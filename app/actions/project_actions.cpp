@@ -10,7 +10,7 @@
 
 #include "app/actions/own_folders.h"
 #include "app/base/text.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
 #include "core/project/project_file.h"

@@ -8,7 +8,7 @@
 
 #include "app/jobs/pattern_now.h"
 #include "app/marker/cloth_drag.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "core/geometry/polygon.h"
 

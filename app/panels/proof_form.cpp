@@ -16,9 +16,9 @@
 #include <optional>
 #include <utility>
 
-#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/session/pattern_proof.h"
 #include "app/text/fabric_name.h"
 #include "app/widgets/number_edits.h"
 #include "app/widgets/stated_edit.h"

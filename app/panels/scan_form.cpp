@@ -11,9 +11,9 @@
 #include <QSignalBlocker>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 
 namespace toile::app {

@@ -13,7 +13,6 @@
 #include <QStatusBar>
 #include <QUrl>
 
-#include "app/actions/autosave.h"
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"

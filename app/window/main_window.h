@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/autosave.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
+#include "app/window/recovery.h"
 #include "app/window/window_centre.h"
 #include "app/window/window_docks.h"
 

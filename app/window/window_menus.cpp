@@ -15,7 +15,7 @@
 #include "app/actions/material_menu.h"
 #include "app/actions/menu_table.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/widgets/icon.h"
 
 namespace toile::app {

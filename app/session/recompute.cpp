@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/recompute.h"
+#include "app/session/recompute.h"
 
 #include <utility>
 

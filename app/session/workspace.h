@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/actions/opening.h"
-#include "app/actions/recompute.h"
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/reference_finder.h"
+#include "app/session/opening.h"
+#include "app/session/recompute.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/formats/formats.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/cut_proposals.h"
+#include "app/session/cut_proposals.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/document/document.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/assemble/cut_pieces.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/part_naming.h"
+#include "app/session/part_naming.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/project_session.h"
+#include "app/session/project_session.h"
 
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/project_state.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 
 namespace toile::app {

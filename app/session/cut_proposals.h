@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/actions/part_naming.h"
 #include "app/document/document_change.h"
 #include "app/jobs/cut_adviser.h"
+#include "app/session/part_naming.h"
 #include "core/tailor/handles.h"
 
 namespace toile::app {
