@@ -222,6 +222,13 @@ inline const SceneCloth* clothOf(const std::shared_ptr<const Scene>& scene) {
     return scene ? scene->cloth.get() : nullptr;
 }
 
+/// Lines of a reference pattern over the flat pieces of a scene. Separate from the scene, since the
+/// pieces that they belong to are found later. Shared and never changed.
+struct ReferenceLines {
+    std::vector<LineVertex> vertices{};
+    LineRuns runs{};  ///< `LineRuns::reference` alone
+};
+
 /// About what it takes in memory. Cost: none to speak of.
 std::size_t bytesOf(const Scene& scene);
 
@@ -239,7 +246,7 @@ struct SheetPlace {
 /// One per piece of the scene. Shorter lists stand for pieces that lie where they were made.
 using SheetPlaces = std::vector<SheetPlace>;
 
-/// @param colours    one per piece, or none where nobody asks
+/// @param colours    one per piece, or none if they are not needed
 /// @param materials  that pieces may be of; or none where no fabric is asked for
 SheetPlaces placesOf(const std::vector<PieceSettings>& settings,
                      const std::vector<int>& colours = {}, const MaterialList& materials = {});

@@ -8,6 +8,7 @@
 
 namespace toile {
 struct Pattern;
+struct PatternMatch;
 }  // namespace toile
 
 namespace toile::app {
@@ -54,5 +55,8 @@ void addCuttingLines(const Pattern& pattern, Scene& scene);
 /// darts where it has allowances.
 void addInternalLines(const Garment& garment, const PieceResults& results, const Pattern& pattern,
                       Scene& scene);
+
+/// The outlines of the file's pieces, each laid on the piece that it surely is. Pure; linear.
+ReferenceLines referenceLines(const PatternMatch& match);
 
 }  // namespace toile::app

@@ -12,7 +12,6 @@
 #include "app/document/view_state.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_mesh.h"
-#include "app/render/reference_lines.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/render/shader_program.h"
@@ -53,7 +52,7 @@ public:
     /// Frees everything on the GPU. Before the context goes.
     void release();
 
-    /// The next frame uploads what is another than before.
+    /// The next frame uploads what has changed.
     void show(SceneContent content);
     const SceneContent& content() const { return content_; }
     void setHover(const std::optional<Feature>& hover) { content_.hover = hover; }

@@ -12,11 +12,10 @@
 #include "app/views/colour_bar.h"
 #include "app/views/feature_text.h"
 #include "app/views/garment_view.h"
-#include "app/views/morph_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
-#include "app/views/sewn_bar.h"
 #include "app/views/walk_bar.h"
+#include "app/views/way_bars.h"
 
 namespace toile::app {
 

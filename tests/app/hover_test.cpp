@@ -7,8 +7,8 @@
 #include "app/render/render_style.h"
 #include "app/render/scene_renderer.h"
 #include "app/views/feature_text.h"
-#include "app/views/morph_bar.h"
 #include "app/views/tools/tool_box.h"
+#include "app/views/way_bars.h"
 #include "tests/app/support/pointer_bench.h"
 #include "tests/app/support/run_test.h"
 
