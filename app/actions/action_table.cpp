@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: it is one table, read from top to bottom, and before it stand the
-// few words for work and conditions that its entries share and nobody else speaks.
+// This file is long because it is one table, read from top to bottom, after the few helpers for
+// work and conditions that its entries share.
 #include "app/actions/action_table.h"
 
 #include <QCoreApplication>
@@ -262,7 +262,7 @@ ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::
             [=](Workspace& on) { return on.loading().*field == value; }, group};
 }
 
-/// What else has been said of the file stays.
+/// Other settings of the file stay.
 ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer,
                    int onlyLayer = 0) {
     return {[=](GarmentActions& on, bool) {
@@ -360,7 +360,7 @@ ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
             isAnyFlat};
 }
 
-// lupdate is told of this name, and takes the namespace for the context.
+// lupdate knows this name, and takes the namespace for the context.
 #define TR(text) text
 
 std::vector<ActionSpec> makeActions() {

@@ -237,7 +237,7 @@ struct ActionWork {
     /// @param checked  as the action is now
     std::function<void(GarmentActions& on, bool checked)> run{};
     When enabledWhen{};                             ///< none: always
-    std::function<bool(Workspace&)> checkedWhen{};  ///< none: whoever does it says so
+    std::function<bool(Workspace&)> checkedWhen{};  ///< none: set by the code that does it
     ActionGroup group = ActionGroup::None;
 };
 
@@ -252,7 +252,7 @@ struct ActionSpec {
     const char* shortText = "";  ///< for the toolbar
 };
 
-/// Everything that is said of actions but where they are in the menus (menu_table.h).
+/// Everything about actions except their place in the menus (menu_table.h).
 const std::vector<ActionSpec>& actionTable();
 
 }  // namespace toile::app

@@ -71,7 +71,7 @@ void GarmentActions::connectState() {
         actions_.followChecked(workspace_);
         askWhich();
     });
-    // The document may not be told of a step yet: only what is said of the steps is asked for.
+    // The document may not know of a step yet: only texts of the history are used.
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
     updateHistory();

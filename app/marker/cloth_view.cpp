@@ -66,7 +66,7 @@ void paintRepeat(QPainter& painter, const RenderStyle& style, const SheetMap& on
     }
 }
 
-/// A roll: selvedges on both sides, or the fold on the lower one; it goes on beyond its end.
+/// A roll: selvedges on both sides, or the fold on the lower one; it continues beyond its end.
 void paintRoll(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                const ClothMarker& marker, bool isFolded) {
     const QPointF upperLeft = onScreen(Eigen::Vector2d(0, marker.width));

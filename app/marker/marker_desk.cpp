@@ -332,7 +332,7 @@ void MarkerDesk::takeGround(std::shared_ptr<const ClothGround> ground) {
     emit clothChanged();
 }
 
-/// Where it is improved it goes on being improved.
+/// If the search runs, it continues.
 std::optional<int> MarkerDesk::rounds() const {
     return isImproving_ && search_.isRunning() ? std::nullopt : std::optional(kFirstRounds);
 }

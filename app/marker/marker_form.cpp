@@ -214,7 +214,7 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     grid.addWidget(matchedTitle_, row, 0, 1, 2);
     grid.addWidget(matched_, row + 1, 0, 1, 2);
     connect(matched_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        // Once the list has done with it: it is filled anew.
+        // After the list has handled the event: it is filled again.
         QMetaObject::invokeMethod(
             this,
             [this, seam = item->text().toStdString(),

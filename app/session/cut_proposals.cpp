@@ -16,7 +16,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kAfterMove = 700;  // ms, until what was moved is flattened anew
+constexpr int kAfterMove = 700;  // ms, until a moved cut is flattened again
 
 AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
                           const std::vector<UserCut>& own = {}) {

@@ -16,7 +16,7 @@ PartNaming::PartNaming(Document& document) : document_(document) {
         if (what.testFlag(DocumentChange::Opened)) {
             nameOf_ = nullptr;
         } else if (nameOf_ && document_.isCurrent()) {
-            // Once whoever hears of this change has heard of it.
+            // After all listeners have handled this change.
             QMetaObject::invokeMethod(this, &PartNaming::nameParts, Qt::QueuedConnection);
         }
     });

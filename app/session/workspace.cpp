@@ -354,7 +354,7 @@ void Workspace::changeLoading(LoadingChange change) {
         cutAlike.autoCut = before.autoCut;
         cutAlike.cutStyle = before.cutStyle;
         if (document_.isCurrent() && !(cutAlike == before)) {
-            after.known = knownPieces(*document_.garment());  // they are to be divided anew
+            after.known = knownPieces(*document_.garment());  // they are divided again
         }
         DocumentState next = document_.state();
         next.inputs.loading = std::move(after);

@@ -43,7 +43,7 @@ public:
     /// 0 where nothing is sewn, or on the way to the pattern. While it is being sewn it is shown as
     /// far as that is.
     double sewnWay() const;
-    /// The pointer goes on to mean the cloth where the design has it.
+    /// The pointer still means the cloth as the design has it.
     void setSewnWay(double way);
 
 signals:

@@ -27,7 +27,7 @@ namespace {
 /// Cloth around a place that is shown: a part of its piece, at least so many mm.
 constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 
-/// What is drawn anew then.
+/// Changes after which the content is drawn again.
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Settings | DocumentChange::Fabric |
                                      DocumentChange::Selection | DocumentChange::SeamSelection |
@@ -68,7 +68,7 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what & kContent) {
         const SheetPlaces before = places();
         renderer().show(contentOf(document_));
-        // Who moves a piece wants the sheet to stay where it is.
+        // When the user moves a piece, the sheet stays where it is.
         const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
                             lieElsewhere(places(), before);
         followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
@@ -115,7 +115,7 @@ std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             if (const auto at = pointOnScreen(scene()->lineVertices[i])) {
                 line << *at;
-            } else if (!line.isEmpty()) {  // it goes on behind the eye
+            } else if (!line.isEmpty()) {  // it continues behind the eye
                 drawn.push_back(std::exchange(line, {}));
             }
         }

@@ -39,8 +39,7 @@ public:
     /// Shows both sides of the selected seam; does nothing where none is selected.
     void frameSeam();
     void frameAll() override;
-    /// Shows a place from near by, with a ring around it until something else is selected or the
-    /// pieces are others.
+    /// Shows a place from near by, with a ring around it until the selection or the pieces change.
     void showSpot(const WorstSpot& spot);
     /// The place with the ring, if any.
     const std::optional<WorstSpot>& shownSpot() const { return shown_; }

@@ -88,7 +88,7 @@ OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QW
 
 void OutdatedBar::follow(PatternAge age) {
     const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
-    // What has begun is told by the status bar; only what waits is told here.
+    // The status bar shows running jobs; this shows waiting ones only.
     const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
     const QString why = tr("The pattern is out of date: flatten it first");
     actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);

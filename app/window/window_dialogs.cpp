@@ -83,7 +83,7 @@ void WindowDialogs::compareMethods() {
 void WindowDialogs::layOnCloth() {
     if (!marker_) {
         marker_ = new MarkerWindow(workspace_, preferences_, files_, &window_);
-        // What is said and laid there is taken back as everything is.
+        // Changes made there are undone like all others.
         marker_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
     }
     marker_->show();
