@@ -8,11 +8,11 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/jobs/ready_checker.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
+#include "app/session/pattern_proof.h"
 #include "app/settings/language.h"
 #include "app/settings/preferences.h"
 #include "app/settings/theme.h"

@@ -69,9 +69,10 @@ void ActionRegistry::connectTo(GarmentActions& garment) const {
     }
 }
 
-void ActionRegistry::followEnabled(Workspace& workspace) const {
+void ActionRegistry::followEnabled(Workspace& workspace, DocumentChanges what) const {
     for (const ActionSpec& spec : actionTable()) {
-        if (spec.work.enabledWhen) {
+        if (spec.work.enabledWhen && (spec.work.enabledWhen.reads & what)) {
+            ++evaluations_;
             (*this)[spec.id].setEnabled(spec.work.enabledWhen(workspace));
         }
     }
@@ -80,6 +81,7 @@ void ActionRegistry::followEnabled(Workspace& workspace) const {
 void ActionRegistry::followChecked(Workspace& workspace) const {
     for (const ActionSpec& spec : actionTable()) {
         if (spec.work.checkedWhen) {
+            ++evaluations_;
             (*this)[spec.id].setChecked(spec.work.checkedWhen(workspace));
         }
     }
@@ -94,7 +96,7 @@ void ActionRegistry::setPlain(bool plain) {
 void ActionRegistry::showWanted() const {
     const bool isOtherSolver = actions_.at(ActionId::SolverSlcp)->isChecked();
     for (const auto& [id, action] : actions_) {
-        // The usual way to the outline is as a rule nobody's choice; else it is the way back.
+        // The usual solver is listed only as the way back from another one.
         const bool isInUse = id == ActionId::SolverNewton ? isOtherSolver : action->isChecked();
         action->setVisible(!plain_ || !isForSpecialists(id) || isInUse);
     }

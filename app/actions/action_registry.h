@@ -30,8 +30,10 @@ public:
     }
     /// From now on does what the table says, for as long as `garment` lives.
     void connectTo(GarmentActions& garment) const;
-    /// Asks the table which actions can be done now.
-    void followEnabled(Workspace& workspace) const;
+    /// Asks the table which actions can be done now, of those that read what has changed.
+    void followEnabled(Workspace& workspace, DocumentChanges what = ~DocumentChanges()) const;
+    /// How many conditions were evaluated so far.
+    int evaluations() const { return evaluations_; }
     /// And which are chosen, or switched on.
     void followChecked(Workspace& workspace) const;
     /// Whether actions for specialists are left out of menus and lists, but for those in use.
@@ -45,6 +47,7 @@ private:
 
     std::map<ActionId, QAction*> actions_;
     bool plain_ = false;
+    mutable int evaluations_ = 0;
 };
 
 }  // namespace toile::app

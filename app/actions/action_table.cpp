@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: it is one table, read from top to bottom, and before it stand the
-// few words for work and conditions that its entries share and nobody else speaks.
+// This file is long because it is one table, read from top to bottom, after the few helpers for
+// work and conditions that its entries share.
 #include "app/actions/action_table.h"
 
 #include <QCoreApplication>
@@ -9,15 +9,15 @@
 #include <numbers>
 #include <utility>
 
-#include "app/actions/cut_proposals.h"
 #include "app/actions/garment_actions.h"
-#include "app/actions/pattern_proof.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/workspace.h"
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
 #include "app/document/piece_edits.h"
 #include "app/render/scene.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/pattern_proof.h"
+#include "app/session/workspace.h"
 #include "app/text/figures.h"
 #include "core/assemble/cut_pieces.h"
 
@@ -25,52 +25,64 @@ namespace toile::app {
 
 namespace {
 
-using When = std::function<bool(Workspace&)>;
 using PieceIndices = std::vector<int>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-bool isOpen(Workspace& on) {
-    return on.document().garment() != nullptr;
-}
+/// Flags of a document that is opened come with that of the garment.
+constexpr DocumentChanges kOpens = DocumentChange::Opened | DocumentChange::Garment;
+constexpr DocumentChanges kDraws = kOpens | DocumentChange::Results;
+
+const When isOpen([](Workspace& on) { return on.document().garment() != nullptr; }, kOpens);
 
 bool canRedo(Workspace& on) {
     return on.document().history().canRedo();
 }
 
-bool showsFigures(Workspace& on) {
-    return isOpen(on) && isMeasured(on.document().view().overlay);
-}
+const When showsFigures(
+    [](Workspace& on) { return isOpen(on) && isMeasured(on.document().view().overlay); },
+    kOpens | DocumentChange::View);
 
-bool hasReference(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return on.document().state().reference.file ||
-           (scene && !scene->patternLines.reference.empty());
-}
+const When hasReference(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return on.document().state().reference.file ||
+               (scene && !scene->patternLines.reference.empty());
+    },
+    kDraws | DocumentChange::Reference);
 
 bool namesReference(Workspace& on) {
     return isOpen(on) && !on.document().state().reference.path.empty();
 }
 
-bool hasExactOutline(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.exact.empty();
-}
+const When hasExactOutline(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.exact.empty();
+    },
+    kDraws);
 
-bool hasCuttingLine(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.cutting.empty();
-}
+const When hasCuttingLine(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.cutting.empty();
+    },
+    kDraws);
 
-bool hasNotches(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !scene->patternLines.notches.empty();
-}
+const When hasNotches(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene && !scene->patternLines.notches.empty();
+    },
+    kDraws);
 
-bool hasInternalLines(Workspace& on) {
-    const auto& scene = on.document().scene();
-    return scene && !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
-}
+const When hasInternalLines(
+    [](Workspace& on) {
+        const auto& scene = on.document().scene();
+        return scene &&
+               !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
+    },
+    kDraws);
 
 bool drawsMirrored(Workspace& on) {
     return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
@@ -89,18 +101,18 @@ const Seam* selectedSeam(Workspace& on) {
     return seam ? &on.document().garment()->seams.seams[static_cast<std::size_t>(*seam)] : nullptr;
 }
 
-bool isSewnSeam(Workspace& on) {
-    const Seam* seam = selectedSeam(on);
-    return seam && seam->kind != SeamKind::Free;
-}
+const When isSewnSeam(
+    [](Workspace& on) {
+        const Seam* seam = selectedSeam(on);
+        return seam && seam->kind != SeamKind::Free;
+    },
+    kOpens | DocumentChange::SeamSelection);
 
-bool isOnePiece(Workspace& on) {
-    return on.document().selection().size() == 1;
-}
+const When isOnePiece([](Workspace& on) { return on.document().selection().size() == 1; },
+                      kOpens | DocumentChange::Selection);
 
-bool isAnyPiece(Workspace& on) {
-    return !on.document().selection().empty();
-}
+const When isAnyPiece([](Workspace& on) { return !on.document().selection().empty(); },
+                      kOpens | DocumentChange::Selection);
 
 bool isAnyPieceOut(Workspace& on, bool leftOut) {
     return std::ranges::any_of(on.document().selection(), [&on, leftOut](int piece) {
@@ -250,7 +262,7 @@ ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::
             [=](Workspace& on) { return on.loading().*field == value; }, group};
 }
 
-/// What else has been said of the file stays.
+/// Other settings of the file stay.
 ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer,
                    int onlyLayer = 0) {
     return {[=](GarmentActions& on, bool) {
@@ -348,7 +360,7 @@ ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
             isAnyFlat};
 }
 
-// lupdate is told of this name, and takes the namespace for the context.
+// lupdate knows this name, and takes the namespace for the context.
 #define TR(text) text
 
 std::vector<ActionSpec> makeActions() {

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "app/document/document_change.h"
 #include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
@@ -206,13 +210,34 @@ enum class ActionGroup {
     Split
 };
 
+/// What has to hold so that an action can be done, and what of the document that reads.
+struct When {
+    using Holds = std::function<bool(Workspace&)>;
+
+    /// What the pointer is on decides about no action.
+    static constexpr DocumentChanges kAnything = ~DocumentChanges(DocumentChange::Hover);
+
+    When() = default;
+    When(std::nullptr_t) {}
+    template <class Function>
+    requires std::is_invocable_r_v<bool, Function&, Workspace&> When(
+        Function function, DocumentChanges what = kAnything)
+        : holds(std::move(function)), reads(what) {}
+
+    Holds holds{};  ///< none: always
+    DocumentChanges reads = kAnything;
+
+    bool operator()(Workspace& on) const { return holds(on); }
+    explicit operator bool() const { return holds != nullptr; }
+};
+
 /// What an action does, and when. What is done by views, panels and the window is connected where
 /// these are (`ActionRegistry::on`).
 struct ActionWork {
     /// @param checked  as the action is now
     std::function<void(GarmentActions& on, bool checked)> run{};
-    std::function<bool(Workspace&)> enabledWhen{};  ///< none: always
-    std::function<bool(Workspace&)> checkedWhen{};  ///< none: whoever does it says so
+    When enabledWhen{};                             ///< none: always
+    std::function<bool(Workspace&)> checkedWhen{};  ///< none: set by the code that does it
     ActionGroup group = ActionGroup::None;
 };
 
@@ -227,7 +252,7 @@ struct ActionSpec {
     const char* shortText = "";  ///< for the toolbar
 };
 
-/// Everything that is said of actions but where they are in the menus (menu_table.h).
+/// Everything about actions except their place in the menus (menu_table.h).
 const std::vector<ActionSpec>& actionTable();
 
 }  // namespace toile::app

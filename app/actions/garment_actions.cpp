@@ -8,19 +8,19 @@
 #include <QWidget>
 #include <utility>
 
-#include "app/actions/cut_proposals.h"
 #include "app/actions/material_menu.h"
 #include "app/actions/own_folders.h"
 #include "app/actions/pattern_printing.h"
-#include "app/actions/pattern_proof.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
 #include "app/document/piece_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/jobs/garment_jobs.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/pattern_proof.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
 #include "core/base/file.h"
@@ -71,18 +71,18 @@ void GarmentActions::connectState() {
         actions_.followChecked(workspace_);
         askWhich();
     });
-    // The document may not be told of a step yet: only what is said of the steps is asked for.
+    // The document may not know of a step yet: only texts of the history are used.
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
     updateHistory();
-    onChanged(DocumentChange::View | DocumentChange::Options);
+    onChanged(~DocumentChanges());
 }
 
 void GarmentActions::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::View | DocumentChange::Options | DocumentChange::Results)) {
         actions_.followChecked(workspace_);
     }
-    actions_.followEnabled(workspace_);
+    actions_.followEnabled(workspace_, what);
 }
 
 void GarmentActions::updateHistory() {

@@ -21,7 +21,7 @@ struct Gesture {
     const char* does;
 };
 
-// lupdate is told of this name, and takes the namespace for the context.
+// lupdate knows this name, and takes the namespace for the context.
 #define TR(text) text
 
 /// Those of one group follow each other.

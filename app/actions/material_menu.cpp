@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Of entries that are made anew.
+/// Of entries that are made again.
 constexpr auto kEntry = "materialEntry";
 
 std::vector<int> selectedPieces(const Document& document) {

@@ -11,7 +11,7 @@ namespace toile::app {
 
 namespace {
 
-// lupdate is told of this name, and takes the namespace for the context.
+// lupdate knows this name, and takes the namespace for the context.
 #define TR(text) text
 
 constexpr MenuSeparator kLine{};

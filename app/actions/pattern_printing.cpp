@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "app/actions/file_dialogs.h"
-#include "app/actions/workspace.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "app/export/print_dialog.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 
 namespace toile::app {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/actions/own_folders.h"
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"
 #include "core/project/project_file.h"

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "app/actions/file_dialogs.h"
-#include "app/actions/project_session.h"
+#include "app/session/project_session.h"
 
 class QMenu;
 

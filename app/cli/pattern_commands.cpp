@@ -254,7 +254,9 @@ int runWalk(const Arguments& arguments, std::ostream& out, Messages& messages) {
     const LineSettings& lines = arguments.lines;
     const PieceResults results = flattened(arguments, *garment, progress);
     const auto [notches, walks] =
-        walkGarment(*garment, results, lines, symmetryOf(*garment, lines).get());
+        walkGarment(*garment, results,
+                    makePattern(*garment, results, lines, symmetryOf(*garment, lines)),
+                    lines.notches);
     if (arguments.json) {
         out << writeWalk(*garment, notches, walks);
     } else {

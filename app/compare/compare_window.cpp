@@ -1,38 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/compare/compare_window.h"
 
-#include <QCheckBox>
+#include <QAction>
+#include <QClipboard>
 #include <QComboBox>
-#include <QGridLayout>
+#include <QGuiApplication>
+#include <QHeaderView>
 #include <QLabel>
-#include <QProgressBar>
+#include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QScreen>
 #include <QShowEvent>
-#include <QSignalBlocker>
+#include <QStackedWidget>
+#include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <optional>
+#include <iterator>
 
-#include "app/compare/compared_column.h"
-#include "app/compare/figure_table.h"
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/names.h"
 #include "app/render/gl_support.h"
 #include "app/render/overlay_values.h"
+#include "app/render/pattern_renderer.h"
 #include "app/settings/length_display.h"
+#include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "app/views/colour_bar.h"
+#include "app/views/view_text.h"
 
 namespace toile::app {
 namespace {
 
-constexpr int kSteps = 1000;  // of the progress bar
-
-/// What stands beside the present method at first; the present one being among them, the last.
+/// Rows of the table.
+constexpr int kMethodChoices = 0, kPictures = 1, kUseButtons = 2, kFirstFigure = 3;
+/// Room below for the scale bar, logical pixels.
+constexpr Camera2D::Margins kMargins{14, 14, 50};
+/// Proposed beside the document's own method; the last is left out if that is one of them.
 constexpr Method kFirst[] = {Method::Curvature, Method::Wang2005, Method::Lscm, Method::Isometric};
+constexpr double kMillisecond = 1e-3;
+constexpr QChar kDash(0x2013), kStar(0x2605);
 
-/// Shows all that any of them shows.
+/// The rows, the most asked for first.
+constexpr Criterion kRows[] = {
+    Criterion::StrainMean,   Criterion::StrainMax,        Criterion::StrainMin,
+    Criterion::SeamMismatch, Criterion::LengthError,      Criterion::PiA,
+    Criterion::ReferenceRms, Criterion::FlippedTriangles, Criterion::OutlineCrossings,
+    Criterion::Seconds,
+};
+
+/// Without the unit.
+QString figureText(FigureFormat format, double value) {
+    switch (format) {
+        case FigureFormat::Seconds:
+            value /= kMillisecond;
+            return QLocale().toString(value, 'f', value < 100 ? 1 : 0);
+        case FigureFormat::Ratio:
+            return percent(value);
+        case FigureFormat::SignedRatio:
+            return signedPercent(value);
+        case FigureFormat::LengthError:
+            return boundaryError(value);
+        case FigureFormat::Count:
+            return QLocale().toString(static_cast<int>(value));
+        case FigureFormat::Millimetres:
+            return fineLength(value);
+    }
+    return {};
+}
+
+/// Per method: whether its figure is the best one, or reads like it. None is where all read alike.
+std::vector<bool> bestOnes(Criterion criterion, const std::vector<std::optional<double>>& values,
+                           const QStringList& texts) {
+    const auto best = bestOf(criterion, values);
+    const QString text = best ? texts[static_cast<qsizetype>(*best)] : QString();
+    const auto isOther = [&](const QString& other) { return !other.isEmpty() && other != text; };
+    const bool isAny = best && std::ranges::any_of(texts, isOther);
+    std::vector<bool> marks;
+    for (const QString& each : texts) {
+        marks.push_back(isAny && each == text);
+    }
+    return marks;
+}
+
+/// Covers both ranges.
 OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
     OverlayScale both = one;
     both.low = std::min(one.low, other.low);
@@ -42,156 +94,97 @@ OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
     return both;
 }
 
+/// Around the outline: tighter than the box of a box if the piece is turned.
+Eigen::AlignedBox2d outlineBox(const Scene& scene, const Placement& placement) {
+    Eigen::AlignedBox2d box;
+    const VertexRun run = scene.patternLines.outlines.front();
+    for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+        box.extend(placement.applied(flatPoint(scene.lineVertices[i])));
+    }
+    return box;
+}
+
 }  // namespace
 
-CompareControls::CompareControls(const Document& document, MethodComparison& comparison,
-                                 QWidget* parent)
-    : QWidget(parent),
-      document_(document),
-      comparison_(comparison),
-      piece_(new QComboBox(this)),
-      work_(new QLabel(this)),
-      progress_(new QProgressBar(this)),
-      button_(new QPushButton(this)) {
-    makeLayout();
-    connect(piece_, &QComboBox::activated, &comparison_, &MethodComparison::setPiece);
-    connect(button_, &QPushButton::clicked, this, [this] {
-        if (comparison_.isStopped()) {
-            comparison_.goOn();
-        } else {
-            comparison_.stop();
-        }
-    });
-    connect(&comparison_, &MethodComparison::changed, this, &CompareControls::refresh);
-    connect(&comparison_, &MethodComparison::progressed, this, &CompareControls::showWork);
-    refresh();
+ComparedPicture::ComparedPicture(SheetCamera& camera, bool hasScaleBar, QWidget* parent)
+    : RenderedWidget(std::make_unique<PatternRenderer>(), parent),
+      camera_(camera),
+      canvas_(*this, camera, true),
+      hasScaleBar_(hasScaleBar) {
+    setMinimumSize(120, 120);
+    setCursor(Qt::OpenHandCursor);
+    connect(&camera_, &SheetCamera::moved, this, [this] { update(); });
 }
 
-void CompareControls::makeLayout() {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 8, 0);
-    auto* pieceLabel = new QLabel(tr("&Piece"), this);
-    pieceLabel->setBuddy(piece_);
-    piece_->setObjectName("comparePiece");
-    piece_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    piece_->setToolTip(tr("Follows what is selected in the main window"));
-    layout->addWidget(pieceLabel);
-    layout->addWidget(piece_);
-    layout->addSpacing(10);
-    layout->addWidget(new QLabel(tr("Methods, up to four"), this));
-    for (const MethodTraits& known : allMethods()) {
-        auto* box = new QCheckBox(methodName(known.method), this);
-        box->setObjectName("compare_" + QString::fromUtf8(known.name));
-        connect(box, &QCheckBox::clicked, this, [this] {
-            isChosen_ = true;
-            comparison_.setMethods(ticked());
-        });
-        boxes_.emplace(known.method, box);
-        layout->addWidget(box);
-    }
-    layout->addStretch(1);
-    work_->setObjectName("compareWork");
-    work_->setWordWrap(true);
-    progress_->setObjectName("compareProgress");
-    progress_->setRange(0, kSteps);
-    progress_->setTextVisible(false);
-    progress_->setAccessibleName(tr("Progress"));
-    button_->setObjectName("compareCancel");
-    button_->setAutoDefault(false);
-    layout->addWidget(work_);
-    layout->addWidget(progress_);
-    layout->addWidget(button_, 0, Qt::AlignLeft);
+void ComparedPicture::setContent(SceneContent content, const ViewState& view) {
+    view_ = view;
+    renderer().show(std::move(content));
+    update();
 }
 
-void CompareControls::propose() {
-    if (!isChosen_) {
-        std::vector<Method> methods{document_.options().method};
-        for (const Method method : kFirst) {
-            if (methods.size() < kMaxCompared &&
-                std::ranges::find(methods, method) == methods.end()) {
-                methods.push_back(method);
-            }
-        }
-        for (const auto& [method, box] : boxes_) {
-            box->setChecked(std::ranges::find(methods, method) != methods.end());
-        }
+void ComparedPicture::paintGL() {
+    const RenderStyle style = renderStyle(palette());
+    const Camera2D camera = camera_.seenIn(size());
+    if (problem().isEmpty()) {
+        const QSize onDevice = devicePixels(*this);
+        static_cast<PatternRenderer&>(renderer())
+            .paint(camera, view_, style, onDevice.width(), onDevice.height(), devicePixelRatioF());
     }
-    int piece = 0;
-    for (int i = document_.pieceCount() - 1; i >= 0; --i) {
-        const PieceResult* result = document_.result(i);
-        piece = result && result->flat ? i : piece;
+    OverPainter over(*this);
+    QPainter& painter = over.painter();
+    if (!problem().isEmpty()) {
+        paintProblem(painter, style, rect(), problem());
+    } else if (hasScaleBar_) {
+        paintScaleBar(painter, style, rect(), camera.pixelsPerMillimetre());
     }
-    comparison_.setMethods(ticked());
-    comparison_.setPiece(document_.selection().empty() ? piece : *document_.selection().begin());
-}
-
-/// In the order of `allMethods`.
-std::vector<Method> CompareControls::ticked() const {
-    std::vector<Method> methods;
-    for (const MethodTraits& known : allMethods()) {
-        if (boxes_.at(known.method)->isChecked()) {
-            methods.push_back(known.method);
-        }
-    }
-    return methods;
-}
-
-void CompareControls::refresh() {
-    showPieces();
-    limitMethods();
-    showWork();
-}
-
-void CompareControls::showPieces() {
-    QStringList names, shown;
-    if (document_.garment()) {
-        for (int i = 0; i < document_.pieceCount(); ++i) {
-            names << pieceName(document_, i);
-        }
-    }
-    for (int i = 0; i < piece_->count(); ++i) {
-        shown << piece_->itemText(i);
-    }
-    const QSignalBlocker quiet(piece_);
-    if (shown != names) {
-        piece_->clear();
-        piece_->addItems(names);
-    }
-    piece_->setCurrentIndex(comparison_.piece());
-}
-
-void CompareControls::limitMethods() {
-    const bool full = ticked().size() >= kMaxCompared;
-    for (const auto& [method, box] : boxes_) {
-        box->setEnabled(box->isChecked() || !full);
-        box->setToolTip(box->isEnabled() ? QString()
-                                         : tr("Four are compared already: take one away first"));
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
     }
 }
 
-void CompareControls::showWork() {
-    const bool busy = comparison_.isBusy(), stopped = comparison_.isStopped();
-    work_->setText(busy ? tr("Comparing…") : stopped ? tr("Cancelled.") : QString());
-    progress_->setVisible(busy);
-    progress_->setValue(static_cast<int>(comparison_.fraction() * kSteps));
-    button_->setVisible(busy || stopped);
-    button_->setText(stopped ? tr("Go on") : tr("Cancel"));
+void ComparedPicture::resizeEvent(QResizeEvent* event) {
+    RenderedWidget::resizeEvent(event);
+    camera_.setViewport(size());
 }
 
 CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWidget* parent)
     : QDialog(parent),
       document_(document),
+      camera_(kMargins),
       comparison_(document, ordinary),
-      controls_(new CompareControls(document, comparison_, this)),
-      pictures_(new QWidget(this)),
-      legend_(new ColourBar(this)),
-      table_(new FigureTable(this)) {
+      table_(new QTableWidget(kFirstFigure, kMethods, this)),
+      legend_(new ColourBar(this)) {
     setObjectName("compareWindow");
     setWindowTitle(tr("Compare methods"));
     setSizeGripEnabled(true);
-    makeLayout(glProblem());
+    const QString problem = glProblem();
+    legend_->setObjectName("compareLegend");
+    legend_->setVisible(problem.isEmpty());
+    auto* note = new QLabel(
+        problem.isEmpty()
+            ? tr("★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to "
+                 "it are flattened by the same method for it. Drag a picture to move all of them, "
+                 "turn the wheel to zoom, double click to see everything.")
+            : tr("No pictures can be shown: %1").arg(problem),
+        this);
+    note->setObjectName("compareNote");
+    note->setWordWrap(true);
+    makeTable();
+    for (int i = 0; i < kMethods; ++i) {
+        makeColumn(i, problem.isEmpty());
+    }
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(table_, 1);
+    column->addWidget(legend_);
+    column->addWidget(note);
     connect(&comparison_, &MethodComparison::changed, this, &CompareWindow::refresh);
-    connect(&document_, &Document::changed, this, &CompareWindow::onDocumentChanged);
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (isVisible() && (what & (DocumentChange::View | DocumentChange::Fabric |
+                                    DocumentChange::Settings | DocumentChange::Options))) {
+            showPictures();
+        }
+    });
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &CompareWindow::refresh);
     resize(QSize(1360, 860).boundedTo(screen()->availableSize() * 0.95));
 }
@@ -200,50 +193,82 @@ CompareWindow::~CompareWindow() {
     comparison_.disconnect();
 }
 
-void CompareWindow::makeLayout(const QString& glProblem) {
-    auto* row = new QHBoxLayout(pictures_);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        columns_[i] = new ComparedColumn(glProblem.isEmpty() ? &camera_ : nullptr,
-                                         static_cast<int>(i), pictures_);
-        connect(columns_[i], &ComparedColumn::used, this, &CompareWindow::methodWanted);
-        row->addWidget(columns_[i], 1);
-    }
-    legend_->setObjectName("compareLegend");
-    legend_->setVisible(glProblem.isEmpty());
-    auto* problem = new QLabel(
-        glProblem.isEmpty() ? QString() : tr("No pictures can be shown: %1").arg(glProblem), this);
-    problem->setObjectName("compareGlProblem");
-    problem->setWordWrap(true);
-    problem->setVisible(!glProblem.isEmpty());
-    auto* note = new QLabel(
-        tr("★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are "
-           "flattened by the same method for it. Drag a picture to move all of them, turn the "
-           "wheel "
-           "to zoom, double click to see everything."),
-        this);
-    note->setObjectName("compareNote");
-    note->setWordWrap(true);
+void CompareWindow::makeTable() {
+    table_->setObjectName("compareTable");
+    table_->setAccessibleName(tr("Figures of the methods"));
+    table_->setShowGrid(false);
+    table_->setTabKeyNavigation(false);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table_->horizontalHeader()->hide();
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    QHeaderView& rows = *table_->verticalHeader();
+    rows.setSectionResizeMode(QHeaderView::ResizeToContents);
+    rows.setSectionResizeMode(kPictures, QHeaderView::Stretch);
+    rows.setSectionsClickable(false);
+    rows.setHighlightSections(false);
+    auto* copy = new QAction(tr("&Copy"), table_);
+    copy->setObjectName("copyComparison");
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+    connect(copy, &QAction::triggered, this,
+            [this] { QGuiApplication::clipboard()->setText(copiedFigures()); });
+    table_->addAction(copy);
+    table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+}
 
-    auto* layout = new QGridLayout(this);
-    layout->addWidget(controls_, 0, 0, 3, 1);
-    layout->addWidget(problem, 0, 1);
-    layout->addWidget(pictures_, 1, 1);
-    layout->addWidget(legend_, 2, 1);
-    layout->addWidget(table_, 3, 0, 1, 2);
-    layout->addWidget(note, 4, 0, 1, 2);
-    layout->setColumnStretch(1, 1);
-    layout->setRowStretch(1, 1);
+void CompareWindow::makeColumn(int number, bool canDraw) {
+    Column& column = columns_[static_cast<std::size_t>(number)];
+    const auto name = [number](const char* part) {
+        return QString("compare%1%2").arg(part).arg(number);
+    };
+    column.method = new QComboBox;
+    column.method->setObjectName(name("Method"));
+    column.method->setAccessibleName(tr("Method"));
+    for (const MethodTraits& known : allMethods()) {
+        column.method->addItem(methodName(known.method), static_cast<int>(known.method));
+    }
+    connect(column.method, &QComboBox::activated, this, [this] {
+        isChosen_ = true;
+        chooseMethods();
+    });
+    column.message = new QLabel;
+    column.message->setObjectName(name("Message"));
+    column.message->setAlignment(Qt::AlignCenter);
+    column.message->setWordWrap(true);
+    column.message->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    column.pages = new QStackedWidget;
+    column.pages->addWidget(column.message);
+    if (canDraw) {
+        column.picture = new ComparedPicture(camera_, number == 0, column.pages);
+        column.picture->setObjectName(name("Picture"));
+        column.pages->addWidget(column.picture);
+    }
+    column.use = new QPushButton(tr("Use this method"));
+    column.use->setObjectName(name("Use"));
+    column.use->setAutoDefault(false);
+    column.use->setToolTip(tr("Flatten the garment by this method from now on"));
+    connect(column.use, &QPushButton::clicked, this,
+            [this, &column] { emit methodWanted(Method(column.method->currentData().toInt())); });
+    table_->setCellWidget(kMethodChoices, number, column.method);
+    table_->setCellWidget(kPictures, number, column.pages);
+    table_->setCellWidget(kUseButtons, number, column.use);
 }
 
 void CompareWindow::showEvent(QShowEvent* event) {
     QDialog::showEvent(event);
-    if (!event->spontaneous()) {
-        controls_->propose();
-        camera_.frameAll();
-        comparison_.begin();
+    if (event->spontaneous()) {
+        return;
     }
+    std::vector<Method> methods{document_.options().method};
+    std::ranges::remove_copy(kFirst, std::back_inserter(methods), methods.front());
+    for (std::size_t i = 0; i < kMethods && !isChosen_; ++i) {
+        QComboBox& box = *columns_[i].method;
+        box.setCurrentIndex(box.findData(static_cast<int>(methods[i])));
+    }
+    chooseMethods();
+    camera_.frameAll();
+    comparison_.begin();
 }
 
 void CompareWindow::hideEvent(QHideEvent* event) {
@@ -253,90 +278,175 @@ void CompareWindow::hideEvent(QHideEvent* event) {
     }
 }
 
-bool CompareWindow::event(QEvent* event) {
-    const bool done = QDialog::event(event);
-    if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) {
-        alignTable();
+void CompareWindow::chooseMethods() {
+    std::vector<Method> methods;
+    for (const Column& column : columns_) {
+        methods.push_back(Method(column.method->currentData().toInt()));
     }
-    return done;
-}
-
-/// The figures stand under their pictures.
-void CompareWindow::alignTable() {
-    layout()->activate();
-    table_->setTitleWidth(pictures_->x() - table_->x());
-}
-
-void CompareWindow::onDocumentChanged(DocumentChanges what) {
-    if (!isVisible()) {
-        return;
-    }
-    const Document::Selection& selection = document_.selection();
-    if (what.testFlag(DocumentChange::Selection) && !selection.empty() &&
-        !selection.contains(comparison_.piece())) {
-        comparison_.setPiece(*selection.begin());
-        camera_.frameAll();
-    }
-    if (what & (DocumentChange::View | DocumentChange::Fabric | DocumentChange::Settings |
-                DocumentChange::Options | DocumentChange::Results)) {
-        showPictures();
-    }
+    comparison_.setMethods(std::move(methods));
 }
 
 void CompareWindow::refresh() {
-    table_->setEntries(comparison_.entries());
+    const auto& entries = comparison_.entries();
+    const int piece = comparison_.piece();
+    const bool isShown = !entries.empty() && piece < document_.pieceCount();
+    std::vector<Criterion> rows(std::begin(kRows), isShown ? std::end(kRows) : std::begin(kRows));
+    if (std::ranges::none_of(entries, [](const auto& entry) -> bool {
+            return entry.made.figures[Criterion::ReferenceRms].has_value();
+        })) {
+        std::erase(rows, Criterion::ReferenceRms);
+    }
+    // Not cleared first: that would lose the place of a screen reader in the table.
+    table_->setRowCount(kFirstFigure + static_cast<int>(rows.size()));
+    table_->setVerticalHeaderLabels({isShown ? pieceName(document_, piece) : QString(), {}, {}});
+    for (int row = kFirstFigure; row < table_->rowCount(); ++row) {
+        showFigure(row, traits(rows[static_cast<std::size_t>(row - kFirstFigure)]));
+    }
+    if (std::exchange(shownPiece_, piece) != piece) {
+        camera_.frameAll();
+    }
     showPictures();
 }
 
-PictureLook CompareWindow::look() const {
-    PictureLook look;
-    look.view = document_.view();
-    const int piece = comparison_.piece();
-    look.fabric = piece >= 0 && piece < document_.pieceCount() ? document_.fabricOf(piece)
-                                                               : document_.fabric();
-    if (!isMeasured(look.view.overlay)) {
-        look.view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
+void CompareWindow::showFigure(int row, const CriterionTraits& criterion) {
+    const QString tip = app::tr(criterion.tip);
+    auto* title = new QTableWidgetItem(app::tr(criterion.title).replace("%1", lengthUnit()));
+    title->setToolTip(tip);
+    title->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table_->setVerticalHeaderItem(row, title);
+    std::vector<std::optional<double>> values;
+    QStringList texts;
+    for (const MethodComparison::Entry& entry : comparison_.entries()) {
+        const auto& value = values.emplace_back(entry.made.figures[criterion.criterion]);
+        texts << (value ? figureText(criterion.format, *value)
+                  : entry.stage == MethodComparison::Stage::Done ? QString(kDash)
+                                                                 : QString());
     }
-    look.view.seams = false;
-    std::optional<OverlayScale> scale;
-    for (const auto& entry : comparison_.entries()) {
-        if (entry.made.scene) {
-            const auto own = overlayScale(*entry.made.scene, look.view.overlay, look.fabric);
-            scale = scale ? united(*scale, own) : own;
+    const std::vector<bool> best = bestOnes(criterion.criterion, values, texts);
+    for (int column = 0; column < kMethods; ++column) {
+        const QString& text = texts[column];
+        const bool isBest = best[static_cast<std::size_t>(column)];
+        auto* cell = new QTableWidgetItem(isBest ? QString("%1 %2").arg(kStar).arg(text) : text);
+        cell->setData(PlainRole, text);
+        cell->setData(Qt::AccessibleTextRole, isBest ? tr("%1, the best").arg(text) : text);
+        cell->setToolTip(tip);
+        cell->setTextAlignment(Qt::AlignCenter);
+        if (isBest) {
+            QFont bold;
+            bold.setBold(true);
+            cell->setFont(bold);
         }
+        table_->setItem(row, column, cell);
     }
-    look.scale = scale ? *scale : overlayScale(Scene{}, look.view.overlay, look.fabric);
-    return look;
+}
+
+/// The selected rows, or all if none is selected, with titles, cells separated by tabs.
+QString CompareWindow::copiedFigures() const {
+    const QItemSelectionModel& selection = *table_->selectionModel();
+    QStringList lines, cells{QString()};
+    for (const auto& entry : comparison_.entries()) {
+        cells << methodName(entry.method);
+    }
+    lines << cells.join('\t');
+    for (int row = kFirstFigure; row < table_->rowCount(); ++row) {
+        if (selection.hasSelection() && !selection.isRowSelected(row, {})) {
+            continue;
+        }
+        cells = {table_->verticalHeaderItem(row)->text()};
+        for (int column = 0; column < kMethods; ++column) {
+            cells << table_->item(row, column)->data(PlainRole).toString();
+        }
+        lines << cells.join('\t');
+    }
+    return lines.join('\n') + '\n';
 }
 
 void CompareWindow::showPictures() {
     const auto& entries = comparison_.entries();
-    const auto at = static_cast<std::size_t>(std::max(0, comparison_.piece()));
-    ComparisonGround ground;
-    ground.inUse = document_.options().method;
-    ground.look = look();
-    ground.isStopped = comparison_.isStopped();
-    if (at < document_.settings().size()) {
-        ground.settings = document_.settings()[at];
+    const int piece = comparison_.piece();
+    ViewState view = document_.view();
+    if (!isMeasured(view.overlay)) {
+        view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
     }
-    if (at < document_.results().size()) {
-        ground.reference = document_.results()[at];
-    }
-    for (const auto& entry : entries) {  // any will do where the document's own is not there
-        if ((!ground.reference || !ground.reference->flat) && entry.made.scene) {
-            ground.reference = entry.made.result;
+    view.seams = false;
+    SceneContent content;
+    content.fabric = piece >= 0 && piece < document_.pieceCount() ? document_.fabricOf(piece)
+                                                                  : document_.fabric();
+    for (const auto& entry : entries) {
+        if (entry.made.scene) {
+            const auto own = overlayScale(*entry.made.scene, view.overlay, content.fabric);
+            content.scale = content.scale ? united(*content.scale, own) : own;
         }
     }
+    if (!content.scale) {
+        content.scale = overlayScale(Scene{}, view.overlay, content.fabric);
+    }
     Eigen::AlignedBox2d box;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        columns_[i]->setVisible(i < entries.size());
+    for (std::size_t i = 0; i < kMethods; ++i) {
         if (i < entries.size()) {
-            columns_[i]->show(entries[i], ground);
-            box.extend(columns_[i]->box());
+            box.extend(showPicture(columns_[i], entries[i], content, view));
+        } else {
+            columns_[i].message->clear();
+            columns_[i].pages->setCurrentWidget(columns_[i].message);
         }
     }
     camera_.setBox(box);
-    legend_->show({.overlay = ground.look.view.overlay, .scale = ground.look.scale});
+    legend_->show({.overlay = view.overlay, .scale = *content.scale});
+}
+
+Eigen::AlignedBox2d CompareWindow::showPicture(Column& column, const MethodComparison::Entry& entry,
+                                               SceneContent content, const ViewState& view) {
+    using Stage = MethodComparison::Stage;
+    const QString name = methodName(entry.method);
+    const bool inUse = entry.method == document_.options().method;
+    column.use->setEnabled(!inUse);
+    column.use->setText(inUse ? tr("In use") : tr("Use this method"));
+    column.use->setAccessibleName(QString("%1: %2").arg(column.use->text(), name));
+    const auto& error = entry.stage == Stage::Done ? entry.made.result->error : std::nullopt;
+    column.message->setText(entry.stage == Stage::Waiting   ? tr("Waiting…")
+                            : entry.stage == Stage::Working ? tr("Flattening…")
+                            : entry.stage == Stage::Failed  ? entry.problem
+                            : error                         ? errorText(*error)
+                                                            : QString());
+    if (!column.picture || !entry.made.scene) {
+        column.pages->setCurrentWidget(column.message);
+        return {};
+    }
+    column.pages->setCurrentWidget(column.picture);
+    column.picture->setAccessibleName(tr("%1, the flat piece").arg(name));
+    content.scene = entry.made.scene;
+    content.places = {placeOver(column, entry.made.result)};
+    const auto box = outlineBox(*content.scene, content.places.front().placement);
+    column.picture->setContent(std::move(content), view);
+    return box;
+}
+
+/// Covers the reference as well as two shapes can: flat coordinates of two methods have nothing in
+/// common.
+SheetPlace CompareWindow::placeOver(Column& column,
+                                    const std::shared_ptr<const PieceResult>& result) const {
+    const auto piece = static_cast<std::size_t>(comparison_.piece());
+    const auto& entries = comparison_.entries();
+    // The settings are about the document's own result; if it is not there, any will do.
+    auto over = piece < document_.results().size() ? document_.results()[piece]
+                                                   : entries.front().made.result;
+    for (const auto& entry : entries) {
+        over = over && over->flat ? over : entry.made.result;
+    }
+    if (result != column.result || over != column.reference) {
+        column.result = result;
+        column.reference = over;
+        column.motion = flatMotions({over}, {result}).front();
+    }
+    PieceSettings settings =
+        piece < document_.settings().size() ? document_.settings()[piece] : PieceSettings{};
+    settings.anchors.clear();
+    settings.placement = settings.placement.value_or(Placement{});
+    if (column.motion) {
+        settings =
+            movedSettings(std::move(settings), column.motion->oldOfNew, column.motion->radius);
+    }
+    return placesOf({settings}).front();
 }
 
 }  // namespace toile::app

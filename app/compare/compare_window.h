@@ -2,100 +2,108 @@
 #pragma once
 
 #include <QDialog>
-#include <QWidget>
 #include <array>
-#include <map>
+#include <optional>
 #include <vector>
 
-#include "app/compare/compared_picture.h"
 #include "app/compare/method_comparison.h"
-#include "core/flatten/base/flat_piece.h"
+#include "app/render/scene_renderer.h"
+#include "app/views/canvas.h"
+#include "core/project/place_pieces.h"
 
-class QCheckBox;
 class QComboBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
+class QStackedWidget;
+class QTableWidget;
 
 namespace toile::app {
 
 class ColourBar;
-class ComparedColumn;
-class Document;
-class FigureTable;
-class MethodComparison;
 
-/// Side by side there is room for so many.
-inline constexpr std::size_t kMaxCompared = 4;
-
-/// What is compared: one piece, up to four methods, and how far the work has come.
-class CompareControls : public QWidget {
+/// One flat piece, moved and zoomed together with the pictures beside it. A double click shows the
+/// whole piece.
+class ComparedPicture : public RenderedWidget {
     Q_OBJECT
 
 public:
-    CompareControls(const Document& document, MethodComparison& comparison,
-                    QWidget* parent = nullptr);
+    ComparedPicture(SheetCamera& camera, bool hasScaleBar, QWidget* parent);
 
-    /// Proposes the selected piece, or the first flat one, and, unless a person has chosen methods,
-    /// the present one and those that tell most beside it.
-    void propose();
+    void setContent(SceneContent content, const ViewState& view);
+
+protected:
+    void paintGL() override;
+    void resizeEvent(QResizeEvent* event) override;
+    bool event(QEvent* event) override {
+        return canvas_.handle(*event) || RenderedWidget::event(event);
+    }
 
 private:
-    void makeLayout();
-    std::vector<Method> ticked() const;
-    void refresh();
-    void showPieces();
-    void limitMethods();
-    void showWork();
-
-    const Document& document_;
-    MethodComparison& comparison_;
-    QComboBox* piece_;
-    std::map<Method, QCheckBox*> boxes_;
-    QLabel* work_;
-    QProgressBar* progress_;
-    QPushButton* button_;    ///< cancels, or goes on
-    bool isChosen_ = false;  ///< the methods, by the person
+    SheetCamera& camera_;
+    Canvas canvas_;
+    ViewState view_{};
+    bool hasScaleBar_;
 };
 
-/// One piece by up to four methods, side by side: pictures of one scale under one colour bar, and a
-/// table of figures. Stays open beside the work and follows it; once closed it works no more.
+/// The selected piece by four methods: a table with a column for each, which has a picture, all at
+/// one scale, and figures. Stays open and follows the document; once closed it works no more.
 class CompareWindow : public QDialog {
     Q_OBJECT
 
 public:
+    /// QString: the text of a cell of the table, without the star.
+    static constexpr int PlainRole = Qt::UserRole;
+
     /// @param ordinary  the window's own jobs
     CompareWindow(Document& document, const JobRunner& ordinary, QWidget* parent);
     ~CompareWindow() override;
 
     MethodComparison& comparison() { return comparison_; }
-    const LinkedCamera& camera() const { return camera_; }
+    const SheetCamera& camera() const { return camera_; }
 
 signals:
-    /// The garment is to be flattened by this method.
+    /// The user wants the garment flattened by this method.
     void methodWanted(toile::Method method);
 
 protected:
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    bool event(QEvent* event) override;
 
 private:
-    void makeLayout(const QString& glProblem);
-    void onDocumentChanged(DocumentChanges what);
+    static constexpr int kMethods = 4;
+
+    /// The widgets of one method.
+    struct Column {
+        QComboBox* method = nullptr;
+        QStackedWidget* pages = nullptr;
+        QLabel* message = nullptr;           ///< in place of the picture, if there is none
+        ComparedPicture* picture = nullptr;  ///< null if this computer cannot draw
+        QPushButton* use = nullptr;
+        /// Moves `result` onto `reference`; stored, since it takes a look at every vertex.
+        std::optional<FlatMotion> motion{};
+        std::shared_ptr<const PieceResult> result{}, reference{};
+    };
+
+    void makeTable();
+    void makeColumn(int number, bool canDraw);
+    void chooseMethods();
     void refresh();
+    void showFigure(int row, const CriterionTraits& criterion);
     void showPictures();
-    void alignTable();
-    PictureLook look() const;
+    /// @return around the piece on the sheet; empty if there is none
+    Eigen::AlignedBox2d showPicture(Column& column, const MethodComparison::Entry& entry,
+                                    SceneContent content, const ViewState& view);
+    SheetPlace placeOver(Column& column, const std::shared_ptr<const PieceResult>& result) const;
+    QString copiedFigures() const;
 
     Document& document_;
-    LinkedCamera camera_;
+    SheetCamera camera_;
     MethodComparison comparison_;
-    CompareControls* controls_;
-    std::array<ComparedColumn*, kMaxCompared> columns_{};
-    QWidget* pictures_;
+    std::array<Column, kMethods> columns_{};
+    bool isChosen_ = false;  ///< the user has chosen a method
+    int shownPiece_ = -1;
+    QTableWidget* table_;
     ColourBar* legend_;
-    FigureTable* table_;
 };
 
 }  // namespace toile::app

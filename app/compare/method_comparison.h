@@ -4,11 +4,10 @@
 #include <QObject>
 #include <QTimer>
 #include <memory>
-#include <string>
 #include <vector>
 
+#include "app/base/worker.h"
 #include "app/document/document_change.h"
-#include "app/jobs/job_runner.h"
 #include "core/compare/comparison.h"
 
 namespace toile {
@@ -20,6 +19,7 @@ class EndingWorkers;
 namespace toile::app {
 
 class Document;
+class JobRunner;
 struct Scene;
 
 /// What one method makes of one piece.
@@ -27,28 +27,23 @@ struct ComparedPiece {
     std::shared_ptr<const PieceResult> result{};  ///< flat, or the reason why not
     ComparedFigures figures{};                    ///< seams: with pieces flattened alike
     std::shared_ptr<const Scene> scene{};         ///< of this piece alone; null where not flat
+    PieceResults all{};  ///< what is known of the garment's pieces by this method, some null
 };
 
-/// One piece of the document by several methods, kept as the document is. The work is done on a
-/// thread of its own, one method after the other, and gives way to the window's own jobs: while
-/// these run nothing is begun. What the document's own flattening has found, or an earlier
-/// comparison, is taken over. GUI thread only.
+/// The selected piece of the document by several methods, or the first flat one. Works on a thread
+/// of its own, one method after the other, and yields to the window's own jobs. Takes over what the
+/// document's own flattening or an earlier comparison has found. GUI thread only.
 class MethodComparison : public QObject {
     Q_OBJECT
 
 public:
-    enum class Stage {
-        Waiting,  ///< its turn comes
-        Working,
-        Done,    ///< `made` is there
-        Failed,  ///< a fault of the program, see `problem`
-    };
+    enum class Stage { Waiting, Working, Done, Failed };
 
     struct Entry {
         Method method;
         Stage stage = Stage::Waiting;
-        ComparedPiece made{};
-        QString problem{};
+        ComparedPiece made{};  ///< once it is done
+        QString problem{};     ///< a fault of the program, if it failed
     };
 
     /// @param ordinary  the window's own jobs
@@ -57,31 +52,21 @@ public:
 
     /// Works from now on, and follows the document.
     void begin();
-    /// Stops, and forgets all that was found.
+    /// Stops, and drops everything that was found.
     void end();
 
-    /// In the order wanted, each once. Those that are there already stay as they are.
+    /// Keeps what is known of those that were there before.
     void setMethods(std::vector<Method> methods);
-    /// @param piece  of the garment; others are brought to one that is
-    void setPiece(int piece);
-    int piece() const { return piece_; }
-
-    /// Cancels what runs and waits, until `goOn` or a change of the garment or of what is asked.
-    void stop();
-    void goOn();
+    /// Index into the garment's pieces.
+    int piece() const { return subject_.piece; }
 
     /// One per method.
     const std::vector<Entry>& entries() const { return entries_; }
-    bool isStopped() const { return isStopped_; }
-    /// True while any method is still to come, if not stopped.
     bool isBusy() const;
-    /// Of all methods together, in [0, 1].
-    double fraction() const;
 
 signals:
-    /// Entries are others, or one has come on.
+    /// The entries, or the stage of one.
     void changed();
-    void progressed(double fraction);
 
 private:
     /// What the entries are about.
@@ -93,27 +78,22 @@ private:
         bool operator==(const Subject&) const = default;
     };
 
-    void onDocumentChanged(DocumentChanges what);
-    void onIdle();
     void refresh();
     void next();
-    void choosePiece();
-    Entry* working();
-    PieceResults known(const FlattenOptions& options) const;
-    void keep(const PieceResults& results);
+    int chosenPiece() const;
+    Entry* firstIn(Stage stage);
+    void take(Attempt<ComparedPiece> made, bool isCancelled);
+    PieceResults known(const PieceResults& before, const FlattenOptions& options) const;
 
     const Document& document_;
     const JobRunner& ordinary_;
-    JobRunner runner_;
     std::shared_ptr<EndingWorkers> ending_;  ///< of cancelled jobs
     QTimer pause_;                           ///< lets a series of edits pass
-    bool isActive_ = false, isStopped_ = false;
+    bool isActive_ = false;
     Subject subject_;
     std::vector<Method> methods_;
-    int piece_ = 0;
-    std::string pieceName_;
     std::vector<Entry> entries_;
-    PieceResults kept_;  ///< what was found, one per piece and method
+    Worker<ComparedPiece> worker_;
 };
 
 }  // namespace toile::app

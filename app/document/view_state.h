@@ -67,8 +67,8 @@ constexpr bool isSigned(Overlay overlay) {
     return overlay != Overlay::Angle && overlay != Overlay::Dirichlet;
 }
 
-/// The lists below the views.
-enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry, Proof };
+/// The lists below the views, from left to right, and the panels beside them.
+enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry, Proof, Piece, Fabric };
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };

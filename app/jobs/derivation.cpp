@@ -168,7 +168,8 @@ void draw(Derived& derived, Progress& progress) {
     derived.pattern = std::make_shared<const Pattern>(
         makePattern(*derived.garment, derived.results, derived.lines.value_or(LineSettings{}),
                     derived.symmetry));
-    derived.scene = buildScene(*derived.garment, derived.results, progress, derived.pattern.get());
+    derived.scene = buildScene(*derived.garment, derived.results, progress, derived.pattern.get(),
+                               derived.scene.get());
     derived.bytes = bytesOf(*derived.scene);
     for (const auto& result : derived.results) {
         if (result && result->flat) {

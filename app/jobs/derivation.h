@@ -21,7 +21,7 @@ class GarmentFlattener;
 
 namespace toile::app {
 
-/// What was worked out of a state, and how what has been said of its pieces goes along. Nothing
+/// What follows from a state, and how settings of its pieces are carried over. Nothing
 /// here touches the document: any thread may work on a derivation of its own.
 struct Derivation {
     Derived derived;
@@ -29,12 +29,12 @@ struct Derivation {
     std::vector<CarriedFrom> carried{};                ///< of another garment
     std::vector<std::optional<FlatMotion>> motions{};  ///< of other results
     std::vector<std::optional<double>> grains{};       ///< by LineSettings::grain; else empty
-    /// Of another garment, per piece: what it is usually cut from now, where that is another.
+    /// Of another garment, per piece: its usual material, if that has changed.
     std::vector<std::optional<std::string>> materials{};
 };
 
 /// The garment of the state, without a scene; flat is what was so before. Errors: of `makeGarment`.
-/// @param before    what was derived last, and what had been said of its pieces
+/// @param before    what was derived last, and the settings of its pieces
 Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
                                  const std::vector<PieceSettings>& settingsBefore,
                                  Progress& progress);
@@ -43,7 +43,7 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
 Result<Derived> readGarment(const std::vector<std::filesystem::path>& paths,
                             const LoadOptions& loading, Progress& progress,
                             std::atomic<int>* faces = nullptr);
-/// Makes all of it flat, as the state asks. @param onPiece  is told of each piece (OnPiece)
+/// Makes all of it flat, as the state asks. @param onPiece  called for each piece (OnPiece)
 void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& flattener,
              Progress& progress,
              const std::function<void(int done, int count, const Piece& begun)>& onPiece = {});
@@ -52,16 +52,16 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
 void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings);
 /// Puts cold results in the place of warm ones.
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress);
-/// What is said of the pieces of a garment that is new, in the person's language.
+/// Settings of the pieces of a new garment, in the user's language.
 SettingsById settingsOfNew(const Garment& garment);
 /// What the state says of the pieces, after a derivation: pieces stay where they are on the sheet,
 /// and those without a place, or without a grain where there is a rule for it, get one; where none
 /// has a place yet, they lie in rows, none wider than a cloth of the pieces in it. What a piece is
-/// cut from follows its layer, unless a person has said it. Idempotent.
+/// cut from follows its layer, unless the user has set it. Idempotent.
 /// @param before  settings of the pieces before, in their order
 SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
                            const std::vector<PieceSettings>& before);
-/// Makes its pattern and its scene.
+/// Makes its pattern and its scene; what the scene there is has of the same results is kept.
 void draw(Derived& derived, Progress& progress);
 
 }  // namespace toile::app

@@ -115,7 +115,7 @@ void JobRunner::finish() {
     current_.reset();
     for (const Order& waiting : std::exchange(waiting_, {})) {
         Progress progress;
-        // There is nobody left to tell.
+        // No listeners at shutdown.
         (void)attempt([&] { return waiting.job->process(progress); });
     }
 }

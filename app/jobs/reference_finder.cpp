@@ -5,9 +5,11 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/jobs/lay_reference.h"
+#include "app/render/scene_builder.h"
 #include "app/text/error_text.h"
 #include "core/base/units.h"
+#include "core/formats/read_pattern.h"
+#include "core/pattern/pattern.h"
 
 namespace toile::app {
 
@@ -24,6 +26,35 @@ QString listOf(const QStringList& names) {
 }
 
 }  // namespace
+
+Result<ReferenceFile> readReference(const std::filesystem::path& path) {
+    Result<PatternFile> read = readPatternFile(path);
+    if (!read) {
+        return read.error();
+    }
+    return ReferenceFile{path, std::make_shared<const PatternFile>(std::move(read).value())};
+}
+
+std::optional<ReferenceQuestion> referenceQuestion(const Document& document) {
+    ReferenceQuestion question{document.derived().pattern, document.state().reference.file};
+    if (!question.pattern || !question.file) {
+        return std::nullopt;
+    }
+    for (const auto& piece : document.garment()->pieces) {
+        question.names.push_back(nameOf(document.state().labels, *piece));
+    }
+    return question;
+}
+
+ReferenceMatch layReference(const ReferenceQuestion& question) {
+    Pattern pattern = *question.pattern;
+    for (std::size_t k = 0; k < pattern.pieces.size(); ++k) {
+        pattern.pieces[k].name = question.names[k];
+    }
+    ReferenceMatch found{question.pattern, question.file, matchPatterns(pattern, *question.file)};
+    found.lines = std::make_shared<const ReferenceLines>(referenceLines(found.match));
+    return found;
+}
 
 bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b) {
     return a.pattern == b.pattern && a.file == b.file && a.names == b.names;

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <QObject>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/base/worker.h"
 #include "app/document/document_change.h"
 #include "app/document/reference.h"
+#include "core/base/result.h"
 
 namespace toile::app {
 
@@ -22,8 +25,19 @@ struct ReferenceQuestion {
 };
 bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b);
 
+/// Reads a pattern by its ending. Errors: of `readPatternFile`.
+/// @param path  absolute
+Result<ReferenceFile> readReference(const std::filesystem::path& path);
+
+/// What is to be found out of the document's reference pattern; none where none is open, or no
+/// pattern is there yet.
+std::optional<ReferenceQuestion> referenceQuestion(const Document& document);
+
+/// Pairs the pieces and lays the file's outlines on them. Pure. Cost: of `matchPatterns`.
+ReferenceMatch layReference(const ReferenceQuestion& question);
+
 /// Lays the document's reference pattern on its pieces, on another thread, whenever one of the two
-/// is another, and shows what comes of it (`Document::showReference`). GUI thread only.
+/// changes, and shows the result (`Document::showReference`). GUI thread only.
 class ReferenceFinder : public QObject {
     Q_OBJECT
 
@@ -40,7 +54,7 @@ private:
     QString summaryOf(const ReferenceMatch& found) const;
 
     Document& document_;
-    std::weak_ptr<const PatternFile> told_;  ///< of which something was said last
+    std::weak_ptr<const PatternFile> told_;  ///< that was reported last
     Answerer<ReferenceQuestion, ReferenceMatch> answerer_;
 };
 

@@ -66,7 +66,7 @@ void paintRepeat(QPainter& painter, const RenderStyle& style, const SheetMap& on
     }
 }
 
-/// A roll: selvedges on both sides, or the fold on the lower one; it goes on beyond its end.
+/// A roll: selvedges on both sides, or the fold on the lower one; it continues beyond its end.
 void paintRoll(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                const ClothMarker& marker, bool isFolded) {
     const QPointF upperLeft = onScreen(Eigen::Vector2d(0, marker.width));
@@ -257,7 +257,8 @@ void paintCopies(QPainter& painter, const RenderStyle& style, const SheetMap& on
     painter.restore();
 }
 
-ClothView::ClothView(MarkerDesk& desk, QWidget* parent) : QWidget(parent), desk_(desk) {
+ClothView::ClothView(MarkerDesk& desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), camera_(kAround), canvas_(*this, camera_, true) {
     setObjectName("clothView");
     setAccessibleName(tr("Cloth"));
     setMinimumSize(320, 240);
@@ -265,7 +266,8 @@ ClothView::ClothView(MarkerDesk& desk, QWidget* parent) : QWidget(parent), desk_
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     connect(&desk_, &MarkerDesk::changed, this, &ClothView::refresh);
-    connect(&desk_, &MarkerDesk::clothChanged, this, &ClothView::frameAll);
+    connect(&desk_, &MarkerDesk::clothChanged, &camera_, &SheetCamera::frameAll);
+    connect(&camera_, &SheetCamera::moved, this, [this] { update(); });
     refresh();
 }
 
@@ -303,28 +305,15 @@ void ClothView::refresh() {
     for (const int copy : desk_.misplaced()) {
         shapes_[static_cast<std::size_t>(copy)].isMisplaced = true;
     }
-    if (followsAll_ && !isDragging()) {
-        follow();
-    }
-    update();
-}
-
-void ClothView::follow() {
-    if (const ClothMarker* marker = desk_.marker()) {
-        camera_.setViewport(width(), height());
+    if (!isDragging()) {
         Eigen::AlignedBox2d box(
             Eigen::Vector2d::Zero(),
             Eigen::Vector2d(std::max(marker->length, 1.0), std::max(marker->width, 1.0)));
         for (const ClothPart& part : marker->parts) {
             box.extend(geometry::boxAround(part.outline));
         }
-        camera_.frame(box, kAround);
+        camera_.setBox(box);
     }
-}
-
-void ClothView::frameAll() {
-    followsAll_ = true;
-    follow();
     update();
 }
 
@@ -352,7 +341,7 @@ bool ClothView::isOnHandle(const QPointF& at) const {
 }
 
 Eigen::Vector2d ClothView::onCloth(const QPointF& at) const {
-    return camera_.toWorld(at.x(), at.y());
+    return camera_.camera().toWorld(at.x(), at.y());
 }
 
 /// The one that is painted last.
@@ -394,13 +383,10 @@ int ClothView::pieceOf(const LaidCopy& copy) const {
 
 void ClothView::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    camera_.setViewport(width(), height());
-    if (followsAll_) {
-        follow();
-    }
+    camera_.setViewport(size());
 }
 
-void ClothView::paintHands(QPainter& painter, const RenderStyle& style) const {
+void ClothView::paintHandles(QPainter& painter, const RenderStyle& style) const {
     const SheetMap onScreen = map();
     painter.save();
     if (drag_) {
@@ -438,9 +424,10 @@ void ClothView::paintEvent(QPaintEvent*) {
     const SheetMap onScreen = map();
     paintCloth(painter, style, onScreen, *marker, desk_.settings(), clothColour(style));
     paintCopies(painter, style, onScreen, shapes_);
-    paintHands(painter, style);
+    paintHandles(painter, style);
     const int chosen = selected();
-    paintRulers(painter, style, rect(), onScreen, camera_.visible(), camera_.pixelsPerMillimetre(),
+    paintRulers(painter, style, rect(), onScreen, camera_.camera().visible(),
+                map().pixelsPerMillimetre(),
                 chosen < 0 ? Eigen::AlignedBox2d()
                            : geometry::boxAround(shapes_[static_cast<std::size_t>(chosen)].edge));
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/marker/cloth_drag.h"
-#include "app/render/camera.h"
+#include "app/views/canvas.h"
 #include "app/views/tool.h"
 #include "core/marker/cloth_marker.h"
 
@@ -53,9 +53,8 @@ void paintCopies(QPainter& painter, const RenderStyle& style, const SheetMap& on
 /// As it is painted where something lies on another thing, or beyond the cloth.
 QColor misplacedColour();
 
-/// The cloth with what lies on it, and the hands on it: a copy that is dragged or turned is kept
-/// where it was put. The warp runs to the right. The wheel zooms, the middle button or Space with
-/// the left one moves the picture, F shows all of it.
+/// The cloth with the copies that lie on it. A copy that is dragged or turned is kept where it was
+/// put. The warp runs to the right. Other drags, the wheel and keys move the picture (Canvas).
 class ClothView : public QWidget {
     Q_OBJECT
 
@@ -63,8 +62,8 @@ public:
     /// `desk` must outlive this.
     explicit ClothView(MarkerDesk& desk, QWidget* parent = nullptr);
 
-    /// The whole cloth, and from now on.
-    void frameAll();
+    /// Shows the whole cloth, and keeps doing so until the picture is moved.
+    void frameAll() { camera_.frameAll(); }
     /// Where the middle of a copy's name is, logical pixels.
     QPointF placeOf(int copy) const;
     /// Of the selected copy, by which it is turned; none where the cloth does not allow that.
@@ -101,8 +100,7 @@ private:
     };
 
     void refresh();
-    void follow();
-    SheetMap map() const { return SheetMap(camera_); }
+    SheetMap map() const { return SheetMap(camera_.camera()); }
     bool isOnHandle(const QPointF& at) const;
     Eigen::Vector2d onCloth(const QPointF& at) const;
     int copyAt(const QPointF& at) const;
@@ -112,18 +110,18 @@ private:
     void dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers);
     void endDrag();
     void cancelDrag();
+    void showMenu(const QPoint& at, int copy);
     void updateCursor(const QPointF& at);
-    void paintHands(QPainter& painter, const RenderStyle& style) const;
+    void paintHandles(QPainter& painter, const RenderStyle& style) const;
 
     MarkerDesk& desk_;
-    Camera2D camera_;
-    bool followsAll_ = true;
+    SheetCamera camera_;
+    Canvas canvas_;
     ClothLabels labels_;
     std::vector<ClothShape> shapes_;   ///< as the desk's copies
     std::optional<CopyKey> selected_;  ///< which is the one that is dragged, too
-    QPointF pressed_, last_;
-    Qt::MouseButton panning_ = Qt::NoButton;  ///< by which the picture is moved
-    bool hasSpace_ = false, isHeld_ = false;
+    QPointF pressed_;
+    bool isHeld_ = false;
     std::optional<ClothDrag> drag_;
     std::optional<Turning> turning_;
     std::optional<Placement> dragged_;

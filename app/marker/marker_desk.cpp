@@ -6,9 +6,9 @@
 #include <iterator>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/jobs/pattern_now.h"
 #include "app/marker/cloth_drag.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "core/geometry/polygon.h"
 
@@ -332,7 +332,7 @@ void MarkerDesk::takeGround(std::shared_ptr<const ClothGround> ground) {
     emit clothChanged();
 }
 
-/// Where it is improved it goes on being improved.
+/// If the search runs, it continues.
 std::optional<int> MarkerDesk::rounds() const {
     return isImproving_ && search_.isRunning() ? std::nullopt : std::optional(kFirstRounds);
 }

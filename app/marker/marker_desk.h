@@ -75,7 +75,7 @@ public:
     /// Forgets what was found; what is kept stays.
     void startAgain();
 
-    /// Shows a copy elsewhere while it is dragged; nothing is said of it yet.
+    /// Shows a copy elsewhere while it is dragged; nothing is stored yet.
     void tryPlacement(int copy, const Placement& placement);
     /// It is where it was before it was tried.
     void takeBack();
@@ -89,7 +89,7 @@ public:
 signals:
     /// Another marker, or another stage.
     void changed();
-    /// Another cloth: it is to be looked at from anew.
+    /// Another cloth: the view shows all of it again.
     void clothChanged();
     void failed(const QString& sentence);
 

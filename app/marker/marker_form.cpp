@@ -128,7 +128,7 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     grid.addWidget(matchedTitle_, row, 0, 1, 2);
     grid.addWidget(matched_, row + 1, 0, 1, 2);
     connect(matched_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        // Later: this fills the list again.
+        // After the list has handled the event: it is filled again.
         QMetaObject::invokeMethod(
             this,
             [this, seam = item->text().toStdString(),

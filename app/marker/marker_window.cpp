@@ -17,10 +17,10 @@
 
 #include "app/actions/file_dialogs.h"
 #include "app/actions/own_folders.h"
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/marker/cloth_view.h"
 #include "app/marker/marker_form.h"
+#include "app/session/workspace.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
 #include "app/text/error_text.h"

@@ -139,7 +139,7 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
       answerer_(work, isSmall, [this](const auto& made, const FabricQuestion& question, bool) {
           // Of an earlier fabric or grain it is shown all the same, so that a long drag shows
           // something.
-          if (question.scene == document_.scene()) {
+          if (clothOf(question.scene) == clothOf(document_.scene())) {
               made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
           }
       }) {

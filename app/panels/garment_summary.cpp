@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/actions/cut_proposals.h"
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/names.h"
 #include "app/render/scene.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
 #include "core/assemble/cut_pieces.h"

@@ -16,9 +16,9 @@
 #include <optional>
 #include <utility>
 
-#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/session/pattern_proof.h"
 #include "app/text/fabric_name.h"
 #include "core/garment/fabric_stiffness.h"
 #include "core/prove/proof_fields.h"

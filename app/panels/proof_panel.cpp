@@ -18,12 +18,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/actions/pattern_proof.h"
 #include "app/document/document.h"
 #include "app/document/names.h"
 #include "app/document/shown_proof.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_model.h"
+#include "app/session/pattern_proof.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"

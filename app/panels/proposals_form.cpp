@@ -16,8 +16,8 @@
 #include <QVBoxLayout>
 #include <vector>
 
-#include "app/actions/cut_proposals.h"
 #include "app/panels/cut_chart.h"
+#include "app/session/cut_proposals.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"

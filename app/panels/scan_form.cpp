@@ -9,9 +9,9 @@
 #include <QScopedValueRollback>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/document.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "core/prepare/scan_fields.h"
 

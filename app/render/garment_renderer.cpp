@@ -33,11 +33,6 @@ SceneRenderer::ProgramFiles GarmentRenderer::programFiles() const {
              "glyph.frag"}};
 }
 
-void GarmentRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(scene.vertices, scene.garment);
-    lines.upload(scene.lineVertices, scene.garmentLines);
-}
-
 void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style,
                             int width, int height, double pixelRatio, const Morph& morph,
                             double sewnWay) {

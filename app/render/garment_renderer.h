@@ -21,7 +21,8 @@ public:
 
 protected:
     ProgramFiles programFiles() const override;
-    void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
+    const MeshIndices& meshOf(const Scene& scene) const override { return scene.garment; }
+    const LineRuns& linesOf(const Scene& scene) const override { return scene.garmentLines; }
     std::vector<FaceValues> faceValues(const Scene& scene) const override {
         return garmentFaces(scene);
     }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "app/document/reference.h"
 #include "app/render/render_style.h"
 #include "app/render/scene_builder.h"
+#include "core/formats/tables/pattern_match.h"
 #include "core/io/conventions.h"
 #include "core/mesh/edge_table.h"
 #include "core/pattern/darts.h"
@@ -215,7 +217,7 @@ void addCuttingLines(const Pattern& pattern, Scene& scene) {
             closed << line, line.row(0);
             scene.patternLines.cutting.push_back(addLine(scene, Points3(), closed, kind));
             for (Eigen::Index k = 0; k < line.rows(); ++k) {
-                scene.pieces[i].edgeBox.extend(Eigen::Vector2d(line.row(k).transpose()));
+                scene.edgeBoxes[i].extend(Eigen::Vector2d(line.row(k).transpose()));
             }
         }
         for (const std::vector<Points2>& strokes : notchMarks(pattern, piece)) {
@@ -289,6 +291,30 @@ void addReferenceLines(const Garment& garment, const PieceResults& results, Scen
         add(piece.boundary);
         std::ranges::for_each(piece.holes, add);
     }
+}
+
+ReferenceLines referenceLines(const PatternMatch& match) {
+    ReferenceLines lines;
+    for (const PieceMatch& pair : match.pairs) {
+        if (!isSure(pair)) {
+            continue;
+        }
+        const Points2& laid = pair.lines.front().fit.laid;
+        const auto first = static_cast<std::uint32_t>(lines.vertices.size());
+        double along = 0;
+        for (Eigen::Index k = 0; k <= laid.rows(); ++k) {
+            const Eigen::RowVector2d point = laid.row(k % laid.rows());
+            along += k > 0 ? (point - laid.row(k - 1)).norm() : 0;
+            LineVertex& vertex = lines.vertices.emplace_back();
+            Eigen::Map<Eigen::RowVector2f>(vertex.flat) = point.cast<float>();
+            vertex.piece = static_cast<float>(pair.piece);
+            vertex.along = static_cast<float>(along);
+            vertex.tint = kNoTint;
+        }
+        lines.runs.reference.push_back(
+            {first, static_cast<std::uint32_t>(lines.vertices.size()) - first});
+    }
+    return lines;
 }
 
 }  // namespace toile::app

@@ -183,8 +183,8 @@ std::vector<WorstSpot> worstSpots(const Scene& scene, const SheetPlaces& places,
 }
 
 bool isSameQuestion(const OverlayQuestion& one, const OverlayQuestion& other) {
-    if (one.scene != other.scene || one.overlay != other.overlay || !(one.fabric == other.fabric) ||
-        one.sewn != other.sewn) {
+    if (clothOf(one.scene) != clothOf(other.scene) || one.overlay != other.overlay ||
+        !(one.fabric == other.fabric) || one.sewn != other.sewn) {
         return false;
     }
     const auto isSameCloth = [&](const SheetPlace& a, const SheetPlace& b) -> bool {

@@ -225,7 +225,7 @@ bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other) {
     const auto isSameCloth = [](const SheetPlace& a, const SheetPlace& b) -> bool {
         return a.grain == b.grain && a.fabric == b.fabric;
     };
-    return one.scene == other.scene && one.fabric == other.fabric &&
+    return clothOf(one.scene) == clothOf(other.scene) && one.fabric == other.fabric &&
            std::ranges::equal(one.places, other.places, isSameCloth);
 }
 

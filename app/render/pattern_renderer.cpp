@@ -36,11 +36,6 @@ SceneRenderer::ProgramFiles PatternRenderer::programFiles() const {
              "glyph.frag"}};
 }
 
-void PatternRenderer::upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) {
-    mesh.upload(scene.vertices, scene.pattern);
-    lines.upload(scene.lineVertices, scene.patternLines);
-}
-
 void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRatio) {
     const GridSteps steps = gridSteps(camera.pixelsPerMillimetre(), gridUnit_);
     const Eigen::Vector2d corner = camera.visible().min();

@@ -31,7 +31,8 @@ public:
 
 protected:
     ProgramFiles programFiles() const override;
-    void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) override;
+    const MeshIndices& meshOf(const Scene& scene) const override { return scene.pattern; }
+    const LineRuns& linesOf(const Scene& scene) const override { return scene.patternLines; }
     std::vector<FaceValues> faceValues(const Scene& scene) const override { return scene.faces; }
     bool isSheet() const override { return true; }
 

@@ -243,7 +243,7 @@ Eigen::AlignedBox2d sheetBox(const Scene& scene, const SheetPlaces& places) {
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         if (scene.pieces[i].flat && !placeOf(places, static_cast<int>(i)).hidden) {
             box.extend(
-                placedBox(scene.pieces[i].edgeBox, placeOf(places, static_cast<int>(i)).placement));
+                placedBox(scene.edgeBoxes[i], placeOf(places, static_cast<int>(i)).placement));
         }
     }
     return box;

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +14,7 @@
 
 #include "app/document/view_state.h"
 #include "app/render/colour_map.h"
+#include "core/flatten/base/piece_result.h"
 #include "core/garment/fabric.h"
 #include "core/geometry/triangle_tree.h"
 #include "core/project/piece_settings.h"
@@ -160,7 +163,6 @@ struct PieceScene {
     bool flat = false;
     Eigen::AlignedBox3d box;      ///< 3D, relative to Scene::origin
     Eigen::AlignedBox2d flatBox;  ///< in the piece's own coordinates; empty where not flat
-    Eigen::AlignedBox2d edgeBox;  ///< the same, with its allowances
     Eigen::Vector2d label = Eigen::Vector2d::Zero();  ///< a point well inside, likewise
     TriangleRun garmentRun, patternRun;
     geometry::TriangleTree<3> garmentTree;  ///< of garmentRun, counted from its first
@@ -170,26 +172,61 @@ struct PieceScene {
     SpaceMotion rest;  ///< lays the flat piece where the worn one is, as near as it can be
 };
 
-struct Scene {
+/// What follows from pieces and results alone: edits of allowances, notches and labels share it, so
+/// that they upload no mesh and build no tree.
+struct SceneCloth {
     /// Middle of the garment: taken off in double precision, so that a garment far from the
     /// coordinate origin keeps its digits in floats.
     Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     std::vector<ClothVertex> vertices;  ///< of all pieces, one after the other
     MeshIndices garment, pattern;       ///< in the pattern those of flat pieces only
-    std::vector<LineVertex> lineVertices;
-    LineRuns garmentLines, patternLines;
-    std::vector<FaceValues> faces;  ///< one per triangle of `pattern`
+    std::vector<FaceValues> faces;      ///< one per triangle of `pattern`
     StrainGlyphs glyphs;
     std::vector<PieceScene> pieces;
-    std::vector<SeamScene> seams;  ///< one per seam of the garment
     /// By Overlay: the span of the garment's values; one for all directions of strain, so that they
     /// can be compared and a turned grain changes none. Where a fabric has limits these come first.
     std::array<OverlayScale, kOverlayCount> scales;
     Eigen::AlignedBox3d box;  ///< relative to origin
+    /// What it was made of.
+    std::vector<std::shared_ptr<const Piece>> madeOf;
+    PieceResults results;
+};
+
+/// The cloth, and the lines that are drawn over it.
+struct Scene {
+    Scene() : Scene(std::make_shared<const SceneCloth>()) {}
+    explicit Scene(std::shared_ptr<const SceneCloth> of) : cloth(std::move(of)) {}
+
+    const std::shared_ptr<const SceneCloth> cloth;
+    const Eigen::Vector3d& origin = cloth->origin;
+    const std::vector<ClothVertex>& vertices = cloth->vertices;
+    const MeshIndices &garment = cloth->garment, &pattern = cloth->pattern;
+    const std::vector<FaceValues>& faces = cloth->faces;
+    const StrainGlyphs& glyphs = cloth->glyphs;
+    const std::vector<PieceScene>& pieces = cloth->pieces;
+    const Eigen::AlignedBox3d& box = cloth->box;
+
+    std::vector<LineVertex> lineVertices;
+    LineRuns garmentLines, patternLines;
+    std::vector<SeamScene> seams;  ///< one per seam of the garment
+    /// Per piece: PieceScene::flatBox with its allowances.
+    std::vector<Eigen::AlignedBox2d> edgeBoxes;
 
     const OverlayScale& scale(Overlay overlay) const {
-        return scales[static_cast<std::size_t>(overlay)];
+        return cloth->scales[static_cast<std::size_t>(overlay)];
     }
+};
+
+/// Null of no scene.
+inline const SceneCloth* clothOf(const std::shared_ptr<const Scene>& scene) {
+    return scene ? scene->cloth.get() : nullptr;
+}
+
+/// Lines of a reference pattern over the flat pieces of a scene. Separate from the scene, since the
+/// pieces that they belong to are found later. Shared and never changed.
+struct ReferenceLines {
+    std::vector<LineVertex> vertices{};
+    LineRuns runs{};  ///< `LineRuns::reference` alone
 };
 
 /// About what it takes in memory. Cost: none to speak of.
@@ -209,7 +246,7 @@ struct SheetPlace {
 /// One per piece of the scene. Shorter lists stand for pieces that lie where they were made.
 using SheetPlaces = std::vector<SheetPlace>;
 
-/// @param colours    one per piece, or none where nobody asks
+/// @param colours    one per piece, or none if they are not needed
 /// @param materials  that pieces may be of; or none where no fabric is asked for
 SheetPlaces placesOf(const std::vector<PieceSettings>& settings,
                      const std::vector<int>& colours = {}, const MaterialList& materials = {});

@@ -69,7 +69,7 @@ TriangleRun appendIndices(MeshIndices& mesh, const Piece& piece, std::uint32_t b
 
 class Builder {
 public:
-    explicit Builder(Scene& scene) : scene_(scene) {}
+    explicit Builder(SceneCloth& scene) : scene_(scene) {}
 
     void addPiece(const Piece& piece, const FlatPiece* flat) {
         index_ = static_cast<float>(scene_.pieces.size());
@@ -103,7 +103,6 @@ private:
                 const Eigen::Vector2d point = flat->Q.row(i).transpose();
                 Eigen::Map<Eigen::Vector2f>(vertex.flat) = point.cast<float>();
                 entry.flatBox.extend(point);
-                entry.edgeBox.extend(point);
             }
             copyValues(values, i, vertex.values, vertex.metric);
             vertex.piece = index_;
@@ -144,7 +143,7 @@ private:
         metric[2] = static_cast<float>(tensor.G);
     }
 
-    Scene& scene_;
+    SceneCloth& scene_;
     float index_ = 0;
 };
 
@@ -161,7 +160,7 @@ OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
     return robustScale(std::move(values), isSigned(overlay), finest);
 }
 
-void reserve(const Garment& garment, Scene& scene) {
+void reserve(const Garment& garment, SceneCloth& scene) {
     std::size_t vertices = 0, faces = 0, edges = 0;
     for (const auto& piece : garment.pieces) {
         vertices += static_cast<std::size_t>(piece->mesh.V.rows());
@@ -182,27 +181,60 @@ const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results
     return result && result->piece == garment.pieces[at] && result->flat ? &*result->flat : nullptr;
 }
 
-std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        Progress& progress, const Pattern* pattern) {
-    auto scene = sharedForDisposal(std::make_unique<Scene>());
-    for (const auto& piece : garment.pieces) {
-        scene->box.extend(boundsOf(piece->mesh.V));
-    }
-    if (!scene->box.isEmpty()) {
-        scene->origin = scene->box.center();
-        scene->box.translate(-scene->origin);
-    }
-    reserve(garment, *scene);
+namespace {
 
+/// @return null after a cancel
+std::shared_ptr<const SceneCloth> makeCloth(const Garment& garment, const PieceResults& results,
+                                            Progress& progress) {
+    auto cloth = sharedForDisposal(std::make_unique<SceneCloth>());
+    cloth->madeOf = garment.pieces;
+    cloth->results = results;
+    for (const auto& piece : garment.pieces) {
+        cloth->box.extend(boundsOf(piece->mesh.V));
+    }
+    if (!cloth->box.isEmpty()) {
+        cloth->origin = cloth->box.center();
+        cloth->box.translate(-cloth->origin);
+    }
+    reserve(garment, *cloth);
     progress.start(static_cast<double>(garment.pieces.size()));
-    Builder builder(*scene);
+    Builder builder(*cloth);
     for (std::size_t i = 0; i < garment.pieces.size() && !progress.isCancelled(); ++i) {
         const FlatPiece* flat = flatPieceOf(garment, results, static_cast<int>(i));
         builder.addPiece(*garment.pieces[i], flat);
         progress.advance(1);
     }
     if (progress.isCancelled()) {
-        return scene;
+        return nullptr;
+    }
+    const Scene scene(cloth);
+    cloth->glyphs = makeStrainGlyphs(scene);
+    for (const auto& [overlay, finest] :
+         {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
+          std::pair(Overlay::Dirichlet, kFinestEnergy),
+          std::pair(Overlay::Principal, kFinestPercent)}) {
+        cloth->scales[static_cast<std::size_t>(overlay)] = scaleOf(scene, overlay, finest);
+    }
+    for (const Overlay strain : {Overlay::Strain, Overlay::Warp, Overlay::Weft, Overlay::Bias}) {
+        cloth->scales[static_cast<std::size_t>(strain)] = scene.scale(Overlay::Principal);
+    }
+    return cloth;
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
+                                        Progress& progress, const Pattern* pattern,
+                                        const Scene* before) {
+    const bool isSame =
+        before && before->cloth->madeOf == garment.pieces && before->cloth->results == results;
+    const auto cloth = isSame ? before->cloth : makeCloth(garment, results, progress);
+    if (!cloth) {
+        return std::make_shared<const Scene>();
+    }
+    auto scene = sharedForDisposal(std::make_unique<Scene>(cloth));
+    for (const PieceScene& piece : scene->pieces) {
+        scene->edgeBoxes.push_back(piece.flatBox);
     }
     addSeamLines(garment, results, *scene);
     addOutlines(garment, results, *scene);
@@ -212,17 +244,6 @@ std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResul
     if (pattern) {
         addCuttingLines(*pattern, *scene);
         addInternalLines(garment, results, *pattern, *scene);
-    }
-
-    scene->glyphs = makeStrainGlyphs(*scene);
-    for (const auto& [overlay, finest] :
-         {std::pair(Overlay::Area, kFinestPercent), std::pair(Overlay::Angle, kFinestDegrees),
-          std::pair(Overlay::Dirichlet, kFinestEnergy),
-          std::pair(Overlay::Principal, kFinestPercent)}) {
-        scene->scales[static_cast<std::size_t>(overlay)] = scaleOf(*scene, overlay, finest);
-    }
-    for (const Overlay strain : {Overlay::Strain, Overlay::Warp, Overlay::Weft, Overlay::Bias}) {
-        scene->scales[static_cast<std::size_t>(strain)] = scene->scale(Overlay::Principal);
     }
     return scene;
 }

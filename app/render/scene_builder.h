@@ -8,6 +8,7 @@
 
 namespace toile {
 struct Pattern;
+struct PatternMatch;
 }  // namespace toile
 
 namespace toile::app {
@@ -20,8 +21,10 @@ namespace toile::app {
 /// Values of faces and edges are averaged at the vertices, weighted by area and length: at the
 /// density of garment meshes this reads as a smooth map instead of noise.
 /// After a cancel the scene is incomplete. Cost: linear.
+/// @param before  its cloth is shared if it was made of the same pieces and results; may be null
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
-                                        Progress& progress, const Pattern* pattern = nullptr);
+                                        Progress& progress, const Pattern* pattern = nullptr,
+                                        const Scene* before = nullptr);
 
 /// The flat piece in the results, where it is of that very piece; else null.
 const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results, int piece);
@@ -52,5 +55,8 @@ void addCuttingLines(const Pattern& pattern, Scene& scene);
 /// darts where it has allowances.
 void addInternalLines(const Garment& garment, const PieceResults& results, const Pattern& pattern,
                       Scene& scene);
+
+/// The outlines of the file's pieces, each laid on the piece that it surely is. Pure; linear.
+ReferenceLines referenceLines(const PatternMatch& match);
 
 }  // namespace toile::app

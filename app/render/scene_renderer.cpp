@@ -90,7 +90,7 @@ QString SceneRenderer::initialize() {
     glGenVertexArrays(1, &emptyArray_);
     divergingMap_ = makeColourMapTexture(divergingMap());
     sequentialMap_ = makeColourMapTexture(sequentialMap());
-    sceneChanged_ = tableChanged_ = content_.scene != nullptr;
+    sceneChanged_ = clothChanged_ = tableChanged_ = content_.scene != nullptr;
     referenceChanged_ = content_.reference != nullptr;
     sewnChanged_ = true;
     return {};
@@ -106,7 +106,7 @@ void SceneRenderer::release() {
     faces_.release();
     pieces_.release();
     glyphs_.release();
-    facesOf_ = glyphsOf_ = -1;
+    facesOf_ = glyphsOf_ = nullptr;
     glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&divergingMap_, &sequentialMap_}) {
         glDeleteTextures(1, texture);
@@ -123,9 +123,9 @@ void SceneRenderer::release() {
 void SceneRenderer::show(SceneContent content) {
     const bool isOtherScene = content.scene != content_.scene;
     const bool liesElsewhere = content.places != content_.places;
-    sceneNumber_ += isOtherScene ? 1 : 0;
     contentNumber_ += isOtherScene || liesElsewhere ? 1 : 0;
     sceneChanged_ = sceneChanged_ || isOtherScene;
+    clothChanged_ = clothChanged_ || clothOf(content.scene) != clothOf(content_.scene);
     referenceChanged_ = referenceChanged_ || content.reference != content_.reference;
     sewnChanged_ = sewnChanged_ || isOtherScene || content.sewn != content_.sewn;
     tableChanged_ =
@@ -138,7 +138,10 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         return false;
     }
     if (std::exchange(sceneChanged_, false)) {
-        upload(*content_.scene, mesh_, overLines_);
+        overLines_.upload(content_.scene->lineVertices, linesOf(*content_.scene));
+    }
+    if (std::exchange(clothChanged_, false)) {
+        mesh_.upload(content_.scene->vertices, meshOf(*content_.scene));
     }
     if (std::exchange(sewnChanged_, false)) {
         const SewnCloth* cloth = sewn();
@@ -188,10 +191,10 @@ void SceneRenderer::bindColourMap(Overlay overlay) {
 }
 
 bool SceneRenderer::hasFaceTable() {
-    if (facesOf_ != sceneNumber_) {
+    if (facesOf_ != content_.scene->cloth) {
         glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
         facesFit_ = faces_.upload(faceValues(*content_.scene));
-        facesOf_ = sceneNumber_;
+        facesOf_ = content_.scene->cloth;
     }
     return facesFit_;
 }
@@ -225,9 +228,9 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     if (frame.view.overlay != Overlay::Principal) {
         return;
     }
-    if (glyphsOf_ != sceneNumber_) {
+    if (glyphsOf_ != content_.scene->cloth) {
         glyphs_.upload(content_.scene->glyphs);
-        glyphsOf_ = sceneNumber_;
+        glyphsOf_ = content_.scene->cloth;
     }
     const OverlayScale scale = scaleOf(Overlay::Principal);
     bindColourMap(Overlay::Principal);

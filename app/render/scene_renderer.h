@@ -12,7 +12,6 @@
 #include "app/document/view_state.h"
 #include "app/render/gl_support.h"
 #include "app/render/gpu_mesh.h"
-#include "app/render/reference_lines.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/render/shader_program.h"
@@ -53,7 +52,7 @@ public:
     /// Frees everything on the GPU. Before the context goes.
     void release();
 
-    /// The next frame uploads what is another than before.
+    /// The next frame uploads what has changed.
     void show(SceneContent content);
     const SceneContent& content() const { return content_; }
     void setHover(const std::optional<Feature>& hover) { content_.hover = hover; }
@@ -79,7 +78,9 @@ protected:
     SceneRenderer();
 
     virtual ProgramFiles programFiles() const = 0;
-    virtual void upload(const Scene& scene, GpuMesh& mesh, GpuLines& lines) = 0;
+    /// The mesh and lines of this view.
+    virtual const MeshIndices& meshOf(const Scene& scene) const = 0;
+    virtual const LineRuns& linesOf(const Scene& scene) const = 0;
     /// In the order of the mesh's triangles.
     virtual std::vector<FaceValues> faceValues(const Scene& scene) const = 0;
     /// Of the programs for cloth and lines alike, while they are bound.
@@ -145,11 +146,12 @@ private:
 
     TableTexture faces_{counts_}, pieces_{counts_};
     GpuGlyphs glyphs_{counts_};
-    /// Scenes are numbered: of which the GPU has triangles' values and glyphs.
-    int sceneNumber_ = 0, facesOf_ = -1, glyphsOf_ = -1;
+    /// Of which cloth the GPU has triangles' values and glyphs.
+    std::shared_ptr<const SceneCloth> facesOf_, glyphsOf_;
     bool facesFit_ = false;
     GpuLines overLines_{counts_}, fileLines_{counts_};
-    bool sceneChanged_ = false, tableChanged_ = false, referenceChanged_ = false;
+    bool sceneChanged_ = false, clothChanged_ = false, tableChanged_ = false,
+         referenceChanged_ = false;
     bool sewnChanged_ = false;
     bool pieceColours_ = true;
     Overlay overlay_ = Overlay::None;  ///< that the piece table is of

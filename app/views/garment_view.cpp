@@ -120,23 +120,15 @@ void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
     }
 }
 
-void GarmentView::drag(Drag kind, const QPointF& delta) {
-    if (kind == Drag::Turn) {
-        camera_.orbit(delta.x(), delta.y());
-    } else {
-        resetHome();
-        camera_.pan(delta.x(), delta.y());
-    }
+void GarmentView::turnCamera(const QPointF& delta) {
+    camera_.orbit(delta.x(), delta.y());
 }
 
-void GarmentView::resetHome() {
-    if (morph_ > 0) {
-        home_.reset();
-    }
+void GarmentView::panCamera(const QPointF& delta) {
+    camera_.pan(delta.x(), delta.y());
 }
 
-void GarmentView::zoom(const QPointF& at, double factor) {
-    resetHome();
+void GarmentView::zoomCamera(const QPointF& at, double factor) {
     const Ray ray = camera_.ray(at.x(), at.y());
     const auto hit = scene() && morph_ == 0 ? pickGarment(*scene(), ray, places()) : std::nullopt;
     if (hit && factor > 1 && !camera_.isOrthographic()) {
@@ -256,19 +248,7 @@ void GarmentView::setMorph(double way) {
     if (way == morph_) {
         return;
     }
-    if (morph_ == 0) {
-        home_ = std::make_unique<Camera3D>(camera_);
-    }
     morph_ = way;
-    if (home_ && !followsAll() && scene()) {
-        // As far back as shows the whole sheet; back at the garment, to where the eye was.
-        Camera3D flat = camera_;
-        Morph end = morphState();
-        end.way = 1;
-        flat.frame(morphBoxes(*scene(), places(), end));
-        camera_.moveTowards(*home_, 1);
-        camera_.moveTowards(flat, Morph{.way = morph_}.flight());
-    }
     cameraMoved();
 }
 

@@ -43,7 +43,7 @@ public:
     /// 0 where nothing is sewn, or on the way to the pattern. While it is being sewn it is shown as
     /// far as that is.
     double sewnWay() const;
-    /// The pointer goes on to mean the cloth where the design has it.
+    /// The pointer still means the cloth as the design has it.
     void setSewnWay(double way);
 
 signals:
@@ -56,8 +56,9 @@ protected:
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
     void frameSpot(const WorstSpot& spot, double radius) override;
-    void drag(Drag kind, const QPointF& delta) override;
-    void zoom(const QPointF& at, double factor) override;
+    void turnCamera(const QPointF& delta) override;
+    void panCamera(const QPointF& delta) override;
+    void zoomCamera(const QPointF& at, double factor) override;
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
     std::optional<SpotPlace> placeNow(const WorstSpot& spot) const override;
     void paintText(QPainter& painter, const RenderStyle& style) override;
@@ -84,16 +85,12 @@ private:
     /// The point of the sheet under a pixel, where the sheet stands before the eye.
     Eigen::Vector2d onStandingSheet(const QPointF& at) const;
     void setDirection(const ViewDirection& direction);
-    /// Who moves the camera on the way keeps what was reached when the slider goes on.
-    void resetHome();
     /// Whether the right side of the cloth is towards the eye there.
     bool isFacing(const WorstSpot& spot) const;
     /// Whether other cloth lies before it.
     bool isHidden(const WorstSpot& spot) const;
 
     double morph_ = 0, sewnWay_ = 0;
-    /// Where the camera was when the way began; none where it has been moved by hand since.
-    std::unique_ptr<Camera3D> home_;
     Camera3D camera_;
     mutable std::optional<Motions> motions_;
 };

@@ -65,7 +65,7 @@ void OverlayWatcher::show(OverlayFigures figures) {
 }
 
 bool OverlayWatcher::isOfTheSame(const OverlayFigures& other) const {
-    return other.scene == figures_.scene && other.overlay == figures_.overlay &&
+    return clothOf(other.scene) == clothOf(figures_.scene) && other.overlay == figures_.overlay &&
            other.sewn == figures_.sewn && other.scale == figures_.scale;
 }
 

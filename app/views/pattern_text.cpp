@@ -105,9 +105,10 @@ NamedPiece namedPiece(const PatternText& text, int piece, const SheetMap& onScre
     for (Eigen::Index i = 0; i < flat.outline.rows(); ++i) {
         named.outline << onScreen(placement.applied(flat.outline.row(i).transpose()));
     }
-    const PieceScene& scene = document.scene()->pieces[static_cast<std::size_t>(piece)];
-    named.box =
-        onScreen(placedBox(document.view().cuttingLine ? scene.edgeBox : scene.flatBox, placement));
+    const Scene& scene = *document.scene();
+    const auto at = static_cast<std::size_t>(piece);
+    named.box = onScreen(placedBox(
+        document.view().cuttingLine ? scene.edgeBoxes[at] : scene.pieces[at].flatBox, placement));
     named.selected = document.isSelected(piece);
     return named;
 }

@@ -296,11 +296,11 @@ void PatternView::frameRolled() {
     stopFollowing();
 }
 
-void PatternView::drag(Drag, const QPointF& delta) {
+void PatternView::panCamera(const QPointF& delta) {
     camera_.pan(delta.x(), delta.y());
 }
 
-void PatternView::zoom(const QPointF& at, double factor) {
+void PatternView::zoomCamera(const QPointF& at, double factor) {
     camera_.zoomAt(at.x(), at.y(), factor);
 }
 

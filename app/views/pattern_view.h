@@ -131,8 +131,8 @@ protected:
     void framePieces(const std::set<int>& pieces) override;
     bool frameLines(const SeamScene& seam) override;
     void frameSpot(const WorstSpot& spot, double radius) override;
-    void drag(Drag kind, const QPointF& delta) override;
-    void zoom(const QPointF& at, double factor) override;
+    void panCamera(const QPointF& delta) override;
+    void zoomCamera(const QPointF& at, double factor) override;
     void paintScene(const RenderStyle& style, int width, int height, double ratio) override;
     std::optional<SpotPlace> placeNow(const WorstSpot& spot) const override;
     void paintText(QPainter& painter, const RenderStyle& style) override;

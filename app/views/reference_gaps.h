@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "app/render/reference_lines.h"
 #include "app/render/scene.h"
 #include "core/mesh/mesh_arrays.h"
 

@@ -190,7 +190,7 @@ void framePattern(Camera2D& camera, const Scene& scene, const SheetPlaces& place
                   const std::set<int>& pieces, bool rulers, const Eigen::AlignedBox2d& also) {
     Eigen::AlignedBox2d box = also;
     for (const int piece : pieces) {
-        box.extend(placedBox(scene.pieces[static_cast<std::size_t>(piece)].edgeBox,
+        box.extend(placedBox(scene.edgeBoxes[static_cast<std::size_t>(piece)],
                              placeOf(places, piece).placement));
     }
     camera.frame(box, patternMargins(rulers));

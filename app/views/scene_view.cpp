@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: what both views do alike with the pointer, the camera and what is
-// shown under them, which share the same few members.
 #include "app/views/scene_view.h"
 
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QLineF>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "app/document/document.h"
@@ -28,14 +24,10 @@ namespace toile::app {
 
 namespace {
 
-/// Enlargement per wheel notch (120 units): five notches double.
-constexpr double kZoomPerNotch = 1.15;
-/// And per pixel of a drag: 140 pixels double.
-constexpr double kZoomPerPixel = 1.005;
 /// Cloth around a place that is shown: a part of its piece, at least so many mm.
 constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 
-/// What is drawn anew then.
+/// Changes after which the content is drawn again.
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Settings | DocumentChange::Fabric |
                                      DocumentChange::Selection | DocumentChange::SeamSelection |
@@ -48,43 +40,25 @@ bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
 
 }  // namespace
 
-SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> renderer,
+SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> painter,
                      QWidget* parent)
-    : QOpenGLWidget(parent),
+    : RenderedWidget(std::move(painter), parent),
       document_(document),
       tools_(tools),
       hover_(document, *this),
-      renderer_(std::move(renderer)) {
+      canvas_(*this, *this) {
     setFormat(sceneSurfaceFormat());
     setMinimumSize(220, 150);
-    setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     connect(&document_, &Document::changed, this, &SceneView::onChanged);
     connect(&tools_, &ToolChoice::changed, this, &SceneView::updateCursor);
     connect(&tools_, &ToolChoice::chosen, this, &SceneView::endPress);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
-        renderer_->show(contentOf(document_));
+        renderer().show(contentOf(document_));
         hover_.writeAgain();
         update();
     });
-    renderer_->show(contentOf(document_));
-}
-
-SceneView::~SceneView() {
-    // The context dies after this part of the object: it must not call back then.
-    if (context()) {
-        disconnect(context(), nullptr, this, nullptr);
-    }
-    releaseGl();
-}
-
-void SceneView::releaseGl() {
-    if (!context()) {
-        return;
-    }
-    makeCurrent();
-    renderer_->release();
-    doneCurrent();
+    renderer().show(contentOf(document_));
 }
 
 void SceneView::onChanged(DocumentChanges what) {
@@ -93,8 +67,8 @@ void SceneView::onChanged(DocumentChanges what) {
     }
     if (what & kContent) {
         const SheetPlaces before = places();
-        renderer_->show(contentOf(document_));
-        // Who moves a piece wants the sheet to stay where it is.
+        renderer().show(contentOf(document_));
+        // When the user moves a piece, the sheet stays where it is.
         const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
                             lieElsewhere(places(), before);
         followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
@@ -104,7 +78,7 @@ void SceneView::onChanged(DocumentChanges what) {
         shown_.reset();
     }
     if (what.testFlag(DocumentChange::Hover)) {
-        renderer_->setHover(document_.hover());
+        renderer().setHover(document_.hover());
         hover_.follow();
     }
     if (what.testFlag(DocumentChange::Garment)) {
@@ -117,7 +91,7 @@ void SceneView::onChanged(DocumentChanges what) {
 }
 
 const SheetPlaces& SceneView::places() const {
-    return renderer_->content().places;
+    return renderer().content().places;
 }
 
 std::vector<QRectF> SceneView::covered() const {
@@ -141,7 +115,7 @@ std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             if (const auto at = pointOnScreen(scene()->lineVertices[i])) {
                 line << *at;
-            } else if (!line.isEmpty()) {  // it goes on behind the eye
+            } else if (!line.isEmpty()) {  // it continues behind the eye
                 drawn.push_back(std::exchange(line, {}));
             }
         }
@@ -254,14 +228,7 @@ void SceneView::showSpot(const WorstSpot& spot) {
 }
 
 bool SceneView::isUpToDate() const {
-    return !problem_.isEmpty() || (painted_ && painted_ == document_.scene());
-}
-
-void SceneView::initializeGL() {
-    // Also reached again when the widget moves to another window and gets another context.
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &SceneView::releaseGl,
-            Qt::UniqueConnection);
-    problem_ = renderer_->initialize();
+    return !problem().isEmpty() || (painted_ && painted_ == document_.scene());
 }
 
 void SceneView::paintGL() {
@@ -270,15 +237,15 @@ void SceneView::paintGL() {
         framePieces(document_.everyPiece());
     }
     const RenderStyle style = renderStyle(palette());
-    if (problem_.isEmpty()) {
+    if (problem().isEmpty()) {
         const QSize onDevice = devicePixels(*this);
         paintScene(style, onDevice.width(), onDevice.height(), devicePixelRatioF());
     }
 
     OverPainter over(*this);
     QPainter& painter = over.painter();
-    if (!problem_.isEmpty()) {
-        paintProblem(painter, style, rect(), problem_);
+    if (!problem().isEmpty()) {
+        paintProblem(painter, style, rect(), problem());
     } else {
         paintText(painter, style);
         if (const auto place = shown_ ? placeNow(*shown_) : std::nullopt) {
@@ -294,15 +261,31 @@ void SceneView::paintGL() {
 }
 
 void SceneView::updateCursor() {
-    setCursor(space_ ? Qt::OpenHandCursor : tools_.current().cursor(kind()));
+    setCursor(canvas_.hasSpace() ? Qt::OpenHandCursor : tools_.current().cursor(kind()));
     update();
 }
 
-void SceneView::setSpace(bool down) {
-    if (down != space_) {
-        space_ = down;
-        updateCursor();
-    }
+void SceneView::setSpace(bool isDown) {
+    canvas_.setSpace(isDown);
+    updateCursor();
+}
+
+void SceneView::turn(const QPointF& delta) {
+    takeByHand();
+    turnCamera(delta);
+    update();
+}
+
+void SceneView::pan(const QPointF& delta) {
+    takeByHand();
+    panCamera(delta);
+    update();
+}
+
+void SceneView::zoom(const QPointF& at, double factor) {
+    takeByHand();
+    zoomCamera(at, factor);
+    update();
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
@@ -310,17 +293,19 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
     if (press_ != Press::None) {
         return;  // another button while one is down
     }
-    pressed_ = last_ = event->position();
-    dragging_ = twice_ = false;
+    pressed_ = event->position();
+    twice_ = false;
     hover_.leave();
     button_ = event->button();
     if (button_ == Qt::LeftButton && clickOnOverlay(event->position())) {
         press_ = Press::Overlay;
-        return;
+    } else if (button_ == Qt::LeftButton && scene() && !canvas_.hasSpace() &&
+               tools_.current().press(*this, {event->position(), event->modifiers()})) {
+        press_ = Press::Tool;
+    } else {
+        press_ = Press::Camera;
+        canvas_.press(*event);
     }
-    const bool taken = event->button() == Qt::LeftButton && scene() && !space_ &&
-                       tools_.current().press(*this, {event->position(), event->modifiers()});
-    press_ = taken ? Press::Tool : Press::Camera;
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
@@ -342,41 +327,11 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
             tools_.current().drag(*this, pointer);
             break;
         case Press::Camera:
-            moveCamera(event);
+            canvas_.drag(*event);
             break;
         case Press::Overlay:
             break;
     }
-}
-
-void SceneView::moveCamera(QMouseEvent* event) {
-    if (!dragging_ &&
-        (event->position() - pressed_).manhattanLength() < QApplication::startDragDistance()) {
-        return;
-    }
-    dragging_ = true;
-    const QPointF delta = event->position() - last_;
-    const CameraMove move =
-        space_ ? CameraMove::Pan : cameraMove(navigation_, button_, event->modifiers());
-    if (move == CameraMove::None) {
-        return;
-    }
-    takeByHand();
-    switch (move) {
-        case CameraMove::Turn:
-            drag(Drag::Turn, delta);
-            break;
-        case CameraMove::Pan:
-            drag(Drag::Shift, delta);
-            break;
-        case CameraMove::Zoom:
-            zoom(pressed_, std::pow(kZoomPerPixel, -delta.y()));
-            break;
-        case CameraMove::None:
-            break;
-    }
-    last_ = event->position();
-    update();
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
@@ -384,7 +339,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
         return;
     }
     const Press press = std::exchange(press_, Press::None);
-    const bool dragged = std::exchange(dragging_, false);
+    const bool dragged = canvas_.release();
     const bool twice = std::exchange(twice_, false);
     const Pointer pointer{event->position(), event->modifiers()};
     Tool& tool = tools_.current();
@@ -394,7 +349,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
             tool.doubleClick(*this, pointer);
         }
     } else if (press == Press::Camera && !dragged && event->button() == Qt::LeftButton && scene() &&
-               !space_) {
+               !canvas_.hasSpace()) {
         if (twice) {
             tool.doubleClick(*this, pointer);
         } else {
@@ -417,29 +372,23 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
     // A press like any other: a drag may follow. What it is shows where the button comes up.
     const bool isFirst = press_ == Press::None;
     mousePressEvent(event);
-    twice_ = isFirst && event->button() == Qt::LeftButton && !space_ &&
+    twice_ = isFirst && event->button() == Qt::LeftButton && !canvas_.hasSpace() &&
              (press_ == Press::Tool || press_ == Press::Camera);
 }
 
 void SceneView::endPress() {
-    dragging_ = twice_ = false;
+    twice_ = false;
+    canvas_.release();
     if (std::exchange(press_, Press::None) == Press::Tool) {
         tools_.current().cancel();
     }
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
-    const double notches = event->angleDelta().y() / 120.0;
-    if (notches == 0) {
-        return;
-    }
-    takeByHand();
-    zoom(event->position(), std::pow(kZoomPerNotch, notches));
-    if (scene() && press_ == Press::None && hover_.isOn()) {
+    canvas_.wheel(*event);
+    if (event->isAccepted() && scene() && press_ == Press::None && hover_.isOn()) {
         emit pointed(hover_.move(*this, event->position(), !tools_.current().speaks()));
     }
-    update();
-    event->accept();
 }
 
 bool SceneView::event(QEvent* event) {
@@ -450,27 +399,27 @@ bool SceneView::event(QEvent* event) {
         event->accept();
         return true;
     }
-    return QOpenGLWidget::event(event);
+    return RenderedWidget::event(event);
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
     if (scene() && tools_.current().wants(*event)) {
         tools_.current().key(*this, *event);
         event->accept();
-    } else if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier) {
-        setSpace(true);
+    } else if (canvas_.keyPress(*event)) {
+        updateCursor();
         event->accept();
     } else {
-        QOpenGLWidget::keyPressEvent(event);
+        RenderedWidget::keyPressEvent(event);
     }
 }
 
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        setSpace(false);
+    if (canvas_.keyRelease(*event)) {
+        updateCursor();
         event->accept();
     } else {
-        QOpenGLWidget::keyReleaseEvent(event);
+        RenderedWidget::keyReleaseEvent(event);
     }
 }
 
@@ -479,16 +428,16 @@ void SceneView::focusOutEvent(QFocusEvent* event) {
     if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::MenuBarFocusReason) {
         endPress();
     }
-    QOpenGLWidget::focusOutEvent(event);
+    RenderedWidget::focusOutEvent(event);
 }
 
 void SceneView::hideEvent(QHideEvent* event) {
     endPress();
-    QOpenGLWidget::hideEvent(event);
+    RenderedWidget::hideEvent(event);
 }
 
 void SceneView::enterEvent(QEnterEvent* event) {
-    QOpenGLWidget::enterEvent(event);
+    RenderedWidget::enterEvent(event);
     emit entered();
 }
 
@@ -496,12 +445,12 @@ void SceneView::leaveEvent(QEvent* event) {
     emit pointed({});
     hover_.leave();
     tools_.current().leave(*this);
-    QOpenGLWidget::leaveEvent(event);
+    RenderedWidget::leaveEvent(event);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {
     hover_.leave();
-    QOpenGLWidget::resizeEvent(event);
+    RenderedWidget::resizeEvent(event);
 }
 
 }  // namespace toile::app

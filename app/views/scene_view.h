@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QOpenGLWidget>
 #include <memory>
 #include <optional>
 #include <set>
@@ -10,8 +9,8 @@
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/views/callouts.h"
+#include "app/views/canvas.h"
 #include "app/views/hover_tracker.h"
-#include "app/views/navigation.h"
 #include "app/views/tool.h"
 
 class QPainter;
@@ -19,7 +18,6 @@ class QPainter;
 namespace toile::app {
 
 class Document;
-class SceneRenderer;
 class ToolChoice;
 
 /// A place on a seam: how far along its left side, as in a SeamHit.
@@ -28,32 +26,26 @@ struct SeamDot {
     double along = 0;
 };
 
-/// A view of the document's scene: hands the pointer to the chosen tool, moves by drag and wheel,
-/// and does the bookkeeping of a GL widget. Derived views say what a drag does and how to paint.
-/// Holds a camera and nothing of the garment.
-class SceneView : public QOpenGLWidget, public ToolView {
+/// A view of the document's scene: gives the pointer to the chosen tool, and to the canvas what no
+/// tool takes. Derived views move their camera and paint. Holds a camera and nothing of the
+/// garment.
+class SceneView : public RenderedWidget, public ToolView, private CanvasCamera {
     Q_OBJECT
 
 public:
-    ~SceneView() override;
-
     std::vector<QPolygonF> seamOnScreen(int seam) const override;
     std::optional<QPointF> onSeam(int seam, int side, double along) const override;
     void frameSelection() override;
     /// Shows both sides of the selected seam; does nothing where none is selected.
     void frameSeam();
     void frameAll() override;
-    /// Shows a place from near by, with a ring around it until something else is selected or the
-    /// pieces are others.
+    /// Shows a place from near by, with a ring around it until the selection or the pieces change.
     void showSpot(const WorstSpot& spot);
     /// The place with the ring, if any.
     const std::optional<WorstSpot>& shownSpot() const { return shown_; }
     void repaintSoon() override { update(); }
     /// True once the present scene is on the screen: for pictures made by the program itself.
     bool isUpToDate() const;
-    /// Why nothing can be drawn; empty where all is well.
-    const QString& problem() const { return problem_; }
-    SceneRenderer& renderer() { return *renderer_; }
     /// To be marked, as far as they are of what is shown.
     void setWorstSpots(FlaggedSpots spots);
     const FlaggedSpots& spots() const { return spots_; }
@@ -61,8 +53,6 @@ public:
     std::optional<WorstSpot> markedSpotAt(const QPointF& at, double pixels) const;
     /// Marks a place on the left side of a seam.
     void setSeamDot(std::optional<SeamDot> dot);
-    /// Which drags move the camera.
-    void setNavigation(Navigation navigation) { navigation_ = navigation; }
 
 signals:
     /// What can be done is to be shown: the right button was clicked there and has moved nothing,
@@ -74,10 +64,8 @@ signals:
     void pointed(const std::optional<toile::app::SurfaceHit>& hit);
 
 protected:
-    SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> renderer,
+    SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> painter,
               QWidget* parent);
-
-    enum class Drag { Turn, Shift };
 
     /// Of the scene, as this view draws them.
     virtual const LineRuns& lines() const = 0;
@@ -92,8 +80,9 @@ protected:
     virtual void frameSpot(const WorstSpot& spot, double radius) = 0;
     /// Where a spot is in the view as it is now; none where it is not to be seen.
     virtual std::optional<SpotPlace> placeNow(const WorstSpot& spot) const = 0;
-    virtual void drag(Drag kind, const QPointF& delta) = 0;
-    virtual void zoom(const QPointF& at, double factor) = 0;
+    virtual void turnCamera(const QPointF& delta) { panCamera(delta); }
+    virtual void panCamera(const QPointF& delta) = 0;
+    virtual void zoomCamera(const QPointF& at, double factor) = 0;
     virtual void paintScene(const RenderStyle& style, int width, int height, double ratio) = 0;
     virtual void paintText(QPainter& painter, const RenderStyle& style) = 0;
     /// By what else lies over the view, logical pixels.
@@ -101,7 +90,6 @@ protected:
     /// A click on something that `paintText` has painted. @return whether it meant anything
     virtual bool clickOnOverlay(const QPointF&) { return false; }
 
-    void initializeGL() override;
     void paintGL() override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
@@ -135,32 +123,28 @@ private:
     enum class Press { None, Tool, Camera, Overlay };
 
     void onChanged(DocumentChanges what);
-    void releaseGl();
-    /// The camera is moved by hand: from here on it stays where it is, unless there is nothing to
-    /// be seen yet.
+    void turn(const QPointF& delta) override;
+    void pan(const QPointF& delta) override;
+    void zoom(const QPointF& at, double factor) override;
+    /// The user moves the camera: from here on it stays where it is, unless there is nothing to be
+    /// seen yet.
     void takeByHand();
-    void moveCamera(QMouseEvent* event);
     /// For a press whose release never comes: what it has begun is thrown away.
     void endPress();
     void updateCursor();
-    void setSpace(bool down);
+    void setSpace(bool isDown);
 
     ToolChoice& tools_;
     HoverTracker hover_;
-    Navigation navigation_ = Navigation::Toile;
-
-    std::unique_ptr<SceneRenderer> renderer_;
+    Canvas canvas_;
     FlaggedSpots spots_;
     std::optional<WorstSpot> shown_;
     std::optional<SeamDot> dot_;
     std::shared_ptr<const Scene> painted_;
-    QString problem_;
-    QPointF pressed_, last_;
+    QPointF pressed_;
     Press press_ = Press::None;
     Qt::MouseButton button_ = Qt::NoButton;  ///< that is down
-    bool dragging_ = false;                  ///< the pointer has moved since the press
     bool twice_ = false;                     ///< the press is the second of two at one place
-    bool space_ = false;                     ///< is held: the left button moves the view
     /// Until the camera is moved by hand everything stays framed, whatever size the view takes.
     bool followsAll_ = true;
 };

@@ -12,11 +12,10 @@
 #include "app/views/colour_bar.h"
 #include "app/views/feature_text.h"
 #include "app/views/garment_view.h"
-#include "app/views/morph_bar.h"
 #include "app/views/overlay_watcher.h"
 #include "app/views/pattern_view.h"
-#include "app/views/sewn_bar.h"
 #include "app/views/walk_bar.h"
+#include "app/views/way_bars.h"
 
 namespace toile::app {
 
@@ -80,12 +79,6 @@ void ViewArea::takeKeyboard(ViewKind view) {
     const auto found = std::ranges::find(views_, view, &SceneView::kind);
     if (found != views_.end()) {
         (*found)->setFocus();
-    }
-}
-
-void ViewArea::setNavigation(Navigation navigation) {
-    for (SceneView* view : views_) {
-        view->setNavigation(navigation);
     }
 }
 

@@ -7,7 +7,6 @@
 
 #include "app/render/overlay_figures.h"
 #include "app/render/overlay_values.h"
-#include "app/settings/choices.h"
 #include "app/views/tool.h"
 
 class QSplitter;
@@ -48,7 +47,6 @@ public:
     SewnBar* sewnBar() const { return sewnBar_; }
     /// The walk along the selected seam; null where there is no OpenGL 3.3.
     WalkBar* walkBar() const { return walkBar_; }
-    void setNavigation(Navigation navigation);
 
     void frameSelection();
     /// Shows both sides of the selected seam.

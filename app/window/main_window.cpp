@@ -13,7 +13,6 @@
 #include <QStatusBar>
 #include <QUrl>
 
-#include "app/actions/autosave.h"
 #include "app/actions/file_dialogs.h"
 #include "app/actions/garment_actions.h"
 #include "app/actions/project_actions.h"
@@ -22,6 +21,7 @@
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"
 #include "app/settings/theme.h"
+#include "app/views/canvas.h"
 #include "app/views/pattern_view.h"
 #include "app/views/tools/cut_tools.h"
 #include "app/views/tools/tool_box.h"
@@ -88,7 +88,7 @@ OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QW
 
 void OutdatedBar::follow(PatternAge age) {
     const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
-    // What has begun is told by the status bar; only what waits is told here.
+    // The status bar shows running jobs; this shows waiting ones only.
     const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
     const QString why = tr("The pattern is out of date: flatten it first");
     actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);
@@ -182,7 +182,7 @@ void MainWindow::connectParts() {
         if (const auto spot = contextMenus_->placeForDart()) {
             proposeDart(spot->piece, spot->flat);
         } else {
-            emit workspace_.refused(
+            centre_->banner().showSentence(
                 tr("Point at the place with the right button, or mark the worst spots first."));
         }
     });
@@ -198,7 +198,7 @@ void MainWindow::followChoices(const Choices& before) {
     if (now.theme != before.theme) {
         applyTheme(now.theme);
     }
-    views().setNavigation(now.navigation);
+    Canvas::setNavigation(now.navigation);
     updateHint();
     workspace_.setNewLines(now.newGarment == NewGarment::Pattern ? withPattern({})
                                                                  : LineSettings{});

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/autosave.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
+#include "app/window/recovery.h"
 #include "app/window/window_centre.h"
 #include "app/window/window_docks.h"
 
@@ -84,7 +84,7 @@ private:
     void updateHint();
     /// Heavy garments begin without flattening after every edit.
     void adaptToWeight();
-    /// Takes the person's choices over. @param before  what is another than these
+    /// Applies the user's choices. @param before  to see what has changed
     void followChoices(const Choices& before);
     /// Asks where changes would be lost, and waits for files that are being written.
     bool mayClose();

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/widgets/busy_sheet.h"
 
 namespace toile::app {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/views/tool.h"
 
 class QStackedWidget;

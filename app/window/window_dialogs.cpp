@@ -8,10 +8,8 @@
 #include <QSysInfo>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/cut_proposals.h"
 #include "app/actions/help_table.h"
 #include "app/actions/own_folders.h"
-#include "app/actions/workspace.h"
 #include "app/compare/compare_window.h"
 #include "app/marker/marker_window.h"
 #include "app/panels/help_pages.h"
@@ -20,6 +18,8 @@
 #include "app/panels/proposals_form.h"
 #include "app/panels/scan_form.h"
 #include "app/render/gl_support.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/workspace.h"
 #include "app/views/view_area.h"
 #include "core/base/version.h"
 
@@ -83,7 +83,7 @@ void WindowDialogs::compareMethods() {
 void WindowDialogs::layOnCloth() {
     if (!marker_) {
         marker_ = new MarkerWindow(workspace_, preferences_, files_, &window_);
-        // What is said and laid there is taken back as everything is.
+        // Changes made there are undone like all others.
         marker_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
     }
     marker_->show();

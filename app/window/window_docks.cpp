@@ -11,8 +11,6 @@
 #include <QUndoView>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/pattern_proof.h"
-#include "app/actions/workspace.h"
 #include "app/document/shown_proof.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/lines_panel.h"
@@ -25,6 +23,8 @@
 #include "app/panels/symmetry_panel.h"
 #include "app/render/piece_values.h"
 #include "app/render/scene.h"
+#include "app/session/pattern_proof.h"
+#include "app/session/workspace.h"
 #include "app/settings/preferences.h"
 #include "app/views/pattern_view.h"
 #include "app/views/view_area.h"
@@ -37,6 +37,11 @@ namespace {
 
 /// Logical pixels.
 constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 400, kFabricHeight = 280;
+
+/// Whether it lies beside the views, and not below them.
+bool isBeside(Panel panel) {
+    return panel == Panel::Piece || panel == Panel::Fabric;
+}
 
 /// The overlay that shows what was found; none where no overlay does.
 std::optional<Overlay> overlayFor(FindingKind kind) {
@@ -80,19 +85,20 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
     history_->setEmptyLabel(tr("As opened"));
-    add(tr("Pieces"), "piecesDock", pieces_, pieces_->table(), actions[ActionId::GoToPieces]);
-    add(tr("Seams"), "seamsDock", seams_, seams_->table(), actions[ActionId::GoToSeams]);
-    add(tr("Problems"), "problemsDock", problems_, problems_->table(),
-        actions[ActionId::GoToProblems]);
-    add(tr("History"), "historyDock", history_, *history_, actions[ActionId::GoToHistory]);
-    add(tr("Lines"), "linesDock", scrolledRow(*lines_, &window_), lines_->firstField(),
-        actions[ActionId::GoToLines]);
-    add(tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
-        actions[ActionId::GoToSymmetry]);
-    add(tr("Proof"), "proofDock", proof_, proof_->firstField(), actions[ActionId::GoToProof]);
-    add(tr("Piece"), "pieceDock", scrolledColumn(*piece_, &window_), piece_->placeField(),
-        actions[ActionId::GoToPosition]);
-    add(tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(), actions[ActionId::GoToFabric]);
+    add(Panel::Pieces, tr("Pieces"), "piecesDock", pieces_, pieces_->table(), ActionId::GoToPieces);
+    add(Panel::Seams, tr("Seams"), "seamsDock", seams_, seams_->table(), ActionId::GoToSeams);
+    add(Panel::ProblemList, tr("Problems"), "problemsDock", problems_, problems_->table(),
+        ActionId::GoToProblems);
+    add(Panel::History, tr("History"), "historyDock", history_, *history_, ActionId::GoToHistory);
+    add(Panel::Lines, tr("Lines"), "linesDock", scrolledRow(*lines_, &window_),
+        lines_->firstField(), ActionId::GoToLines);
+    add(Panel::Symmetry, tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
+        ActionId::GoToSymmetry);
+    add(Panel::Proof, tr("Proof"), "proofDock", proof_, proof_->firstField(), ActionId::GoToProof);
+    add(Panel::Piece, tr("Piece"), "pieceDock", scrolledColumn(*piece_, &window_),
+        piece_->placeField(), ActionId::GoToPosition);
+    add(Panel::Fabric, tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(),
+        ActionId::GoToFabric);
     arrange();
     constexpr auto kPieces = "pieces";
     if (const auto hidden = preferences.hiddenColumns(kPieces)) {
@@ -109,8 +115,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     connect(seams_, &SeamsPanel::joinRemovalWanted, &workspace, &Workspace::removeJoin);
     connect(fabric_, &FabricPanel::pieceActivated, &views_, &ViewArea::frameSelection);
     connect(problems_, &ProblemsPanel::countChanged, this, [this](int count) {
-        docks_[Problems]->setWindowTitle(count == 0 ? tr("Problems")
-                                                    : tr("Problems (%1)").arg(count));
+        dock(Panel::ProblemList)
+            ->setWindowTitle(count == 0 ? tr("Problems") : tr("Problems (%1)").arg(count));
     });
     connect(problems_, &ProblemsPanel::wanted, this, [this](const QList<int>& findings) {
         const QScopedValueRollback guard(goesToFinding_, true);
@@ -196,28 +202,32 @@ void WindowDocks::showLargestGap(int piece) {
 }
 
 WindowDocks::~WindowDocks() {
-    qDeleteAll(docks_);  // the panels look at the document to their end
+    qDeleteAll(all());  // the panels look at the document to their end
 }
 
-void WindowDocks::add(const QString& title, const char* name, QWidget* panel, QWidget& field,
-                      const QAction& goThere) {
-    auto* dock = new QDockWidget(title, &window_);
-    dock->setObjectName(name);
-    dock->setWidget(panel);
-    keys_.watch(*dock);
-    docks_ << dock;
-    fields_ << &field;
-    connect(&goThere, &QAction::triggered, dock, [this, at = docks_.size() - 1] { goTo(at); });
+void WindowDocks::add(Panel panel, const QString& title, const char* name, QWidget* content,
+                      QWidget& field, ActionId goThere) {
+    auto* added = new QDockWidget(title, &window_);
+    added->setObjectName(name);
+    added->setWidget(content);
+    keys_.watch(*added);
+    places_[panel] = {added, &field};
+    actions_.on(goThere, added, [this, panel] { goTo(panel); });
 }
 
-void WindowDocks::goTo(qsizetype at) {
-    docks_[at]->show();
-    docks_[at]->raise();
-    fields_[at]->setFocus(at < PieceDock ? Qt::OtherFocusReason : Qt::ShortcutFocusReason);
+QList<QDockWidget*> WindowDocks::all() const {
+    QList<QDockWidget*> docks;
+    for (const auto& [panel, place] : places_) {
+        docks << place.dock;
+    }
+    return docks;
 }
 
 void WindowDocks::goTo(Panel panel) {
-    goTo(static_cast<qsizetype>(panel));
+    const Place& place = places_.at(panel);
+    place.dock->show();
+    place.dock->raise();
+    place.field->setFocus(isBeside(panel) ? Qt::ShortcutFocusReason : Qt::OtherFocusReason);
 }
 
 QAbstractItemView& WindowDocks::list(Panel panel) const {
@@ -225,35 +235,40 @@ QAbstractItemView& WindowDocks::list(Panel panel) const {
 }
 
 void WindowDocks::arrange() {
-    for (qsizetype k = 0; k < PieceDock; ++k) {
-        window_.addDockWidget(Qt::BottomDockWidgetArea, docks_[k]);
+    QDockWidget* left = nullptr;
+    for (const auto& [panel, place] : places_) {
+        if (isBeside(panel)) {
+            continue;
+        }
+        window_.addDockWidget(Qt::BottomDockWidgetArea, place.dock);
+        if (left) {
+            window_.tabifyDockWidget(left, place.dock);
+        }
+        left = place.dock;
     }
-    for (qsizetype k = 1; k < PieceDock; ++k) {
-        window_.tabifyDockWidget(docks_[k - 1], docks_[k]);
-    }
-    docks_[Pieces]->raise();
+    dock(Panel::Pieces)->raise();
     // Beside the views, so that the lists have the window's whole width.
-    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[PieceDock]);
-    window_.addDockWidget(Qt::RightDockWidgetArea, docks_[FabricDock]);
-    window_.splitDockWidget(docks_[PieceDock], docks_[FabricDock], Qt::Vertical);
+    window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Piece));
+    window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Fabric));
+    window_.splitDockWidget(dock(Panel::Piece), dock(Panel::Fabric), Qt::Vertical);
 }
 
 void WindowDocks::show() {
-    for (QDockWidget* dock : docks_) {
-        dock->show();
+    for (QDockWidget* each : all()) {
+        each->show();
     }
-    window_.resizeDocks({docks_[Pieces]}, {kListsHeight}, Qt::Vertical);
-    window_.resizeDocks({docks_[PieceDock]}, {kPropertiesWidth}, Qt::Horizontal);
-    window_.resizeDocks({docks_[PieceDock], docks_[FabricDock]}, {kPieceHeight, kFabricHeight},
+    window_.resizeDocks({dock(Panel::Pieces)}, {kListsHeight}, Qt::Vertical);
+    window_.resizeDocks({dock(Panel::Piece)}, {kPropertiesWidth}, Qt::Horizontal);
+    window_.resizeDocks({dock(Panel::Piece), dock(Panel::Fabric)}, {kPieceHeight, kFabricHeight},
                         Qt::Vertical);
 }
 
 bool WindowDocks::setAvailable(bool available) {
-    const bool first = available && !docks_.front()->toggleViewAction()->isEnabled();
-    for (QDockWidget* dock : docks_) {
-        dock->toggleViewAction()->setEnabled(available);
+    const bool first = available && !dock(Panel::Pieces)->toggleViewAction()->isEnabled();
+    for (QDockWidget* each : all()) {
+        each->toggleViewAction()->setEnabled(available);
         if (!available) {
-            dock->hide();
+            each->hide();
         }
     }
     if (first) {
@@ -264,9 +279,9 @@ bool WindowDocks::setAvailable(bool available) {
 
 void WindowDocks::reset() {
     // Hidden while they move: docks that are seen leave an empty tab bar over the new one.
-    for (QDockWidget* dock : docks_) {
-        dock->setFloating(false);
-        dock->hide();
+    for (QDockWidget* each : all()) {
+        each->setFloating(false);
+        each->hide();
     }
     arrange();
     if (document_.garment()) {

@@ -5,20 +5,19 @@
 #include <QObject>
 #include <map>
 
+#include "app/actions/action_registry.h"
 #include "app/document/view_state.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/remedies.h"
 #include "app/widgets/field_keys.h"
 
 class QAbstractItemView;
-class QAction;
 class QDockWidget;
 class QMainWindow;
 class QUndoView;
 
 namespace toile::app {
 
-class ActionRegistry;
 class FabricPanel;
 class LinesPanel;
 class PiecesPanel;
@@ -44,7 +43,8 @@ public:
 
     /// Works on a thread of its own; GUI thread only, as all of this.
     ReadyChecker& checker() { return checker_; }
-    const QList<QDockWidget*>& all() const { return docks_; }
+    /// In the order of `Panel`.
+    QList<QDockWidget*> all() const;
     /// Brings a list to the front and moves the keyboard there.
     void goTo(Panel panel);
     /// Of the pieces or the seams.
@@ -63,23 +63,10 @@ signals:
     void unitWanted();
 
 private:
-    /// In the order of `Panel`, then the other one below the views and those beside them.
-    enum Dock : qsizetype {
-        Pieces,
-        Seams,
-        Problems,
-        History,
-        Lines,
-        Symmetry,
-        Proof,
-        PieceDock,
-        FabricDock
-    };
-
     /// @param field  where the keyboard goes
-    void add(const QString& title, const char* name, QWidget* panel, QWidget& field,
-             const QAction& goThere);
-    void goTo(qsizetype at);
+    void add(Panel panel, const QString& title, const char* name, QWidget* content, QWidget& field,
+             ActionId goThere);
+    QDockWidget* dock(Panel panel) const { return places_.at(panel).dock; }
     /// Where each dock lies at first; shows none.
     void arrange();
     void show();
@@ -111,8 +98,11 @@ private:
     ProofPanel* proof_;
     PiecePanel* piece_;
     FabricPanel* fabric_;
-    QList<QDockWidget*> docks_;
-    QList<QWidget*> fields_;  ///< where the keyboard goes, one per dock
+    struct Place {
+        QDockWidget* dock;
+        QWidget* field;  ///< where the keyboard goes
+    };
+    std::map<Panel, Place> places_;
     bool goesToFinding_ = false;
 };
 

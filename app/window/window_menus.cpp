@@ -15,7 +15,7 @@
 #include "app/actions/material_menu.h"
 #include "app/actions/menu_table.h"
 #include "app/actions/project_actions.h"
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/widgets/icon.h"
 
 namespace toile::app {
@@ -95,7 +95,7 @@ struct MenuMaker {
         QMenu& below = *menu.addMenu(menuText(spec.title));
         fill(below, spec);
         if (!std::holds_alternative<RecentPlace>(spec.items.front())) {
-            followActions(below);  // what was opened last is another whenever the menu opens
+            followActions(below);  // the recent files may change between two openings of the menu
         }
     }
     void add(QMenu& menu, RecentPlace) { recent->fill(menu); }
@@ -107,7 +107,7 @@ struct MenuMaker {
     }
 };
 
-/// Flatten stands out while the pattern is older than what was done since and nobody is about it.
+/// Flatten is emphasized while the pattern is out of date and no update is running.
 void glowWhenWanted(QWidget& button, Workspace& workspace) {
     button.setObjectName("flattenButton");
     QObject::connect(&workspace, &Workspace::patternAged, &button, [&button](PatternAge age) {

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "app/actions/action_registry.h"
-#include "app/actions/project_session.h"
-#include "app/actions/workspace.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/garment_summary.h"
 #include "app/panels/problems_model.h"
+#include "app/session/project_session.h"
+#include "app/session/workspace.h"
 #include "app/settings/length_display.h"
 #include "app/widgets/hint_label.h"
 

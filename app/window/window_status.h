@@ -57,7 +57,7 @@ public:
     bool hasSummary() const;
 
 signals:
-    /// What the bar says of the garment is to be said otherwise.
+    /// The text about the garment has changed.
     void summaryWanted();
 
 private:

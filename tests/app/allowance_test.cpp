@@ -108,6 +108,31 @@ private slots:
                             fixture_.path("tshirt.obj")));
     }
 
+    void anEditUploadsNoMeshAndBuildsNoTree() {
+        open("tshirt.obj", NewGarment::Pattern);
+        const auto before = document().scene();
+        QVERIFY(!before->patternLines.cutting.empty());
+        const auto uploads = [this] {
+            return std::pair(fixture_.garmentView().renderer().meshUploads(),
+                             fixture_.patternView().renderer().meshUploads());
+        };
+        (void)fixture_.garmentPicture();
+        (void)fixture_.patternPicture();
+        const auto sent = uploads();
+        LineSettings wider = lines();
+        wider.allowance = AllowanceWidths{17, 45};
+        document().setLines(wider, "Wider");
+        QVERIFY(isDone());
+        QVERIFY(fixture_.waitUntilIdle());
+        (void)fixture_.garmentPicture();
+        (void)fixture_.patternPicture();
+        const auto after = document().scene();
+        QVERIFY(after != before);
+        QCOMPARE(after->cloth, before->cloth);  // which holds the trees
+        QCOMPARE(uploads(), sent);
+        QVERIFY(after->edgeBoxes.front().sizes().x() > before->edgeBoxes.front().sizes().x());
+    }
+
     void init() {
         open("cap.obj");
         fixture_.action(ActionId::GoToLines).trigger();

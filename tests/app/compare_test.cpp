@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window that compares methods: its figures, its pictures, and how it follows the document.
-#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalSpy>
 #include <QTableView>
 #include <algorithm>
 #include <cmath>
 
 #include "app/compare/compare_window.h"
-#include "app/compare/compared_column.h"
-#include "app/compare/figure_table.h"
 #include "app/render/scene.h"
 #include "app/text/error_text.h"
 #include "app/text/figures.h"
@@ -90,13 +86,13 @@ private slots:
         QCOMPARE(table().model()->columnCount(), 4);
         const auto shown = std::ranges::count_if(
             allCriteria(), [](const CriterionTraits& criterion) { return criterion.title; });
-        QCOMPARE(table().model()->rowCount(), static_cast<int>(shown) - 1);  // no reference panel
+        // Three rows of widgets, and no reference panel.
+        QCOMPARE(table().model()->rowCount(), 3 + static_cast<int>(shown) - 1);
         for (int m = 0; m < 4; ++m) {
             const ComparedMethod& method = expected.methods[static_cast<std::size_t>(m)];
             const ComparedFigures& figures = method.pieceFigures.front();
             const PieceQuality& quality = *method.results.front()->quality;
-            QCOMPARE(table().model()->headerData(m, Qt::Horizontal).toString(),
-                     methodName(method.method));
+            QCOMPARE(box(m).currentText(), methodName(method.method));
             QCOMPARE(cell("Mean strain, %", m), percent(*quality.strainMeanAbs));
             QCOMPARE(cell("Most stretch, %", m), signedPercent(*quality.strainMax));
             QCOMPARE(cell("Most surplus, %", m), signedPercent(*quality.strainMin));
@@ -124,7 +120,7 @@ private slots:
         openAndCompare("sewn.obj");
         const QAbstractItemModel& model = *table().model();
         int marked = 0;
-        for (int row = 0; row < model.rowCount(); ++row) {
+        for (int row = 3; row < model.rowCount(); ++row) {
             int best = 0;
             for (int column = 0; column < 4; ++column) {
                 const QModelIndex index = model.index(row, column);
@@ -196,44 +192,34 @@ private slots:
                  qPrintable(legend.summary()));
     }
 
-    void methodsAreTickedUpToFour() {
+    void methodsAreChosenPerColumn() {
         openAndCompare("sewn.obj");
-        QVERIFY(box("lscm").isChecked());
-        QVERIFY(!box("abf").isEnabled());
-        QTest::mouseClick(&box("lscm"), Qt::LeftButton, {}, {8, box("lscm").height() / 2});
-        QVERIFY(!box("lscm").isChecked());
+        QCOMPARE(entry(3).method, Method::Lscm);
+        const auto solved = entry(1).made.result;
+        box(3).setFocus();
+        QTest::keyClick(&box(3), Qt::Key_Home);
         QVERIFY(waitUntilDone());
-        QCOMPARE(table().model()->columnCount(), 3);
-        QVERIFY(!picture(3).isVisible());
-        QVERIFY(box("abf").isEnabled());
-        box("abf").setFocus();
-        QTest::keyClick(&box("abf"), Qt::Key_Space);
-        QVERIFY(waitUntilDone());
-        QCOMPARE(entry(3).method, Method::Abf);
+        const auto first = static_cast<Method>(box(3).itemData(0).toInt());
+        QCOMPARE(entry(3).method, first);
+        QCOMPARE(entry(3).made.result->options.method, first);
+        QCOMPARE(entry(1).made.result, solved);  // the other columns were not solved again
         QVERIFY(picture(3).isVisible());
-        QCOMPARE(label("compareName3").text(), methodName(Method::Abf));
-        for (const MethodTraits& known : allMethods()) {
-            auto& ticked = box(known.name.data());
-            if (ticked.isChecked()) {
-                QTest::mouseClick(&ticked, Qt::LeftButton, {}, {8, ticked.height() / 2});
-            }
-        }
-        QCOMPARE(table().model()->columnCount(), 0);
-        QVERIFY(!window().comparison().isBusy());
     }
 
-    void pieceFollowsTheSelectionAndTheList() {
+    void thePieceFollowsTheSelection() {
         openAndCompare("sewn.obj");
-        auto& list = *window().findChild<QComboBox*>("comparePiece");
-        QCOMPARE(list.currentText(), QString("narrow"));
-        document().setSelection({1});
-        QVERIFY(waitUntilDone());
-        QCOMPARE(list.currentText(), QString("wide"));
-        QCOMPARE(entry(1).made.result->piece, document().garment()->pieces[1]);
-        list.setFocus();
-        QTest::keyClick(&list, Qt::Key_Up);
-        QVERIFY(waitUntilDone());
-        QCOMPARE(entry(1).made.result->piece, document().garment()->pieces[0]);
+        const auto shown = [this] {
+            return table().model()->headerData(0, Qt::Vertical).toString();
+        };
+        QCOMPARE(shown(), QString("narrow"));
+        for (const int piece : {1, 0}) {
+            document().setSelection({piece});
+            QTRY_COMPARE_WITH_TIMEOUT(window().comparison().piece(), piece, test::kPatience);
+            QVERIFY(waitUntilDone());
+            QCOMPARE(shown(), QString(piece == 1 ? "wide" : "narrow"));
+            QCOMPARE(entry(1).made.result->piece,
+                     document().garment()->pieces[static_cast<std::size_t>(piece)]);
+        }
     }
 
     void aMethodIsTakenOverAsOneStep() {
@@ -266,53 +252,34 @@ private slots:
             lines = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
             return lines.size();
         };
-        QTRY_COMPARE_WITH_TIMEOUT(copied(), qsizetype(table().model()->rowCount() + 1),
+        QTRY_COMPARE_WITH_TIMEOUT(copied(), qsizetype(table().model()->rowCount() - 3 + 1),
                                   test::kPatience);
         for (const QString& line : lines) {
             QCOMPARE(line.count('\t'), qsizetype(4));
         }
         QCOMPARE(lines[1].section('\t', 0, 1),
                  "Mean strain, %\t" + percent(*document().result(0)->quality->strainMeanAbs));
-        table().selectRow(3);
+        table().selectRow(rowOf("Seam Δ, mm"));
         QTRY_COMPARE_WITH_TIMEOUT(copied(), qsizetype(2), test::kPatience);
         QVERIFY(lines[1].startsWith("Seam Δ, mm\t"));
     }
 
-    void cancelStopsAndCanGoOn() {
+    void anotherMethodStopsTheOneInWork() {
         QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
         openCompareWindow();
         QCOMPARE(entry(0).stage, Stage::Working);
-        QTest::mouseClick(&button("compareCancel"), Qt::LeftButton);
-        const auto isStopped = [this] {
-            const auto& entries = window().comparison().entries();
-            return window().comparison().isStopped() && !window().comparison().isBusy() &&
-                   std::ranges::all_of(entries, [](const auto& entry) {
-                       return entry.stage == Stage::Waiting && !entry.made.result;
-                   });
-        };
-        QVERIFY(isStopped());
-        // Nothing comes after all, not when the job sees that it is cancelled either.
-        const auto* runner = window().comparison().findChild<JobRunner*>();
-        QVERIFY(runner);
-        QTRY_VERIFY_WITH_TIMEOUT(!runner->isBusy(), test::kPatience);
-        QVERIFY(isStopped());
-        // Nor when the window's own jobs are done.
-        QSignalSpy looked(&window().comparison(), &MethodComparison::changed);
-        emit workspace().jobs().idle();
-        QTRY_VERIFY_WITH_TIMEOUT(!looked.isEmpty(), test::kPatience);
-        QVERIFY(isStopped());
-        QCOMPARE(label("compareWork").text(), QString("Cancelled."));
-        for (int i = 0; i < 4; ++i) {
-            QCOMPARE(label(qPrintable(QString("compareMessage%1").arg(i))).text(),
-                     QString("Cancelled."));
-        }
-        QCOMPARE(cell("Mean strain, %", 3), QString());
-        QTest::mouseClick(&button("compareCancel"), Qt::LeftButton);
+        const Method dropped = entry(0).method;
+        box(0).setCurrentIndex(box(0).findData(static_cast<int>(Method::Curvature)));
+        emit box(0).activated(box(0).currentIndex());
         QVERIFY(waitUntilDone());
-        QCOMPARE(entry(3).stage, Stage::Done);
+        for (const auto& entry : window().comparison().entries()) {
+            QVERIFY(entry.method != dropped);
+            QCOMPARE(entry.stage, Stage::Done);
+            QCOMPARE(entry.made.result->options.method, entry.method);
+        }
     }
 
-    void aChangeWhileItWorksIsComparedAnew() {
+    void aChangeWhileItWorksIsComparedAgain() {
         QVERIFY(fixture_.openAndWait(fixture_.path("hill.obj")));
         openCompareWindow();
         QCOMPARE(entry(0).stage, Stage::Working);
@@ -363,6 +330,7 @@ private slots:
         // The first that is flat was chosen.
         QCOMPARE(window().comparison().piece(), 1);
         document().setSelection({0});
+        QTRY_COMPARE_WITH_TIMEOUT(window().comparison().piece(), 0, test::kPatience);
         QVERIFY(waitUntilDone());
         for (int i = 0; i < 4; ++i) {
             QVERIFY(entry(i).made.result->error);
@@ -371,28 +339,6 @@ private slots:
             QVERIFY(!picture(i).isVisible());
             QCOMPARE(cell("Mean strain, %", i), QString(QChar(0x2013)));
         }
-    }
-
-    void aFailedMethodLeavesTheOthers() {
-        openAndCompare("sewn.obj");
-        std::vector<MethodComparison::Entry> entries = window().comparison().entries();
-        auto failed = std::make_shared<PieceResult>(*entries[1].made.result);
-        failed->flat.reset();
-        failed->quality.reset();
-        failed->error = Error{ErrorCode::NotFinite, Subject::piece("narrow")};
-        entries[1].made = {failed, {}, nullptr};
-        FigureTable figures;
-        figures.setEntries(entries);
-        QCOMPARE(figures.item(0, 1)->text(), QString(QChar(0x2013)));
-        QVERIFY(figures.item(0, 0)->font().bold());
-        LinkedCamera camera;
-        ComparedColumn column(&camera, 7);
-        column.show(entries[1], {Method::Isometric, {}, entries[0].made.result, {}});
-        QVERIFY(column.box().isEmpty());
-        QCOMPARE(column.findChild<QLabel*>("compareMessage7")->text(),
-                 QString::fromStdString(sentence(*failed->error)));
-        column.show(entries[2], {Method::Isometric, {}, entries[0].made.result, {}});
-        QVERIFY(!column.box().isEmpty());
     }
 
 private:
@@ -429,8 +375,8 @@ private:
     ComparedPicture& picture(int i) {
         return *window().findChild<ComparedPicture*>(QString("comparePicture%1").arg(i));
     }
-    QCheckBox& box(const char* method) {
-        return *window().findChild<QCheckBox*>(QString("compare_") + method);
+    QComboBox& box(int i) {
+        return *window().findChild<QComboBox*>(QString("compareMethod%1").arg(i));
     }
     QPushButton& button(const char* name) { return *window().findChild<QPushButton*>(name); }
     QLabel& label(const char* name) { return *window().findChild<QLabel*>(name); }
@@ -446,7 +392,11 @@ private:
     }
 
     QString cell(const QString& title, int column) {
-        return table().model()->index(rowOf(title), column).data(FigureTable::PlainRole).toString();
+        return table()
+            .model()
+            ->index(rowOf(title), column)
+            .data(CompareWindow::PlainRole)
+            .toString();
     }
 
     test::WindowFixture fixture_;

@@ -7,8 +7,8 @@
 #include "app/render/render_style.h"
 #include "app/render/scene_renderer.h"
 #include "app/views/feature_text.h"
-#include "app/views/morph_bar.h"
 #include "app/views/tools/tool_box.h"
+#include "app/views/way_bars.h"
 #include "tests/app/support/pointer_bench.h"
 #include "tests/app/support/run_test.h"
 
@@ -182,12 +182,30 @@ private slots:
         QCOMPARE(document().selection(), Document::Selection{0});
     }
 
-    void theHandsZoomOutlastsTheMorph() {
-        garmentView().setMorph(0.5);
+    void hoverEvaluatesNoAction() {
+        const auto evaluations = [this] { return fixture_.window().actions().evaluations(); };
+        const int before = evaluations();
+        moveTo(patternView(), onPatternPiece(0));
+        QVERIFY(document().hover());
+        moveTo(patternView(), onPatternSeam(firstSeam(), 0));
+        leave(patternView());
+        QVERIFY(!document().hover());
+        QCOMPARE(evaluations(), before);
+        document().setSelection({0});
+        const int selected = evaluations() - before;
+        QVERIFY(selected > 0);
+        // Fewer than when all are evaluated, as after a job.
+        fixture_.window().actions().followEnabled(fixture_.workspace());
+        QVERIFY(evaluations() - before - selected > selected);
+    }
+
+    void theMorphLeavesACameraThatWasMoved() {
         zoomIn(garmentView(), 5);
         const double distance = garmentView().camera().distance();
-        garmentView().setMorph(0.51);
-        QCOMPARE(garmentView().camera().distance(), distance);
+        for (const double way : {0.3, 0.9, 1.0, 0.0}) {
+            garmentView().setMorph(way);
+            QCOMPARE(garmentView().camera().distance(), distance);
+        }
     }
 
     void theEyeStopsBeforeTheCloth() {

@@ -8,7 +8,9 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QLineF>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <algorithm>
@@ -339,6 +341,37 @@ private slots:
             std::remainder(directionOnSheet(placementOf(0), grain), std::numbers::pi);
         QVERIFY2(std::abs(std::abs(off) - std::numbers::pi / 18) < 1e-6,
                  qPrintable(QString::number(off)));
+    }
+
+    void theMouseSchemeOfTheUserMovesTheCloth() {
+        openSheets();
+        layOnCloth();
+        const auto movedBy = [this](Qt::MouseButton button) -> QPointF {
+            const QPointF before = view().placeOf(0);
+            const QPointF empty(view().width() / 2.0, view().height() - 12.0);
+            test::drag(view(), empty, empty + QPointF(-40, -25), button);
+            return view().placeOf(0) - before;
+        };
+        const auto choose = [this](Navigation navigation) {
+            Choices choices = fixture_.preferences().choices();
+            choices.navigation = navigation;
+            fixture_.preferences().setChoices(choices);
+        };
+        const auto isMove = [](const QPointF& by) {
+            return QLineF(by, QPointF(-40, -25)).length() < 1;
+        };
+        choose(Navigation::Rhino);
+        QVERIFY(isMove(movedBy(Qt::RightButton)));
+        QVERIFY(!view().findChild<QMenu*>("clothMenu"));
+        choose(Navigation::Clo);
+        QVERIFY(isMove(movedBy(Qt::MiddleButton)));
+        // A click of the right button, which moves nothing, shows the menu.
+        test::sendMouse(view(), QEvent::MouseButtonPress, {60, 60}, Qt::RightButton,
+                        Qt::RightButton);
+        QVERIFY(!view().findChild<QMenu*>("clothMenu"));
+        test::sendMouse(view(), QEvent::MouseButtonRelease, {60, 60}, Qt::RightButton, {});
+        QVERIFY(view().findChild<QMenu*>("clothMenu"));
+        view().findChild<QMenu*>("clothMenu")->close();
     }
 
     void settingsAreStepsAndComeBackWithTheProject() {

@@ -9,11 +9,11 @@
 #include <execinfo.h>
 #include <unistd.h>
 
-#include "app/actions/autosave.h"
 #include "app/actions/project_actions.h"
 #include "app/platform_choice.h"
 #include "app/render/gl_support.h"
 #include "app/render/scene.h"
+#include "app/session/autosave.h"
 #include "app/views/tools/tool_box.h"
 #include "core/pattern/mirrored_edit.h"
 #include "tests/app/support/moment.h"

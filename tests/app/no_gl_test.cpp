@@ -50,13 +50,11 @@ private slots:
 
     void methodsAreComparedByTheTableAlone() {
         fixture_.action(ActionId::CompareMethods).trigger();
-        auto& sentence = fixture_.find<QLabel>("compareGlProblem");
+        auto& sentence = fixture_.find<QLabel>("compareNote");
         QVERIFY(sentence.isVisible());
         QVERIFY(sentence.text().contains("OpenGL 3.3"));
         const auto& figures = *fixture_.find<QTableView>("compareTable").model();
-        QTRY_VERIFY_WITH_TIMEOUT(
-            figures.columnCount() == 4 && !figures.index(0, 3).data().toString().isEmpty(),
-            test::kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!figures.index(3, 3).data().toString().isEmpty(), test::kPatience);
     }
 };
 

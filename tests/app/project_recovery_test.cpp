@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "app/actions/autosave.h"
+#include "app/session/autosave.h"
 #include "app/widgets/banner.h"
 #include "core/base/file.h"
 #include "core/base/json_fields.h"

@@ -11,18 +11,18 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/actions/pattern_proof.h"
 #include "app/document/project_state.h"
 #include "app/document/shown_proof.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_model.h"
 #include "app/render/sewn_cloth.h"
+#include "app/session/pattern_proof.h"
 #include "app/views/colour_bar.h"
 #include "app/views/feature_text.h"
 #include "app/views/garment_view.h"
-#include "app/views/sewn_bar.h"
 #include "app/views/sewn_run.h"
+#include "app/views/way_bars.h"
 #include "app/widgets/stated_edit.h"
 #include "core/project/project_file.h"
 #include "tests/app/support/garments.h"

@@ -8,10 +8,10 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/actions/cut_proposals.h"
 #include "app/document/names.h"
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
+#include "app/session/cut_proposals.h"
 #include "app/settings/language.h"
 #include "app/text/proposed_name.h"
 #include "tests/app/support/garments.h"

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/actions/autosave.h"
 #include "app/actions/project_actions.h"
 #include "app/document/piece_edits.h"
 #include "app/jobs/ready_checker.h"
+#include "app/session/autosave.h"
 #include "app/widgets/busy_sheet.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/mouse.h"

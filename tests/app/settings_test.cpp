@@ -11,9 +11,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "app/actions/autosave.h"
 #include "app/panels/preferences_dialog.h"
 #include "app/render/render_style.h"
+#include "app/session/autosave.h"
 #include "app/settings/language.h"
 #include "app/settings/length_display.h"
 #include "app/settings/preferences.h"

@@ -9,11 +9,11 @@
 #include <QTreeWidget>
 #include <filesystem>
 
-#include "app/actions/cut_proposals.h"
 #include "app/jobs/ready_checker.h"
 #include "app/marker/cloth_view.h"
 #include "app/marker/marker_window.h"
 #include "app/panels/proposals_form.h"
+#include "app/session/cut_proposals.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "tests/app/support/doc_picture.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <random>
 
-#include "app/actions/project_session.h"
+#include "app/session/project_session.h"
 #include "tests/app/support/moment.h"
 #include "tests/app/support/run_test.h"
 #include "tests/app/support/workspace_fixture.h"

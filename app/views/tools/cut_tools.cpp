@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "core/geometry/segment.h"
 
 namespace toile::app {

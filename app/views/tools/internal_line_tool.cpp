@@ -9,10 +9,10 @@
 #include <limits>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/document/internal_line_edits.h"
 #include "app/document/mirrored_edits.h"
 #include "app/render/render_style.h"
+#include "app/session/workspace.h"
 #include "app/views/tools/tool_paint.h"
 #include "core/assemble/file_space.h"
 #include "core/geometry/segment.h"

@@ -3,9 +3,9 @@
 
 #include <QPainter>
 
-#include "app/actions/workspace.h"
 #include "app/document/names.h"
 #include "app/render/render_style.h"
+#include "app/session/workspace.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 

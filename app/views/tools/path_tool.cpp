@@ -4,9 +4,9 @@
 #include <QKeyEvent>
 #include <algorithm>
 
-#include "app/actions/workspace.h"
 #include "app/document/mirrored_edits.h"
 #include "app/render/render_style.h"
+#include "app/session/workspace.h"
 #include "app/text/figures.h"
 #include "app/views/tools/tool_paint.h"
 

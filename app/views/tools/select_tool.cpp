@@ -11,11 +11,11 @@
 #include <limits>
 #include <utility>
 
-#include "app/actions/cut_proposals.h"
-#include "app/actions/workspace.h"
 #include "app/document/document.h"
 #include "app/document/layout.h"
 #include "app/render/render_style.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/workspace.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/views/feature_at.h"

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "app/views/tools/cut_tools.h"
 #include "app/views/tools/grain_tool.h"
 #include "app/views/tools/internal_line_tool.h"

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 #include "tests/app/support/garments.h"
 #include "tests/app/support/same_state.h"
 

@@ -19,8 +19,8 @@ namespace toile::app {
 
 class Document;
 
-/// Works out what follows from the document's state, one job for all of it, whenever something of
-/// it is not there. The garment always; whether it is flattened is a matter of what was said last:
+/// Works out what follows from the document's state, in one job, whenever part of it is missing.
+/// The garment always; whether it is flattened depends on the last request:
 ///
 ///     as usual   flattened where that happens by itself, or where nothing is flat yet
 ///     wanted     opened or asked for: flattened whatever is edited meanwhile, until it is flat
@@ -71,7 +71,7 @@ signals:
 private:
     enum class Flattening { AsUsual, Wanted, Declined };
 
-    /// What a job is of: where that is another, so is the job.
+    /// What a job is of: if that changes, another job is needed.
     struct Order {
         std::uint64_t revision = 0;
         RecomputeOrder extent{};

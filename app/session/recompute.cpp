@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/recompute.h"
+#include "app/session/recompute.h"
 
 #include <utility>
 
@@ -28,7 +28,7 @@ void Recompute::setAutomatic(bool on) {
         flattening_ = Flattening::AsUsual;
     } else if (!on && flattening_ == Flattening::AsUsual && order_.extent.flatten &&
                jobs_.isUnderWay(ticket_)) {
-        flattening_ = Flattening::Wanted;  // what has begun goes on
+        flattening_ = Flattening::Wanted;  // what has begun continues
     }
 }
 
@@ -152,7 +152,7 @@ void Recompute::onStopped(bool failed) {
     } else if (order_.extent.settle) {
         notSettled_ = document_.revision();
     } else {
-        noScene_ = failed;  // else it comes again: nobody wants to see nothing
+        noScene_ = failed;  // else it is made again: something has to be shown
     }
     catchUp();
 }

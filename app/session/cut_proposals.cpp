@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/cut_proposals.h"
+#include "app/session/cut_proposals.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/document/document.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "app/text/proposed_name.h"
 #include "core/assemble/cut_pieces.h"
@@ -16,7 +16,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kAfterMove = 700;  // ms, until what was moved is flattened anew
+constexpr int kAfterMove = 700;  // ms, until a moved cut is flattened again
 
 AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Piece>& whole,
                           const std::vector<UserCut>& own = {}) {

@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/actions/opening.h"
-#include "app/actions/recompute.h"
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/reference_finder.h"
+#include "app/session/opening.h"
+#include "app/session/recompute.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/formats/formats.h"
 
@@ -22,7 +22,7 @@ namespace toile::app {
 class CutProposals;
 class PatternProof;
 
-/// Whether the pattern is that of the garment: if not, whether somebody is about it.
+/// Whether the pattern is that of the garment: if not, whether an update is running.
 enum class PatternAge { UpToDate, Renewed, OutOfDate };
 
 /// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
@@ -202,9 +202,9 @@ public:
                                   const Document::Selection& only = {});
 
 signals:
-    /// `patternAge` is another now.
+    /// `patternAge` has changed.
     void patternAged(toile::app::PatternAge age);
-    /// `loading` is another now.
+    /// `loading` has changed.
     void loadingChanged();
     /// @param checked  what reading it again has found, for a person; may be empty
     void exported(const QString& path, const QString& checked);

@@ -19,9 +19,6 @@
 namespace toile::app {
 
 class Document;
-class ProjectActions;
-class RecoveryCard;
-class Workspace;
 
 /// When recovery files are written, milliseconds.
 struct AutosaveTimes {
@@ -103,30 +100,6 @@ private:
     QString file_, writing_;      ///< the present one, and the last that was begun
     std::shared_ptr<QLockFile> lock_;
     JobRunner jobs_;
-};
-
-/// Keeps a recovery file of the session's unsaved changes, and offers on the card what crashed
-/// processes have left.
-class Recovery : public QObject {
-    Q_OBJECT
-
-public:
-    /// All must outlive this. @param folder  of the recovery files
-    /// @param times   none: no new ones are written
-    Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
-             const QString& folder, std::optional<AutosaveTimes> times);
-
-    Autosave& autosave() { return autosave_; }
-
-private:
-    void offerNext();
-    void restore();
-    void discard();
-
-    ProjectActions& project_;
-    RecoveryCard& card_;
-    Autosave autosave_;
-    std::vector<RecoveryFile> offered_;  ///< the first is on the card
 };
 
 }  // namespace toile::app

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The hands on the cloth: mouse and keys, and what they drag and turn.
+// Input handling of ClothView.
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
-#include <QLineF>
+#include <QMenu>
 #include <QMouseEvent>
-#include <cmath>
+#include <QToolTip>
+#include <QWheelEvent>
 #include <utility>
 
 #include "app/marker/cloth_view.h"
@@ -14,8 +18,6 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kClothZoomPerNotch = 1.15;
-constexpr double kKeyStep = 24;    // pixels
 constexpr double kSnapRadius = 8;  // pixels
 constexpr double kDragBegins = 4;  // pixels
 constexpr double kTurnStep = 15 * kDegree;
@@ -52,7 +54,7 @@ void ClothView::dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers) {
         return;
     }
     const bool snaps = desk_.document().view().snapping != modifiers.testFlag(Qt::AltModifier);
-    dragged_ = drag_->movedTo(place, snaps ? kSnapRadius / camera_.pixelsPerMillimetre() : 0);
+    dragged_ = drag_->movedTo(place, snaps ? kSnapRadius / map().pixelsPerMillimetre() : 0);
     desk_.tryPlacement(selected(), *dragged_);
 }
 
@@ -79,18 +81,13 @@ void ClothView::cancelDrag() {
 }
 
 void ClothView::mousePressEvent(QMouseEvent* event) {
-    if (isHeld_ || isDragging() || panning_ != Qt::NoButton) {
+    if (isHeld_ || isDragging() || canvas_.button() != Qt::NoButton) {
         return;  // one thing at a time
     }
-    pressed_ = last_ = event->position();
+    pressed_ = event->position();
     emit said({});
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && hasSpace_)) {
-        panning_ = event->button();
-        setCursor(Qt::ClosedHandCursor);
-        return;
-    }
-    if (event->button() != Qt::LeftButton || !desk_.marker()) {
-        return;
+    if (event->button() != Qt::LeftButton || canvas_.hasSpace() || !desk_.marker()) {
+        return canvas_.press(*event);
     }
     if (isOnHandle(event->position())) {
         const int copy = selected();
@@ -103,18 +100,18 @@ void ClothView::mousePressEvent(QMouseEvent* event) {
     const int copy = copyAt(event->position());
     select(copy);
     isHeld_ = copy >= 0;
+    if (!isHeld_) {
+        canvas_.press(*event);
+    }
 }
 
 void ClothView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF at = event->position();
-    if (panning_ != Qt::NoButton) {
-        followsAll_ = false;
-        camera_.pan(at.x() - last_.x(), at.y() - last_.y());
-        last_ = at;
-        update();
-        return;
+    if (canvas_.button() != Qt::NoButton) {
+        canvas_.drag(*event);
+        return updateCursor(at);
     }
-    if (isHeld_ && !drag_ && QLineF(pressed_, at).length() >= kDragBegins && selected() >= 0) {
+    if (isHeld_ && !drag_ && selected() >= 0 && (at - pressed_).manhattanLength() >= kDragBegins) {
         drag_.emplace(*desk_.pattern(), *desk_.marker(), desk_.settings(), selected(),
                       onCloth(pressed_));
         setCursor(Qt::ClosedHandCursor);
@@ -127,8 +124,10 @@ void ClothView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ClothView::mouseReleaseEvent(QMouseEvent* event) {
-    if (panning_ != Qt::NoButton) {
-        panning_ = event->button() == panning_ ? Qt::NoButton : panning_;
+    if (event->button() == canvas_.button()) {
+        if (!canvas_.release() && event->button() == Qt::RightButton) {
+            showMenu(event->position().toPoint(), copyAt(event->position()));
+        }
     } else if (event->button() == Qt::LeftButton) {
         isHeld_ = false;
         endDrag();
@@ -150,24 +149,10 @@ void ClothView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void ClothView::wheelEvent(QWheelEvent* event) {
-    followsAll_ = false;
-    camera_.zoomAt(event->position().x(), event->position().y(),
-                   std::pow(kClothZoomPerNotch, event->angleDelta().y() / 120.0));
-    update();
-    event->accept();
+    canvas_.wheel(*event);
 }
 
 void ClothView::keyPressEvent(QKeyEvent* event) {
-    const auto zoom = [this](double factor) {
-        followsAll_ = false;
-        camera_.zoomAt(0.5 * width(), 0.5 * height(), factor);
-        update();
-    };
-    const auto pan = [this](double dx, double dy) {
-        followsAll_ = false;
-        camera_.pan(dx, dy);
-        update();
-    };
     switch (event->key()) {
         case Qt::Key_Escape:
             if (isDragging() || isHeld_) {
@@ -177,34 +162,18 @@ void ClothView::keyPressEvent(QKeyEvent* event) {
                 return select(-1);
             }
             return QWidget::keyPressEvent(event);
-        case Qt::Key_Space:
-            hasSpace_ = true;
-            return updateCursor(mapFromGlobal(QCursor::pos()));
-        case Qt::Key_F:
-            return frameAll();
         case Qt::Key_R:
             return turnSelected(event->modifiers().testFlag(Qt::ShiftModifier));
-        case Qt::Key_Plus:
-        case Qt::Key_Equal:
-            return zoom(kClothZoomPerNotch);
-        case Qt::Key_Minus:
-            return zoom(1 / kClothZoomPerNotch);
-        case Qt::Key_Left:
-            return pan(kKeyStep, 0);
-        case Qt::Key_Right:
-            return pan(-kKeyStep, 0);
-        case Qt::Key_Up:
-            return pan(0, kKeyStep);
-        case Qt::Key_Down:
-            return pan(0, -kKeyStep);
         default:
-            QWidget::keyPressEvent(event);
+            if (!canvas_.keyPress(*event)) {
+                QWidget::keyPressEvent(event);
+            }
+            updateCursor(mapFromGlobal(QCursor::pos()));
     }
 }
 
 void ClothView::keyReleaseEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        hasSpace_ = false;
+    if (canvas_.keyRelease(*event)) {
         updateCursor(mapFromGlobal(QCursor::pos()));
     } else {
         QWidget::keyReleaseEvent(event);
@@ -212,16 +181,77 @@ void ClothView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void ClothView::focusOutEvent(QFocusEvent* event) {
-    hasSpace_ = false;
+    canvas_.setSpace(false);
     QWidget::focusOutEvent(event);
 }
 
 void ClothView::updateCursor(const QPointF& at) {
-    setCursor(panning_          ? Qt::ClosedHandCursor
-              : hasSpace_       ? Qt::OpenHandCursor
-              : isOnHandle(at)  ? Qt::CrossCursor
-              : copyAt(at) >= 0 ? Qt::SizeAllCursor
-                                : Qt::ArrowCursor);
+    setCursor(canvas_.button() != Qt::NoButton ? Qt::ClosedHandCursor
+              : canvas_.hasSpace()             ? Qt::OpenHandCursor
+              : isOnHandle(at)                 ? Qt::CrossCursor
+              : copyAt(at) >= 0                ? Qt::SizeAllCursor
+                                               : Qt::ArrowCursor);
+}
+
+void ClothView::contextMenuEvent(QContextMenuEvent* event) {
+    // The button's release shows it: a drag by that button may move the picture.
+    if (event->reason() != QContextMenuEvent::Mouse && !isHeld_ && !isDragging()) {
+        showMenu(event->pos(), selected());
+    }
+}
+
+void ClothView::showMenu(const QPoint& at, int copy) {
+    select(copy);
+    auto* menu = new QMenu(this);
+    menu->setObjectName("clothMenu");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const bool isKept = copy >= 0 && shapes_[static_cast<std::size_t>(copy)].isKept;
+    const auto add = [&](const QString& text, bool isEnabled, auto work) {
+        QAction* action = menu->addAction(text);
+        action->setEnabled(isEnabled);
+        connect(action, &QAction::triggered, this, work);
+    };
+    if (copy >= 0) {
+        const Placement here = desk_.marker()->copies[static_cast<std::size_t>(copy)].placement;
+        add(tr("&Keep it here"), !isKept, [this, here] {
+            if (const int now = selected(); now >= 0) {
+                desk_.keep(now, here, tr("Keep %1 on the cloth"));
+            }
+        });
+        add(tr("&Release it"), isKept, [this] {
+            if (const int now = selected(); now >= 0) {
+                desk_.release(now);
+            }
+        });
+        add(desk_.settings().turns == TurnRule::Free ? tr("&Turn by a quarter")
+                                                     : tr("&Turn by half"),
+            desk_.settings().turns != TurnRule::OneWay, [this] { turnSelected(false); });
+        menu->addSeparator();
+    }
+    add(tr("Release &all"), !desk_.plan().kept.empty(), [this] { desk_.releaseAll(); });
+    add(tr("&Show all of the cloth"), true, [this] { frameAll(); });
+    menu->popup(mapToGlobal(at));
+}
+
+bool ClothView::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        const int copy = copyAt(help->pos());
+        if (copy >= 0) {
+            const ClothShape& shape = shapes_[static_cast<std::size_t>(copy)];
+            QToolTip::showText(
+                help->globalPos(),
+                shape.isMisplaced
+                    ? tr("%1: it lies on another piece or beyond the cloth").arg(shape.name)
+                : shape.isKept ? tr("%1: kept here; double click to release it").arg(shape.name)
+                               : shape.name,
+                this);
+        } else {
+            QToolTip::hideText();
+        }
+        return true;
+    }
+    return QWidget::event(event);
 }
 
 }  // namespace toile::app

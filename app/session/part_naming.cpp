@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/part_naming.h"
+#include "app/session/part_naming.h"
 
 #include <algorithm>
 #include <utility>
@@ -16,7 +16,7 @@ PartNaming::PartNaming(Document& document) : document_(document) {
         if (what.testFlag(DocumentChange::Opened)) {
             nameOf_ = nullptr;
         } else if (nameOf_ && document_.isCurrent()) {
-            // Once whoever hears of this change has heard of it.
+            // After all listeners have handled this change.
             QMetaObject::invokeMethod(this, &PartNaming::nameParts, Qt::QueuedConnection);
         }
     });

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/project_session.h"
+#include "app/session/project_session.h"
 
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
 #include "app/document/project_state.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 
 namespace toile::app {
@@ -76,7 +76,7 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
     const ViewState view = viewOf(
         opened.project.view, document.garment() ? viewOfNext(document.view()) : document.view());
     const auto& recoveryOf = opened.project.recoveryOf;
-    // Saving must not write to what somebody else's file names.
+    // Saving must not write to a path that another file names.
     openingAs_ = restoring    ? OpeningAs{recoveryOf.value_or(file), opened.known}
                  : recoveryOf ? OpeningAs{}
                               : OpeningAs{file, opened.known};

@@ -14,7 +14,21 @@ namespace toile::app {
 
 class Document;
 class GarmentView;
-class MorphBar;
+
+/// The way from the garment to the pattern, at the foot of the garment view. Hidden where nothing
+/// is flat.
+class MorphBar : public PlayBar {
+    Q_OBJECT
+
+public:
+    /// @param view  where it lies; owns it
+    MorphBar(Document& document, GarmentView& view);
+
+private:
+    void showOrHide();
+
+    Document& document_;
+};
 
 /// The way from the design to the pattern sewn back together, over the bar of the way to the
 /// pattern: of the two ways the garment goes one at a time. Hidden where nothing is sewn.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/pattern_proof.h"
+#include "app/session/pattern_proof.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,30 +1,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/views/sewn_bar.h"
+#include "app/views/way_bars.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
+#include <algorithm>
 
 #include "app/document/document.h"
 #include "app/document/shown_proof.h"
+#include "app/render/scene.h"
 #include "app/render/sewn_cloth.h"
 #include "app/views/garment_view.h"
-#include "app/views/morph_bar.h"
 #include "app/views/sewn_run.h"
 
 namespace toile::app {
 
 namespace {
 
-constexpr int kSewnMilliseconds = 1400;
-/// To the right of the axis cross, above the other bar.
-constexpr int kSewnLeft = 92, kSewnFoot = 50;
+constexpr int kMorphMilliseconds = 2600, kSewnMilliseconds = 1400;
+/// To the right of the axis cross; the bar of sewing is above the other.
+constexpr int kBarLeft = 92, kSewnFoot = 50;
 
 }  // namespace
 
+MorphBar::MorphBar(Document& document, GarmentView& view)
+    : PlayBar(view, "morph", kMorphMilliseconds, {.left = kBarLeft}), document_(document) {
+    slider().setAccessibleName(tr("From the garment to the pattern"));
+    slider().setToolTip(
+        tr("Shows what flattening does: the garment on the left, flat on the right"));
+    button().setToolTip(tr("Play the way from the garment to the pattern and back"));
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(4, 2, 10, 2);
+    row->setSpacing(6);
+    row->addWidget(&button());
+    row->addWidget(makeLabel(tr("Worn")));
+    row->addWidget(&slider(), 1);
+    row->addWidget(makeLabel(tr("Flat")));
+
+    connect(this, &PlayBar::moved, &view, &GarmentView::setMorph);
+    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
+        if (what.testFlag(DocumentChange::Opened)) {
+            rewind();
+        }
+        if (what & (DocumentChange::Results | DocumentChange::Garment)) {
+            showOrHide();
+        }
+    });
+    showOrHide();
+}
+
+void MorphBar::showOrHide() {
+    const Scene* scene = document_.scene().get();
+    const bool anyFlat =
+        scene && std::ranges::any_of(scene->pieces,
+                                     [](const PieceScene& piece) -> bool { return piece.flat; });
+    if (!anyFlat) {
+        rewind();
+    }
+    setVisible(anyFlat);
+    place();
+}
+
 SewnBar::SewnBar(Document& document, GarmentView& view, MorphBar& morph)
-    : PlayBar(view, "sewn", kSewnMilliseconds, {.left = kSewnLeft, .foot = kSewnFoot}),
+    : PlayBar(view, "sewn", kSewnMilliseconds, {.left = kBarLeft, .foot = kSewnFoot}),
       document_(document),
       morph_(morph) {
     slider().setAccessibleName(tr("From the design to the pattern as sewn"));

@@ -35,7 +35,7 @@ public:
     bool canProve() const;
     bool isRunning() const { return runner_.isBusy(); }
     const JobRunner& runner() const { return runner_; }
-    /// Sews it, as it is now; anew where it is being sewn. Nothing where it cannot be.
+    /// Sews it as it is now; starts again if it is being sewn. Does nothing if it cannot be sewn.
     void begin();
     /// What was found before is shown again.
     void cancel() { runner_.cancel(); }
@@ -54,8 +54,8 @@ private:
     /// What the work has reached since.
     void fetch();
     void onIdle();
-    /// Lays what was found on the present scene, where that is another of the same cloth, as with
-    /// notches or allowances.
+    /// Lays the result on the present scene, if that has changed but the cloth has not, as after
+    /// edits of notches or allowances.
     void fit();
 
     Document& document_;

@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/autosave.h"
+#include "app/session/autosave.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
 #include <utility>
 
-#include "app/actions/project_actions.h"
-#include "app/actions/workspace.h"
 #include "app/base/text.h"
+#include "app/document/document.h"
 #include "app/document/project_state.h"
 #include "app/jobs/file_jobs.h"
-#include "app/widgets/banner.h"
 #include "core/project/project_file.h"
 
 namespace toile::app {
@@ -181,58 +178,6 @@ void Autosave::discard() {
     }
     QFile::remove(std::exchange(file_, {}));
     lock_.reset();  // unlocks
-}
-
-Recovery::Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
-                   const QString& folder, std::optional<AutosaveTimes> times)
-    : project_(project),
-      card_(card),
-      autosave_(
-          workspace.document(),
-          {[&session = project.session()] { return session.isModified() || session.isSaving(); },
-           [&session = project.session()] { return session.path(); }},
-          folder, times) {
-    connect(&project.session(), &ProjectSession::changed, &autosave_, &Autosave::noteChange);
-    connect(&workspace.document(), &Document::changed, &autosave_, &Autosave::noteDocument);
-    connect(&card, &RecoveryCard::restoreWanted, this, &Recovery::restore);
-    connect(&card, &RecoveryCard::discardWanted, this, &Recovery::discard);
-    // Whatever came of a restoring, what is still offered may be asked for again.
-    connect(&workspace.jobs(), &JobRunner::idle, &card, [&card] { card.setEnabled(true); });
-    offered_ = autosave_.abandoned();
-    offerNext();
-}
-
-void Recovery::offerNext() {
-    if (offered_.empty()) {
-        card_.hide();
-        return;
-    }
-    const RecoveryFile& file = offered_.front();
-    const QLocale locale;
-    card_.showSentence(
-        tr("Toile ended without saving your changes to %1. They were last kept on %2 at %3.")
-            .arg(QFileInfo(file.project).fileName(),
-                 locale.toString(file.time.date(), QLocale::ShortFormat),
-                 locale.toString(file.time.time(), QLocale::ShortFormat)));
-}
-
-void Recovery::restore() {
-    const RecoveryFile file = offered_.front();
-    project_.leaveThen([this, file] {
-        card_.setEnabled(false);  // the file is neither discarded nor restored twice meanwhile
-        project_.session().restore(pathOf(file.path), [this, file] {
-            autosave_.adopt(file);
-            // Others wait for the next start: one window holds one garment.
-            offered_.clear();
-            offerNext();
-        });
-    });
-}
-
-void Recovery::discard() {
-    Autosave::discard(offered_.front());
-    offered_.erase(offered_.begin());
-    offerNext();
 }
 
 }  // namespace toile::app

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/actions/workspace.h"
 #include "app/document/mirrored_edits.h"
 #include "app/document/names.h"
 #include "app/jobs/job.h"
+#include "app/session/workspace.h"
 #include "app/text/error_text.h"
 #include "core/assemble/cut_pieces.h"
 #include "core/assemble/file_space.h"

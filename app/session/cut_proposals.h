@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/actions/part_naming.h"
 #include "app/document/document_change.h"
 #include "app/jobs/cut_adviser.h"
+#include "app/session/part_naming.h"
 #include "core/tailor/handles.h"
 
 namespace toile::app {
@@ -22,7 +22,7 @@ class Workspace;
 /// Cuts that Toile proposes for one piece, from when a person asks for them until they are closed:
 /// what is known of each, which are to be made, which is selected, and where handles have been
 /// moved. None of it is a step of the history: what is not made leaves no trace. What is made is
-/// the person's. Follows edits of the garment: asked anew while the piece is there, else closed.
+/// the user's. Follows edits of the garment: asks again while the piece is there, else closes.
 /// GUI thread only.
 class CutProposals : public QObject {
     Q_OBJECT

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/actions/workspace.h"
+#include "app/session/workspace.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/actions/cut_proposals.h"
-#include "app/actions/pattern_proof.h"
 #include "app/base/text.h"
 #include "app/jobs/derivation.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/garment_jobs.h"
+#include "app/session/cut_proposals.h"
+#include "app/session/pattern_proof.h"
 #include "app/text/error_text.h"
 #include "core/assemble/identify.h"
 
@@ -354,7 +354,7 @@ void Workspace::changeLoading(LoadingChange change) {
         cutAlike.autoCut = before.autoCut;
         cutAlike.cutStyle = before.cutStyle;
         if (document_.isCurrent() && !(cutAlike == before)) {
-            after.known = knownPieces(*document_.garment());  // they are to be divided anew
+            after.known = knownPieces(*document_.garment());  // they are divided again
         }
         DocumentState next = document_.state();
         next.inputs.loading = std::move(after);
@@ -410,6 +410,26 @@ Workspace::Paths Workspace::openPaths() const {
         }
     }
     return paths;
+}
+
+void Workspace::openReference(const std::filesystem::path& path) {
+    if (!document_.garment() || opening_.isActive()) {
+        return;
+    }
+    startReading(referenceJob(path, [this](ReferenceFile read) {
+        reading_ = 0;
+        DocumentState next = document_.state();
+        next.reference = std::move(read);
+        document_.setView(&ViewState::referencePanels, true);  // who opens it wants to see it
+        document_.edit(tr("Reference pattern"), std::move(next));
+        follow();
+    }));
+}
+
+void Workspace::closeReference() {
+    DocumentState next = document_.state();
+    next.reference = {};
+    document_.edit(tr("No reference pattern"), std::move(next));
 }
 
 }  // namespace toile::app

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "app/session/autosave.h"
+
+namespace toile::app {
+
+class ProjectActions;
+class RecoveryCard;
+class Workspace;
+
+/// Keeps a recovery file of the session's unsaved changes, and offers on the card the files that
+/// crashed processes have left.
+class Recovery : public QObject {
+    Q_OBJECT
+
+public:
+    /// All must outlive this. @param folder  of the recovery files
+    /// @param times   none: no new ones are written
+    Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
+             const QString& folder, std::optional<AutosaveTimes> times);
+
+    Autosave& autosave() { return autosave_; }
+
+private:
+    void offerNext();
+    void restore();
+    void discard();
+
+    ProjectActions& project_;
+    RecoveryCard& card_;
+    Autosave autosave_;
+    std::vector<RecoveryFile> offered_;  ///< the first is on the card
+};
+
+}  // namespace toile::app
