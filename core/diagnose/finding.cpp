@@ -170,7 +170,7 @@ std::string adviceFor(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-    // What sewing finds is told in a full sentence, with the names.
+    // `reason` of these kinds is a full sentence that contains the names.
     const bool isFoundBySewing =
         FindingKind::ProofFault <= finding.kind && finding.kind <= FindingKind::FarOff;
     const bool isNamed = finding.subject.name.empty() || isFoundBySewing;
