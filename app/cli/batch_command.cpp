@@ -69,9 +69,10 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
     }
     const fs::path records = recordsOf(batch);
     if (fs::equivalent(records, batch.list, ignored)) {
-        return Refusal(kWrongUsage, shownRecords(records) +
-                                        " is where the records would go; give the list another "
-                                        "ending, such as .txt, or another folder with -o");
+        return Refusal(kWrongUsage,
+                       shownRecords(records) +
+                           " would be overwritten by the records; give the list another ending, "
+                           "such as .txt, or choose another folder with -o");
     }
     const fs::path list = fs::weakly_canonical(batch.list, ignored);
     const fs::path folder = fs::weakly_canonical(batch.folder, ignored);
@@ -83,16 +84,16 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
         }
         if (!written->starts_with(kMarkOfNote)) {
             return Refusal(kWrongUsage, shownRecords(note) +
-                                            " is no note of toile batch, which would take its "
-                                            "place; give it or the list another name");
+                                            " is not a file of toile batch, which would overwrite "
+                                            "it; rename it or the list");
         }
         std::string_view said = std::string_view(*written).substr(kMarkOfNote.size());
         said.remove_suffix(said.ends_with('\n') ? 1 : 0);
         const fs::path other = folder / said;
         if (fs::is_regular_file(other, ignored) && !fs::equivalent(other, list, ignored)) {
-            return Refusal(kWrongUsage,
-                           shownRecords(records) + " is of another list, " + shownRecords(other) +
-                               "; give this one another name, or another folder with -o");
+            return Refusal(kWrongUsage, shownRecords(records) + " belongs to another list, " +
+                                            shownRecords(other) +
+                                            "; rename this list, or choose another folder with -o");
         }
     }
     // Seen from the folder, so that both may move together.
@@ -163,7 +164,7 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
         return failedFigures(Error{ErrorCode::OutOfMemory, Subject::file(entry.path)});
     } catch (const std::exception& fault) {
         return failedFigures(
-            {kCrashed, std::string("stopped by an unexpected fault (") + fault.what() + ")"});
+            {kCrashed, std::string("stopped by an unexpected error (") + fault.what() + ")"});
     }
 }
 
@@ -178,18 +179,18 @@ constexpr const char* kFiguresFile = "figures.json";
 OrderedJson figuresOfEnd(const ProcessEnd& end, const BatchArguments& batch) {
     if (end.isTimedOut) {
         return failedFigures({kTimedOut, "took longer than " + shortest(batch.limitSeconds) +
-                                             " s; give it more with --limit"});
+                                             " s; allow more with --limit"});
     }
     if (end.signal == SIGKILL || end.signal == SIGTERM) {
         return failedFigures({kKilled,
-                              "was killed from outside, as happens where memory is short; run the "
-                              "batch again, fewer garments at once"});
+                              "was killed from outside, probably because memory was short; run the "
+                              "batch again with fewer garments at once"});
     }
     if (end.signal > 0) {
-        return failedFigures({kCrashed, std::string("ended by a fault of the program (") +
-                                            strsignal(end.signal) + "); please report the file"});
+        return failedFigures({kCrashed, std::string("crashed (") + strsignal(end.signal) +
+                                            "); please report the file"});
     }
-    return failedFigures(Error{ErrorCode::OutOfMemory, {}, "no process could be had"});
+    return failedFigures(Error{ErrorCode::OutOfMemory, {}, "no process could be started"});
 }
 
 bool wasKilled(const ProcessEnd& end) {
@@ -286,7 +287,7 @@ struct BatchTally {
             return false;
         }
         const auto [start, size, isBefore] = found->second;
-        out << shownText(entry.path) << ": the same as one before, ";
+        out << shownText(entry.path) << ": the same as an earlier one, ";
         add(recordLineOf(entry.path, records.substr(start, size)), isBefore, out);
         return true;
     }
@@ -343,8 +344,8 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
     if (isNoBatchList(batch.list, *lines)) {
         const std::string list = batch.list == "-" ? "standard input" : pathText(batch.list);
         err << "toile: " << shownText(list)
-            << " is no list of garments; give one, a path a line (a garment alone is flattened by "
-               "toile flatten)\n";
+            << " is not a list of garments; give a file with one path per line, or use toile "
+               "flatten for a single garment\n";
         return kExitUsage;
     }
     std::error_code ignored;  // said where something is written
@@ -368,7 +369,7 @@ int runBatch(const Arguments& arguments, std::ostream& out, std::ostream& err) {
             return refuse(isThere.error(), err);
         }
         if (!*isThere || BatchSignals::received() != 0) {
-            err << "toile: interrupted; run the same command again to go on.\n";
+            err << "toile: interrupted; run the same command again to continue.\n";
             return kStatusOfSignals + BatchSignals::received();
         }
     }

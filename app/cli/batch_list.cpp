@@ -120,7 +120,7 @@ BatchEntry batchEntry(const BatchArguments& batch, const std::string& path,
     if (const std::string* again = saidForAll(batch.words, ownWords)) {
         entry.arguments = {};
         entry.arguments.command = Arguments::Command::Message;
-        entry.arguments.message = *again + " is said for all garments already; leave it out here";
+        entry.arguments.message = *again + " is already set for all garments; leave it out here";
     }
     entry.arguments.threads = batch.threads;
     return entry;

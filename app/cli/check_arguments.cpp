@@ -20,11 +20,11 @@ std::string wrongFairing(const LineSettings& lines) {
         return value >= least && value <= most;
     };
     if (!isWithin(fairing.tolerance, kMinFairTolerance, kMaxFairTolerance)) {
-        return "--fair takes a tolerance from " + shortest(kMinFairTolerance) + " to " +
+        return "--fair needs a tolerance from " + shortest(kMinFairTolerance) + " to " +
                shortest(kMaxFairTolerance) + " mm";
     }
     if (!isWithin(fairing.smoothing, kMinSmoothing, kMaxSmoothing)) {
-        return "--fair takes a smoothing length from " + shortest(kMinSmoothing) + " to " +
+        return "--fair needs a smoothing length from " + shortest(kMinSmoothing) + " to " +
                shortest(kMaxSmoothing) + " mm";
     }
     return {};
@@ -80,8 +80,8 @@ std::string wrongEnding(const std::filesystem::path& output) {
     if (format && format->write) {
         return {};
     }
-    return "\"" + output.string() + "\" has an ending that " +
-           (format ? "this build of Toile" : "Toile") + " does not write; use " + writtenEndings();
+    return "\"" + output.string() + "\" has a format that " +
+           (format ? "this build of Toile" : "Toile") + " cannot write; use " + writtenEndings();
 }
 
 std::string wrongOutputs(const Arguments& arguments) {
@@ -97,22 +97,22 @@ std::string wrongOutputs(const Arguments& arguments) {
             const Format* format = isProof ? formatOf(output) : nullptr;
             if (format && format->write) {
                 return "a pattern such as \"" + output.string() +
-                       "\" is written with --prove-improve; without it only a picture, .png";
+                       "\" needs --prove-improve; without it, prove writes only a picture (.png)";
             }
             return "the picture's name must end in .png, not \"" + output.string() + "\"";
         }
     }
     if (isProof && std::ranges::any_of(arguments.outputs, isPicture) && !proofPictures()) {
-        return "this build of Toile draws no pictures";
+        return "this build of Toile cannot draw pictures";
     }
     if (isProof && isPattern && std::ranges::all_of(arguments.outputs, isPicture)) {
-        return "--prove-improve makes another pattern: give -o FILE to keep it";
+        return "--prove-improve makes a new pattern; add -o FILE to save it";
     }
     if (const auto lost = overwrittenInput(arguments)) {
         return "\"" + lost->string() + "\" is an input and would be overwritten";
     }
     if (const auto twice = reportAmongOutputs(arguments)) {
-        return "\"" + twice->string() + "\" is to be the report and an output; give two names";
+        return "\"" + twice->string() + "\" is both the report and an output; use two names";
     }
     return {};
 }
@@ -125,7 +125,7 @@ bool isPicture(const std::filesystem::path& file) {
 
 std::string wrongIn(const Arguments& arguments) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
-        return "--split seams divides by the cuts of a file: give it with --seams";
+        return "--split seams needs a file with cuts; add --seams FILE";
     }
     if (std::string wrong = wrongFairing(arguments.lines); !wrong.empty()) {
         return wrong;

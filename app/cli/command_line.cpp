@@ -42,7 +42,7 @@ int runCommand(const Arguments& typed) {
                 (arguments.status == kExitDone ? std::cout : std::cerr) << arguments.message;
                 return arguments.status;
             case Arguments::Command::Render:
-                std::cerr << "toile: this build draws no pictures; see toile --help.\n";
+                std::cerr << "toile: this build cannot draw pictures; see toile --help.\n";
                 return kExitUsage;
             case Arguments::Command::Window:
                 break;
@@ -50,7 +50,7 @@ int runCommand(const Arguments& typed) {
         std::cerr << "toile: this build has no window; see toile --help.\n";
         return kExitUsage;
     } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
-        std::cerr << "toile: stopped by an unexpected fault (" << fault.what() << ").\n";
+        std::cerr << "toile: stopped by an unexpected error (" << fault.what() << ").\n";
         return kExitUnreadable;
     }
 }
@@ -81,18 +81,19 @@ std::optional<Arguments> refusalOfProject(const Arguments& arguments) {
         return std::nullopt;
     }
     if (arguments.inputs.size() > 1) {
-        return refused("a project is the only input: \"" + project->string() + "\".", kExitUsage);
+        return refused("a project must be the only input: \"" + project->string() + "\".",
+                       kExitUsage);
     }
     if (!(arguments.load == Arguments{}.load) || !arguments.seams.empty()) {
         return refused(
-            "a project says itself how its files are read and cut; leave those options "
-            "out, or give its meshes instead.",
+            "a project sets how its files are read and cut; leave out those options, or open its "
+            "meshes instead.",
             kExitUsage);
     }
     if (arguments.command == Arguments::Command::Window && !(arguments.stated == StatedOptions{})) {
         return refused(
-            "a project says itself how its pieces are flattened; leave those options "
-            "out, and choose in the window.",
+            "a project sets how its pieces are flattened; leave out those options, and change them "
+            "in the window.",
             kExitUsage);
     }
     return std::nullopt;
@@ -116,7 +117,7 @@ Arguments withProject(Arguments arguments, std::ostream& err) {
     const auto missing = locateMeshes(read->project);
     if (!missing.empty()) {
         return refused({ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
-                        "the project needs it, there is no such file"});
+                        "the project needs this file, which does not exist"});
     }
     arguments.inputs.clear();
     for (const FileReference& file : read->project.files) {

@@ -92,7 +92,7 @@ void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream
             << " mm longer than " << seamName(one.mirrored) << " (tolerance "
             << fixed(one.tolerance, 1) << " mm)\n";
     }
-    out << "they keep their shapes as in the file; --mirror equal makes them equal\n";
+    out << "they keep their shapes from the file; use --mirror equal to make them equal\n";
 }
 
 }  // namespace

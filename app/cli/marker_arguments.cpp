@@ -83,7 +83,7 @@ bool isNestInstance(const std::filesystem::path& path) {
 std::string readSheet(const std::string& typed, MarkerSettings& settings) {
     const std::vector<double> sides = numbersOf(typed, "x");
     if (sides.size() != 2 || !isSheetSide(sides[0]) || !isSheetSide(sides[1])) {
-        return "--sheet takes the sides along the warp and across it from 1 to " +
+        return "--sheet needs the sides along and across the warp, from 1 to " +
                shortest(kMaxClothWidth) + " mm, as in 305x610, not \"" + typed + "\"";
     }
     settings.sheet = Eigen::Vector2d(sides[0], sides[1]);
@@ -96,8 +96,8 @@ std::string readRepeat(const std::string& typed, MarkerSettings& settings) {
     if ((numbers.size() != 2 && !hasOrigin) || std::min(numbers[0], numbers[1]) < 0 ||
         std::max(numbers[0], numbers[1]) > kMaxClothWidth ||
         (hasOrigin && std::max(std::abs(numbers[2]), std::abs(numbers[3])) > kMaxClothWidth)) {
-        return "--repeat takes the repeat along the warp and across it, 0 where there is none, and "
-               "where one begins, as in 80x60 or 80x0@10,5, not \"" +
+        return "--repeat needs the repeat along and across the warp (0 for none), optionally with "
+               "its start, as in 80x60 or 80x0@10,5, not \"" +
                typed + "\"";
     }
     settings.repeat.warp = numbers[0];
@@ -117,8 +117,8 @@ std::string readGrade(const std::string& typed, MarkerSettings& settings) {
         grade = read.ec == std::errc() && read.ptr == end ? grade : 0;
     }
     if (grade < 1) {
-        return "--grade takes a piece and the worst grade that it may have, as in front=2, not \"" +
-               typed + "\"";
+        return "--grade needs a piece and its lowest allowed grade, as in front=2, not \"" + typed +
+               "\"";
     }
     settings.grades[typed.substr(0, at)] = grade;
     return {};
@@ -127,13 +127,13 @@ std::string readGrade(const std::string& typed, MarkerSettings& settings) {
 std::string wrongTogether(const MarkerSettings& typed, const MarkerSettings& settings) {
     if (settings.isFolded && (settings.sheet || !settings.hides.empty()) &&
         (typed.isFolded || typed.sheet || !typed.hides.empty())) {
-        return "--folded goes with a roll: leave out --sheet and --hide";
+        return "--folded needs a roll; leave out --sheet and --hide";
     }
     if (!typed.grades.empty() && settings.hides.empty()) {
-        return "--grade goes with --hide, whose zones have grades";
+        return "--grade needs --hide, whose zones have grades";
     }
     if (!typed.matched.empty() && settings.repeat == ClothRepeat{}) {
-        return "--match keeps stripes: give their --repeat";
+        return "--match needs the repeat of the stripes; add --repeat";
     }
     return {};
 }
@@ -145,16 +145,17 @@ std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,
     if (std::ranges::any_of(inputs, isNestInstance)) {
         const char* other = saidOfGarments(typed);
         if (inputs.size() > 1) {
-            return "an instance of the nesting problem is the only input: \"" +
+            return "a nesting problem must be the only input: \"" +
                    std::ranges::find_if(inputs, isNestInstance)->string() + "\"";
         }
         if (other) {
-            return std::string("an instance says itself what lies on which strip: ") + other +
-                   " go with a garment or a project";
+            return std::string("a nesting problem sets its own shapes and strip; use ") + other +
+                   " only with a garment or a project";
         }
         for (const auto& output : outputs) {
             if (!equalsIgnoringCase(output.extension().string(), ".svg")) {
-                return "the nest of an instance is drawn as .svg, not \"" + output.string() + "\"";
+                return "the result of a nesting problem must be .svg, not \"" + output.string() +
+                       "\"";
             }
         }
         return {};
@@ -162,14 +163,14 @@ std::string wrongInMarker(const std::vector<std::filesystem::path>& inputs,
     for (const auto& output : outputs) {
         if (!holdsMarkers(output)) {
             return "\"" + output.string() +
-                   "\" has an ending that no marker is drawn in; use .svg, .dxf, .pdf, .plt or, "
-                   "where the window's libraries are there, .png";
+                   "\" has a format that markers do not support; use .svg, .dxf, .pdf, .plt or, in "
+                   "builds with the window, .png";
         }
     }
     const int cloths =
         (settings.width > 0 ? 1 : 0) + (settings.sheet ? 1 : 0) + (typed.hides.empty() ? 0 : 1);
     if (cloths > 1) {
-        return "--width, --sheet and --hide are three kinds of cloth: give one of them";
+        return "--width, --sheet and --hide exclude each other; use one of them";
     }
     return {};
 }

@@ -137,7 +137,7 @@ std::string wrongInPlans(const Arguments& arguments, const std::vector<std::stri
     }
     for (const auto& [name, grade] : typed.grades) {
         if (std::ranges::find(pattern.pieces, name, &PatternPiece::name) == pattern.pieces.end()) {
-            return "--grade names no piece: \"" + name + "\"";
+            return "--grade names a piece that does not exist: \"" + name + "\"";
         }
     }
     return {};
@@ -147,10 +147,10 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
                  std::ostream& out, std::ostream& err) {
     const MarkerFigures figures = markerFigures(pattern, marker);
     out << shownText(clothSentence(marker)) << ", " << counted(marker.rounds, "round")
-        << (marker.isOptimal ? ", none is shorter" : "") << "; " << counted(figures.copies, "piece")
-        << ", " << fixed(figures.seamMetres, 1) << " m of seam, " << figures.notches
-        << (figures.notches == 1 ? " notch" : " notches") << ", " << fixed(figures.cutMetres, 1)
-        << " m to cut";
+        << (marker.isOptimal ? ", which is the shortest" : "") << "; "
+        << counted(figures.copies, "piece") << ", " << fixed(figures.seamMetres, 1)
+        << " m of seam, " << figures.notches << (figures.notches == 1 ? " notch" : " notches")
+        << ", " << fixed(figures.cutMetres, 1) << " m to cut";
     if (typed.minutesPerMetre) {
         out << ", " << fixed(*typed.minutesPerMetre * figures.seamMetres, 0) << " min to sew";
     }
@@ -208,14 +208,14 @@ int runMarker(const Arguments& arguments, std::ostream& out, std::ostream& err) 
     std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, *said));
     if (typed.material) {
         if (std::ranges::find(materials, *typed.material) == materials.end()) {
-            err << "toile: nothing is cut from \"" << *typed.material << "\"; there is "
+            err << "toile: no piece is cut from \"" << *typed.material << "\"; choose "
                 << quotedList(materials, materials.size()) << ".\n";
             return kExitUsage;
         }
         materials = {*typed.material};
     }
     if (materials.empty()) {
-        err << "toile: no piece lies flat: there is nothing to lay.\n";
+        err << "toile: no piece could be flattened, so there is no marker.\n";
         return kExitSomeFailed;
     }
     const std::vector<std::string> endings = endingsOf(materials, arguments.outputs);

@@ -40,7 +40,7 @@ int runMarkerOfInstance(const Arguments& arguments, std::ostream& out, std::ostr
         nester->step(progress);
     }
     out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "
-        << counted(best.rounds, "round") << (best.optimal ? ", no nest is shorter" : "") << '\n';
+        << counted(best.rounds, "round") << (best.optimal ? ", which is the shortest" : "") << '\n';
     std::vector<std::filesystem::path> files = arguments.outputs;
     if (!typed.report.empty()) {
         files.push_back(typed.report);

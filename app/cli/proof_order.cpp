@@ -56,7 +56,7 @@ std::variant<ProofOrder, Refusal> orderOfOwn(const Arguments& arguments, const G
     if (!isNear(*body, garment)) {
         return Refusal(kNotProved,
                        "\"" + shownText(plan.body.string(), kMaxOfPlace) +
-                           "\" lies nowhere near the garment; say its unit with --body-unit.",
+                           "\" is far from the garment; set its unit with --body-unit.",
                        plan.body.string());
     }
     order.body = std::move(*body);
@@ -80,8 +80,8 @@ std::variant<ProofOrder, Refusal> proofOrder(const Arguments& arguments, const G
     const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
     if (isDesigners && std::ranges::none_of(garment.pieces, hasPanel)) {
         const std::string way =
-            arguments.project ? "type --reference none" : "leave out --reference";
-        return Refusal(kNotProved, "the garment carries no panels of its designer's; " + way + ".");
+            arguments.project ? "use --reference none" : "leave out --reference";
+        return Refusal(kNotProved, "the garment has no reference panels; " + way + ".");
     }
     std::optional<PatternFile> pattern;
     if (!file.empty()) {

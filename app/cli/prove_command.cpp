@@ -24,17 +24,16 @@
 namespace toile::app {
 namespace {
 
-/// "round 2: 0.31 mm from the design on average, 1.20 mm at the worst twentieth, 4.10 mm at most;
-/// 18 % less".
+/// "round 2: 0.31 mm from the design on average, 95 % within 1.20 mm, 4.10 mm at most; 18 % less".
 void printRound(const ImproveRound& round, std::ostream& out) {
     constexpr int kDecimals = 2;
-    out << (round.number == 0 ? "as it was" : "round " + std::to_string(round.number)) << ": "
-        << fixed(round.gap.mean, kDecimals) << " mm from the design on average, "
-        << fixed(round.gap.most95, kDecimals) << " mm at the worst twentieth, "
-        << fixed(round.gap.max, kDecimals) << " mm at most";
+    out << (round.number == 0 ? "before" : "round " + std::to_string(round.number)) << ": "
+        << fixed(round.gap.mean, kDecimals) << " mm from the design on average, 95 % within "
+        << fixed(round.gap.most95, kDecimals) << " mm, " << fixed(round.gap.max, kDecimals)
+        << " mm at most";
     if (round.number > 0) {
         out << "; " << fixed(100 * std::abs(round.gain), 1) << " % "
-            << (round.gain < 0 ? "more: not kept" : "less");
+            << (round.gain < 0 ? "more, so not kept" : "less");
     }
     out << std::endl;  // a round takes its time
 }
@@ -50,11 +49,11 @@ void printEnd(const Improved& improved, std::ostream& out) {
             out << "further rounds only make it worse\n";
             break;
         case ImproveEnd::NotFlat:
-            out << "another round could not be made: " << sentence(*improved.why) << '\n';
+            out << "the next round failed: " << sentence(*improved.why) << '\n';
             break;
     }
     out << (improved.gain() > 0 ? "improved by " + fixed(100 * improved.gain(), 1) + " %"
-                                : "not improved: the pattern stays as it was")
+                                : "not improved, so the pattern is unchanged")
         << "\n\n";
 }
 
@@ -168,7 +167,7 @@ Result<void> writeProofFiles(const Arguments& arguments, const ExportSource& sou
         const std::string png = drawProof(source, proof, arguments);
         if (png.empty()) {
             return Error{ErrorCode::FileUnwritable, Subject::file(output.string()),
-                         "there is no OpenGL to draw with"};
+                         "OpenGL is not available for drawing"};
         }
         if (auto written = write(output, png); !written) {
             return written;
@@ -233,7 +232,7 @@ int runProve(const Arguments& arguments, std::ostream& out, std::ostream& err) {
         return result->flat.has_value();
     };
     if (!order.isReference && std::ranges::none_of(results, isFlat)) {
-        err << "toile: no piece lies flat: there is nothing to sew.\n";
+        err << "toile: no piece could be flattened, so there is nothing to sew.\n";
         return kExitSomeFailed;
     }
     std::shared_ptr<const Proof> best;

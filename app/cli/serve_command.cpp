@@ -87,10 +87,10 @@ private:
         const bool isFull = waiting_.size() >= kMaxWaiting ||
                             (!waiting_.empty() && waitingBytes_ + line.bytes > kMaxWaitingBytes);
         if (isFull && line.request.what != "quit") {
-            say(serveAnswer(line.request.id,
-                            Refusal(kTooManyRequests,
-                                    "too many requests wait; send it again when some are "
-                                    "answered")));
+            say(serveAnswer(
+                line.request.id,
+                Refusal(kTooManyRequests,
+                        "too many requests are waiting; send it again when some are answered")));
             return;
         }
         waitingBytes_ += line.bytes;

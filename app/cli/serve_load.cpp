@@ -51,7 +51,7 @@ ServeOutcome ServeSession::State::make(Asked next, ReadFiles files, Progress& pr
         files = std::move(*read);
     }
     if (next.seams && !next.typed.seams.empty()) {
-        return Refusal(kWrongUsage, "give the cuts as \"seams\" or as --seams, not both");
+        return Refusal(kWrongUsage, "use either \"seams\" or --seams for the cuts, not both");
     }
     auto loading = loadingOf(next.arguments, err);
     if (!loading) {

@@ -109,11 +109,10 @@ ServeOutcome serveQuery(const ServeRequest& request, const Garment& garment,
     for (const std::string& word : request.wanted) {
         const bool isOfMesh = isAmong(word, kMeshArrays), isOfFlat = isAmong(word, kFlatArrays);
         if (!isOfMesh && !isOfFlat && word != "report" && !isAmong(word, kReportParts)) {
-            return Refusal("unknown-word", "there is nothing of this name to ask for: \"" + word +
-                                               "\"; see docs/serve.md");
+            return Refusal("unknown-word", "unknown query: \"" + word + "\"; see docs/serve.md");
         }
         if (!laid && (isOfFlat || word == "doubts")) {
-            return Refusal(kNotFlat, "nothing is flat yet: ask for \"flatten\" first");
+            return Refusal(kNotFlat, "nothing is flattened yet; send \"flatten\" first");
         }
         if (isOfMesh || isOfFlat) {
             for (const int p : std::get<0>(meant)) {

@@ -23,7 +23,7 @@ ServeOutcome ServeSession::State::answer(const ServeRequest& request, Progress& 
         return OrderedJson::object();
     }
     if (!asked) {
-        return Refusal("no-garment", "there is no garment: ask for \"load\" first");
+        return Refusal("no-garment", "there is no garment; send \"load\" first");
     }
     if (what == "edit") {
         return edit(request, progress);

@@ -30,14 +30,14 @@ Arguments typedWords(const char* command, const std::vector<std::string>& files,
     pointers.reserve(typed.size());
     for (const std::string& word : typed) {
         if (word.find('\0') != std::string::npos) {  // what is behind it would be left out
-            return refusedWord(word, "has a zero byte, which no word of a command line can have");
+            return refusedWord(word, "contains a zero byte, which is not allowed");
         }
         pointers.push_back(word.c_str());
     }
     Arguments arguments = parseArguments(static_cast<int>(pointers.size()), pointers.data(), taken);
     if ((taken & kInputFiles) == 0 && arguments.inputs.size() > files.size()) {
         return refusedWord(arguments.inputs.back().string(),
-                           "names a file to read, which is not asked for here; leave it out");
+                           "is an input file, which is not used here; leave it out");
     }
     return arguments;
 }

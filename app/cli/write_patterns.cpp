@@ -15,7 +15,7 @@ std::optional<Refusal> refusalOfNoPattern(const PieceResults& results) {
     if (std::ranges::any_of(results, isFlat)) {
         return std::nullopt;
     }
-    return Refusal(kNotFlat, "no piece lies flat, so there is no pattern.");
+    return Refusal(kNotFlat, "no piece could be flattened, so there is no pattern.");
 }
 
 std::optional<Refusal> refusalOfNoPattern(const PieceResults& results,
@@ -39,7 +39,7 @@ bool writePatterns(const std::vector<std::filesystem::path>& outputs, const Expo
         return true;
     }
     if (refusalOfNoPattern(source.results())) {
-        err << "toile: no piece lies flat: there is no pattern in what is written\n";
+        err << "toile: no piece could be flattened, so the written files contain no pattern\n";
     }
     for (const Wording& note : overlapNotes(source.laid().pattern, source.drawing())) {
         err << "toile: " << note << '\n';

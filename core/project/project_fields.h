@@ -115,7 +115,7 @@ void nameList(Fields& at, const char* key, Names& names) {
             if (json.is_string()) {
                 names.push_back(json.template get<std::string>());
             } else {
-                at.fields().failAt(place, "must be a text");
+                at.fields().failAt(place, "must be a string");
             }
         });
     } else if (!names.empty()) {

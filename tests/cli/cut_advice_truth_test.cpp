@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether what is foretold of cuts comes true when the cloth is flattened, and what tailors' cuts
-// cost and save next to the shortest; the tables in docs/tailor.md.
+// Whether the predicted effect of cuts comes true when the cloth is flattened, and what tailors'
+// cuts cost and save next to the shortest; the tables in docs/tailor.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
