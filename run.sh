@@ -198,11 +198,11 @@ if [ "$status" -le 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
     while [ $# -gt 0 ]; do # of the options, those of reading concern the window too
         case $1 in
             --unit | --up | --split | --seams | --as | --surface | --layer | --cut-style | \
-                --enough | --close-holes | --smooth | --remesh | --weld-within)
+                --max-strain | --enough | --close-holes | --smooth | --remesh | --weld-within)
                 reading+=("$1" "$2") ;;
             --unit=* | --up=* | --split=* | --seams=* | --as=* | --surface=* | --layer=* | \
-                --cut-style=* | --enough=* | --close-holes=* | --smooth=* | --remesh=* | --weld-within=* | \
-                --keep-debris | --auto-cut | --swap-front | --weld | --strict | --close-slits | --complete-half)
+                --cut-style=* | --max-strain=* | --enough=* | --close-holes=* | --smooth=* | --remesh=* | \
+                --weld-within=* | --keep-debris | --auto-cut | --swap-front | --weld | --strict | --close-slits | --complete-half)
                 reading+=("$1") ;;
         esac
         shift

@@ -59,7 +59,7 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
     const fs::path records = recordsOf(batch);
     if (fs::equivalent(records, batch.list, ignored)) {
         return usageRefusal(shownRecords(records) +
-                            " is where the records would go; give the list another "
+                            " would be overwritten by the records; give the list another "
                             "ending, such as .txt, or another folder with -o");
     }
     const fs::path list = fs::weakly_canonical(batch.list, ignored);
@@ -71,17 +71,17 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
             return Refusal(written.error());
         }
         if (!written->starts_with(kMarkOfNote)) {
-            return usageRefusal(shownRecords(note) +
-                                " is no note of toile batch, which would take its "
-                                "place; give it or the list another name");
+            return usageRefusal(
+                shownRecords(note) +
+                " is not a file of toile batch, which would overwrite it; rename it or the list");
         }
         std::string_view named = std::string_view(*written).substr(kMarkOfNote.size());
         named.remove_suffix(named.ends_with('\n') ? 1 : 0);
         const fs::path other = folder / named;
         if (fs::is_regular_file(other, ignored) && !fs::equivalent(other, list, ignored)) {
-            return usageRefusal(shownRecords(records) + " is of another list, " +
+            return usageRefusal(shownRecords(records) + " belongs to another list, " +
                                 shownRecords(other) +
-                                "; give this one another name, or another folder with -o");
+                                "; rename this list, or choose another folder with -o");
         }
     }
     // Relative to the folder, so that both may move together.
@@ -154,7 +154,7 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
         return failedFigures(Error{ErrorCode::OutOfMemory, Subject::file(entry.path)});
     } catch (const std::exception& fault) {
         return failedFigures(
-            {kCrashed, std::string("stopped by an unexpected fault (") + fault.what() + ")"});
+            {kCrashed, std::string("stopped by an unexpected error (") + fault.what() + ")"});
     }
 }
 
@@ -168,18 +168,18 @@ constexpr const char* kFiguresFile = "figures.json";
 OrderedJson figuresOfEnd(const ProcessEnd& end, const BatchArguments& batch) {
     if (end.isTimedOut) {
         return failedFigures({kTimedOut, "took longer than " + shortest(batch.limitSeconds) +
-                                             " s; give it more with --limit"});
+                                             " s; allow more with --limit"});
     }
     if (end.signal == SIGKILL || end.signal == SIGTERM) {
         return failedFigures({kKilled,
-                              "was killed from outside, as happens where memory is short; run the "
-                              "batch again, fewer garments at once"});
+                              "was killed from outside, probably because memory was short; run the "
+                              "batch again with fewer garments at once"});
     }
     if (end.signal > 0) {
-        return failedFigures({kCrashed, std::string("ended by a fault of the program (") +
-                                            strsignal(end.signal) + "); please report the file"});
+        return failedFigures({kCrashed, std::string("crashed (") + strsignal(end.signal) +
+                                            "); please report the file"});
     }
-    return failedFigures(Error{ErrorCode::OutOfMemory, {}, "no process could be had"});
+    return failedFigures(Error{ErrorCode::OutOfMemory, {}, "no process could be started"});
 }
 
 bool wasKilled(const ProcessEnd& end) {
@@ -276,7 +276,7 @@ struct BatchTally {
             return false;
         }
         const auto [start, size, isBefore] = found->second;
-        out << shownText(entry.path) << ": the same as one before, ";
+        out << shownText(entry.path) << ": the same as an earlier one, ";
         add(recordLineOf(entry.path, records.substr(start, size)), isBefore, out);
         return true;
     }
@@ -332,10 +332,11 @@ int runBatch(const Arguments& arguments, std::ostream& out, Messages& messages) 
     }
     if (isNoBatchList(batch.list, *lines)) {
         const std::string list = batch.list == "-" ? "standard input" : pathText(batch.list);
-        return refuse(usageRefusal(shownText(list) +
-                                   " is no list of garments; give one, a path a line (a garment "
-                                   "alone is flattened by toile flatten)"),
-                      messages);
+        return refuse(
+            usageRefusal(shownText(list) +
+                         " is not a list of garments; give a file with one path per line, "
+                         "or use toile flatten for a single garment"),
+            messages);
     }
     std::error_code ignored;  // said where something is written
     std::filesystem::create_directories(batch.folder, ignored);
@@ -357,7 +358,7 @@ int runBatch(const Arguments& arguments, std::ostream& out, Messages& messages) 
             return refuse(isThere.error(), messages);
         }
         if (!*isThere || BatchSignals::received() != 0) {
-            messages.add("interrupted; run the same command again to go on.");
+            messages.add("interrupted; run the same command again to continue.");
             return kStatusOfSignals + BatchSignals::received();
         }
     }

@@ -27,7 +27,7 @@ std::string wrongKind(const Arguments& arguments) {
     for (const auto& [option, kind] : kKindOf) {
         const bool isDetected = kind == FileKind::Shell || kind == FileKind::Layers;
         if (arguments.isTyped(option) && as != kind && (as || !isDetected)) {
-            return std::string(option) + ": goes with --as " +
+            return std::string(option) + ": works only with --as " +
                    std::string(wordOf(kFileKindWords, kind));
         }
     }
@@ -61,7 +61,7 @@ std::string reportAmongOutputs(const Arguments& arguments) {
     const auto& report = arguments.report;
     const auto isSame = [&](const auto& output) { return whole(report) == whole(output); };
     return !report.empty() && std::ranges::any_of(arguments.outputs, isSame)
-               ? "\"" + report.string() + "\" is to be the report and an output; give two names"
+               ? "\"" + report.string() + "\" is both the report and an output; use two names"
                : std::string();
 }
 
@@ -70,8 +70,8 @@ std::string wrongEnding(const std::filesystem::path& output) {
     if (format && format->write) {
         return {};
     }
-    return "\"" + output.string() + "\" has an ending that " +
-           (format ? "this build of Toile" : "Toile") + " does not write; use " + writtenEndings();
+    return "\"" + output.string() + "\" has a format that " +
+           (format ? "this build of Toile" : "Toile") + " cannot write; use " + writtenEndings();
 }
 
 std::string wrongPictureName(const std::filesystem::path& output) {
@@ -98,7 +98,7 @@ std::string wrongInProve(const Arguments& arguments) {
         const Format* format = formatOf(output);
         if (!isImproving && format && format->write) {
             return "a pattern such as \"" + output.string() +
-                   "\" is written with --prove-improve; without it only a picture, .png";
+                   "\" needs --prove-improve; without it, prove writes only a picture (.png)";
         }
         if (std::string wrong = isImproving ? wrongEnding(output) : wrongPictureName(output);
             !wrong.empty()) {
@@ -106,10 +106,10 @@ std::string wrongInProve(const Arguments& arguments) {
         }
     }
     if (hasPicture && !proofPictures()) {
-        return "this build of Toile draws no pictures";
+        return "this build of Toile cannot draw pictures";
     }
     if (isImproving && std::ranges::all_of(outputs, isPicture)) {
-        return "--prove-improve makes another pattern: give -o FILE to keep it";
+        return "--prove-improve makes a new pattern; add -o FILE to save it";
     }
     return {};
 }
@@ -118,7 +118,7 @@ std::string wrongInProve(const Arguments& arguments) {
 std::string wrongInNest(const Arguments& arguments) {
     const auto& inputs = arguments.inputs;
     if (inputs.size() > 1) {
-        return "an instance of the nesting problem is the only input: \"" +
+        return "a nesting problem must be the only input: \"" +
                std::ranges::find_if(inputs, isNestInstance)->string() + "\"";
     }
     static constexpr std::array<std::string_view, 8> kTaken{
@@ -126,13 +126,13 @@ std::string wrongInNest(const Arguments& arguments) {
     for (const auto& [option, words] : arguments.typed) {
         if (std::ranges::find(kTaken, option) == kTaken.end() && option != "--border") {
             return option +
-                   ": goes with a garment or a project, not with an instance of the "
-                   "nesting problem";
+                   ": works only with a garment or a project, not with a nesting "
+                   "problem";
         }
     }
     for (const auto& output : arguments.outputs) {
         if (!equalsIgnoringCase(output.extension().string(), ".svg")) {
-            return "the nest of an instance is drawn as .svg, not \"" + output.string() + "\"";
+            return "the result of a nesting problem must be .svg, not \"" + output.string() + "\"";
         }
     }
     return {};
@@ -145,13 +145,13 @@ std::string wrongInMarker(const Arguments& arguments) {
     for (const auto& output : arguments.outputs) {
         if (!holdsMarkers(output)) {
             return "\"" + output.string() +
-                   "\" has an ending that no marker is drawn in; use .svg, .dxf, .pdf, .plt or, "
-                   "where the window's libraries are there, .png";
+                   "\" has a format that markers do not support; use .svg, .dxf, .pdf, .plt or, in "
+                   "builds with the window, .png";
         }
     }
     if (arguments.isTyped("--width") + arguments.isTyped("--sheet") + arguments.isTyped("--hide") >
         1) {
-        return "--width, --sheet and --hide are three kinds of cloth: give one of them";
+        return "--width, --sheet and --hide exclude each other; use one of them";
     }
     return {};
 }
@@ -189,20 +189,20 @@ std::string wrongTogether(const Arguments& arguments, const MarkerSettings& sett
     if (settings.isFolded && !isRoll &&
         (arguments.isTyped("--folded") || arguments.isTyped("--sheet") ||
          arguments.isTyped("--hide"))) {
-        return "--folded goes with a roll: leave out --sheet and --hide";
+        return "--folded needs a roll; leave out --sheet and --hide";
     }
     if (arguments.isTyped("--grade") && settings.hides.empty()) {
-        return "--grade goes with --hide, whose zones have grades";
+        return "--grade needs --hide, whose zones have grades";
     }
     if (arguments.isTyped("--match") && settings.repeat == ClothRepeat{}) {
-        return "--match keeps stripes: give their --repeat";
+        return "--match needs the repeat of the stripes; add --repeat";
     }
     return {};
 }
 
 std::string wrongIn(const Arguments& arguments) {
     if (arguments.load.split == SplitMode::Seams && arguments.seams.empty()) {
-        return "--split seams divides by the cuts of a file: give it with --seams";
+        return "--split seams needs a file with cuts; add --seams FILE";
     }
     Paths outputs = arguments.outputs;
     outputs.push_back(arguments.report);

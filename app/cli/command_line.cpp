@@ -53,7 +53,7 @@ int run(const Answer<Arguments>& typed, std::ostream& out, Messages& messages) {
             out << arguments.message;
             return kExitDone;
         case Arguments::Command::Render:
-            missing = "draws no pictures";
+            missing = "cannot draw pictures";
             break;
         case Arguments::Command::Window:
             break;
@@ -69,7 +69,7 @@ int runCommand(const Answer<Arguments>& typed) {
     try {
         return run(typed, std::cout, messages);
     } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
-        messages.add(std::string("stopped by an unexpected fault (") + fault.what() + ").");
+        messages.add(std::string("stopped by an unexpected error (") + fault.what() + ").");
         return kExitUnreadable;
     }
 }
@@ -87,17 +87,17 @@ std::optional<Refusal> refusalOfProject(const Arguments& arguments) {
         return std::nullopt;
     }
     if (arguments.inputs.size() > 1) {
-        return usageRefusal("a project is the only input: \"" + project->string() + "\".");
+        return usageRefusal("a project must be the only input: \"" + project->string() + "\".");
     }
     if (isAnyTyped(arguments, kReading)) {
         return usageRefusal(
-            "a project says itself how its files are read and cut; leave those options out, or "
-            "give its meshes instead.");
+            "a project sets how its files are read and cut; leave out those options, or open its "
+            "meshes instead.");
     }
     if (arguments.command == Arguments::Command::Window && isAnyTyped(arguments, kFlattening)) {
         return usageRefusal(
-            "a project says itself how its pieces are flattened; leave those options out, and "
-            "choose in the window.");
+            "a project sets how its pieces are flattened; leave out those options, and change them "
+            "in the window.");
     }
     return std::nullopt;
 }
@@ -121,7 +121,7 @@ Answer<Arguments> withProject(Arguments arguments, Messages& messages) {
     const auto missing = locateMeshes(project);
     if (!missing.empty()) {
         return Error{ErrorCode::FileUnreadable, Subject::file(missing.front().string()),
-                     "the project needs it, there is no such file"};
+                     "the project needs this file, which does not exist"};
     }
     arguments.inputs.clear();
     for (const FileReference& file : project.files) {
@@ -230,7 +230,7 @@ std::optional<Refusal> refusalOfNoPattern(const PieceResults& results) {
     if (std::ranges::any_of(results, isFlat)) {
         return std::nullopt;
     }
-    return Refusal(kNotFlat, "no piece lies flat, so there is no pattern.");
+    return Refusal(kNotFlat, "no piece could be flattened, so there is no pattern.");
 }
 
 std::optional<Refusal> refusalOfNoPattern(const PieceResults& results,
@@ -249,7 +249,7 @@ bool writePatterns(const std::vector<fs::path>& outputs, const ExportSource& sou
         return true;
     }
     if (refusalOfNoPattern(source.results())) {
-        messages.add("no piece lies flat: there is no pattern in what is written");
+        messages.add("no piece could be flattened, so the written files contain no pattern");
     }
     for (const Wording& note : overlapNotes(source.laid().pattern, source.drawing())) {
         messages.add(note);

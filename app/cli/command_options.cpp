@@ -248,8 +248,8 @@ std::string readSheet(const std::string& typed, MarkerSettings& settings) {
     const std::vector<double> sides = numbersBetween(typed, "x");
     const auto fits = [](double side) { return side >= 1 && side <= kMaxClothWidth; };
     if (sides.size() != 2 || !std::ranges::all_of(sides, fits)) {
-        return "takes the sides along the warp and across it from 1 to " +
-               shortest(kMaxClothWidth) + " mm, as in 305x610, not \"" + typed + "\"";
+        return "needs the sides along and across the warp, from 1 to " + shortest(kMaxClothWidth) +
+               " mm, as in 305x610, not \"" + typed + "\"";
     }
     settings.sheet = Eigen::Vector2d(sides[0], sides[1]);
     return {};
@@ -261,8 +261,9 @@ std::string readRepeat(const std::string& typed, MarkerSettings& settings) {
     const auto isTooLarge = [](double number) { return std::abs(number) > kMaxClothWidth; };
     if ((numbers.size() != 2 && !hasOrigin) || numbers[0] < 0 || numbers[1] < 0 ||
         std::ranges::any_of(numbers, isTooLarge)) {
-        return "takes the repeat along the warp and across it, and the start of one, as in 80x60 "
-               "or 80x0@10,5, not \"" +
+        return "needs the repeat along and across the warp (0 for none), optionally with its "
+               "start, "
+               "as in 80x60 or 80x0@10,5, not \"" +
                typed + "\"";
     }
     settings.repeat.warp = numbers[0];
@@ -279,7 +280,7 @@ std::string readGrade(const std::string& typed, MarkerSettings& settings) {
                            ? std::nullopt
                            : parseNumber<int>(std::string_view(typed).substr(at + 1));
     if (grade.value_or(0) < 1) {
-        return "takes a piece and the worst grade for it, as in front=2, not \"" + typed + "\"";
+        return "needs a piece and its lowest allowed grade, as in front=2, not \"" + typed + "\"";
     }
     settings.grades[typed.substr(0, at)] = *grade;
     return {};

@@ -156,17 +156,17 @@ void printRest(const Pattern& pattern, const PatternFile& file, const PatternMat
         }
     }
     if (!match.alone.empty()) {
-        out << "without a partner: " << listOf(match.alone, ourPiece) << '\n';
+        out << "pieces without a match: " << listOf(match.alone, ourPiece) << '\n';
     }
     if (!match.aloneInFile.empty()) {
-        out << "in the file alone: " << listOf(match.aloneInFile, filePiece) << '\n';
+        out << "only in the file: " << listOf(match.aloneInFile, filePiece) << '\n';
     }
     const bool hasOnlyOne = std::ranges::any_of(match.pairs, [](const PieceMatch& pair) {
         return std::ranges::any_of(pair.lines,
                                    [](const LineMatch& line) { return line.ours != line.theirs; });
     });
     if (hasOnlyOne) {
-        out << "the file has one line a piece, taken for the seam line, since the pattern has no "
+        out << "the file has one line per piece, used as the seam line because the pattern has no "
                "allowance\n";
     }
 }
@@ -208,7 +208,7 @@ int comparePattern(const Arguments& arguments, std::ostream& out, Messages& mess
         out << shownText(arguments.pattern.string(), kMaxOfPlace) << ": " << file->format
             << ", unit " << unitText(file->unit);
         if (!file->unitReason.empty()) {
-            out << " (" << file->unitReason << (file->unitInDoubt ? "; in doubt" : "") << ")";
+            out << " (" << file->unitReason << (file->unitInDoubt ? "; uncertain" : "") << ")";
         }
         out << "\n\n";
         printPairs(pattern, *file, match, out);

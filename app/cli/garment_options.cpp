@@ -71,7 +71,8 @@ Option& describeUnit(OptionArchive& at, const char* names, std::optional<FileUni
     return at.add(names, "mm|cm|dm|m|in|LENGTH", help, [&unit](const Words& typed) {
         unit = parseFileUnit(typed.front());
         return unit ? std::string()
-                    : typed.front() + " is no unit: mm, cm, dm, m, in, or a length such as 25.4mm";
+                    : typed.front() +
+                          " is not a unit; use mm, cm, dm, m, in, or a length such as 25.4mm";
     });
 }
 
@@ -79,7 +80,7 @@ ReadNumbers readNumbers(const std::string& typed, std::span<const Range> ranges,
                         std::span<double> numbers) {
     const Words parts = partsOf(typed, ',');
     if (parts.size() > numbers.size()) {
-        return {0, "takes at most " + counted(static_cast<long long>(numbers.size()), "number") +
+        return {0, "needs at most " + counted(static_cast<long long>(numbers.size()), "number") +
                        ", not \"" + typed + '"'};
     }
     for (std::size_t k = 0; k < parts.size(); ++k) {

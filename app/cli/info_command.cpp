@@ -52,15 +52,15 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
         progress);
     out << piece->name << ": ";
     if (advice.cuts.empty()) {
-        out << "no cut is worth its length\n\n";
+        out << "no cut reduces the strain enough for its length\n\n";
         return;
     }
     const auto solvedAfter = [&](std::size_t count) {
         const auto solved = solvedStrain(piece, own, advice, count, arguments.options, progress);
         return solved ? percent(solved->mean) : std::string("-");
     };
-    out << "strain " << percent(advice.before.mean) << " % foretold, " << solvedAfter(0)
-        << " % solved with the fewest cuts; less by these, the best first\n";
+    out << "strain " << percent(advice.before.mean) << " % predicted, " << solvedAfter(0)
+        << " % solved with the fewest cuts; these cuts reduce it, best first\n";
     Table table(
         {"cut", "length mm", "in all mm", "strain %", "solved %", "takes in", "enough", "because"});
     double inAll = 0;
@@ -82,7 +82,8 @@ void printAdvice(const Arguments& arguments, const Garment& garment, Progress& p
                  std::ostream& out) {
     for (const auto& piece : garment.uncut) {
         if (piece->defect && !isOpenable(*piece)) {
-            out << piece->name << ": cuts do not help, " << describe(piece->defect->code) << "\n\n";
+            out << piece->name << ": cuts do not help because " << describe(piece->defect->code)
+                << "\n\n";
             continue;
         }
         printFor(piece, ownCutsOf(garment, piece),
@@ -145,7 +146,7 @@ void printHead(const std::filesystem::path& path, const PatternFile& file, std::
         << counted(static_cast<long long>(file.pieces.size()), "piece") << ", unit "
         << unitText(file.unit);
     if (!file.unitReason.empty()) {
-        out << " (" << file.unitReason << (file.unitInDoubt ? "; in doubt" : "") << ")";
+        out << " (" << file.unitReason << (file.unitInDoubt ? "; uncertain" : "") << ")";
     }
     out << '\n';
     if (!file.style.empty()) {
@@ -200,8 +201,8 @@ void printPrecision(const SourceFile& file, std::ostream& out) {
     constexpr double kTelling = 0.001;  // mm
     const double precision = file.unit.millimetres() * precisionOfFloats(*file.soup);
     if (isForAssimp(pathText(file.path.extension())) && precision > kTelling) {
-        out << "coordinates have a float's precision, here " << fixed(precision, 3)
-            << " mm; prefer OBJ, or move the garment to the origin\n";
+        out << "coordinates are precise only to " << fixed(precision, 3)
+            << " mm (single precision); use OBJ, or move the garment to the origin\n";
     }
 }
 
@@ -213,7 +214,7 @@ void printReading(const FileReading& reading, std::ostream& out) {
         {FileKind::Scan, "a scan"},
         {FileKind::Layers, "layers of cloth"},
         {FileKind::Solid, "a solid, to be covered"},
-        {FileKind::Soup, "a soup of triangles, joined"},
+        {FileKind::Soup, "unconnected triangles, joined"},
     };
     out << (reading.isStated ? "read as " : "taken for ") << wordOf(kShown, reading.kind);
     if (!reading.evidence.empty()) {
@@ -223,14 +224,14 @@ void printReading(const FileReading& reading, std::ostream& out) {
         out << ", " << counted(reading.leftOut.F.rows(), "triangle") << " left out";
     }
     if (reading.kind == FileKind::Solid) {
-        out << "; --auto-cut cuts it open";
+        out << "; use --auto-cut to cut it open";
     }
     if (reading.half) {
         out << (reading.half->isCompleted
                     ? ", with the mirror image added to it"
-                    : "; half a garment, it seems: its rims lie over " +
-                          fixed(reading.half->length, 0) +
-                          " mm in one plane; --complete-half adds its other half");
+                    : "; it looks like half a garment: " + fixed(reading.half->length, 0) +
+                          " mm of its rims lie in one plane; use "
+                          "--complete-half to add the other half");
     }
     out << '\n';
 }
@@ -244,7 +245,7 @@ void printSide(const ClothSide& side, std::ostream& out) {
     if (!side.evidence.empty()) {
         out << " (" << side.evidence << ")";
     }
-    out << (side.way == ClothSide::Way::Inwards ? "; --turn-over turns it\n" : "\n");
+    out << (side.way == ClothSide::Way::Inwards ? "; use --turn-over to turn it\n" : "\n");
 }
 
 /// How many pieces each layer of a file has.
@@ -282,7 +283,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
     printPrecision(file, out);
     if (const auto& better = file.betterSplit) {
         out << better->flat << " of " << counted(better->pieces, "piece")
-            << " could lie flat as they are with --split " << name(better->mode) << '\n';
+            << " could lie flat uncut with --split " << name(better->mode) << '\n';
     }
 }
 
@@ -334,7 +335,7 @@ void printSlits(const Arguments& arguments, const Garment& garment, std::ostream
         out << '\n'
             << counted(static_cast<long long>(slits.size()), "slit") << " inside pieces, "
             << fixed(length, 0) << " mm in all, whose edges lie on each other"
-            << (canClose ? "; --close-slits closes them" : "") << '\n';
+            << (canClose ? "; use --close-slits to close them" : "") << '\n';
     }
 }
 
@@ -381,16 +382,16 @@ void printAssumptions(const Garment& garment, std::ostream& out) {
     }
     const auto named = std::ranges::count_if(
         garment.pieces, [&garment](const auto& piece) { return isNamedInFile(*piece, garment); });
-    out << "\nassumed, unless you say otherwise (docs/guesses.md):\n"
+    out << "\nassumptions that you can change (docs/guesses.md):\n"
         << "seams: " << shared << " along common vertices, " << near << " by nearness";
     if (near > 0) {
         out << ", up to " << fixed(widest, 2) << " mm apart on average";
     }
-    out << "\nedges: " << free << " sewn to nothing, taken for hems where allowances are drawn\n"
+    out << "\nedges: " << free << " not sewn, treated as hems where allowances are drawn\n"
         << "grain: up the garment\n"
         << "names: " << named << " of " << garment.pieces.size()
-        << " after the file, the others made up\n"
-        << "left and right: as in the file, but for --mirror and --pattern\n";
+        << " from the file, the others invented\n"
+        << "left and right: as in the file, except with --mirror and --pattern\n";
 }
 
 }  // namespace

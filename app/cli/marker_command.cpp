@@ -153,7 +153,7 @@ std::string wrongInPlans(const Arguments& arguments, const std::vector<std::stri
     }
     for (const auto& [name, grade] : arguments.marker.settings.grades) {
         if (std::ranges::find(pattern.pieces, name, &PatternPiece::name) == pattern.pieces.end()) {
-            return "--grade names no piece: \"" + name + "\"";
+            return "--grade names a piece that does not exist: \"" + name + "\"";
         }
     }
     return {};
@@ -163,10 +163,10 @@ void printMarker(const ClothMarker& marker, const Pattern& pattern, const Marker
                  std::ostream& out, Messages& messages) {
     const MarkerFigures figures = markerFigures(pattern, marker);
     out << shownText(clothSentence(marker)) << ", " << counted(marker.rounds, "round")
-        << (marker.isOptimal ? ", none is shorter" : "") << "; " << counted(figures.copies, "piece")
-        << ", " << fixed(figures.seamMetres, 1) << " m of seam, " << figures.notches
-        << (figures.notches == 1 ? " notch" : " notches") << ", " << fixed(figures.cutMetres, 1)
-        << " m to cut";
+        << (marker.isOptimal ? ", which is the shortest" : "") << "; "
+        << counted(figures.copies, "piece") << ", " << fixed(figures.seamMetres, 1)
+        << " m of seam, " << figures.notches << (figures.notches == 1 ? " notch" : " notches")
+        << ", " << fixed(figures.cutMetres, 1) << " m to cut";
     if (typed.minutesPerMetre) {
         out << ", " << fixed(*typed.minutesPerMetre * figures.seamMetres, 0) << " min to sew";
     }
@@ -226,7 +226,7 @@ int nestInstance(const Arguments& arguments, std::ostream& out, Messages& messag
         nester->step(progress);
     }
     out << "length " << fixed(best.length, 3) << " mm, use " << fixed(100 * best.use, 2) << " %, "
-        << counted(best.rounds, "round") << (best.optimal ? ", no nest is shorter" : "") << '\n';
+        << counted(best.rounds, "round") << (best.optimal ? ", which is the shortest" : "") << '\n';
     std::vector<std::filesystem::path> files = arguments.outputs;
     if (!arguments.report.empty()) {
         files.push_back(arguments.report);
@@ -268,14 +268,14 @@ int runMarker(const Arguments& arguments, std::ostream& out, Messages& messages)
     std::vector<std::string> materials = markerMaterials(patternOnCloth(whole, onHides));
     if (typed.material) {
         if (std::ranges::find(materials, *typed.material) == materials.end()) {
-            messages.add("nothing is cut from \"" + *typed.material + "\"; there is " +
+            messages.add("no piece is cut from \"" + *typed.material + "\"; choose " +
                          quotedList(materials, materials.size()) + ".");
             return kExitUsage;
         }
         materials = {*typed.material};
     }
     if (materials.empty()) {
-        messages.add("no piece lies flat: there is nothing to lay.");
+        messages.add("no piece could be flattened, so there is no marker.");
         return kExitSomeFailed;
     }
     const std::vector<std::string> endings = endingsOf(materials, arguments.outputs);

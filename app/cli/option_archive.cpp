@@ -12,7 +12,7 @@ std::string Option::key() const {
 }
 
 std::string outOfRange(const std::string& typed, const Range& range, bool isWhole) {
-    return std::string(isWhole ? "takes a whole number from " : "takes a number from ") +
+    return std::string(isWhole ? "needs a whole number from " : "needs a number from ") +
            textOf(range) + ", not \"" + typed + '"';
 }
 

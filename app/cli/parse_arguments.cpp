@@ -219,8 +219,7 @@ std::string sentenceOf(const CLI::App& app, const CLI::ParseError& error) {
     const std::string text = err.str().substr(0, err.str().find('\n'));
     constexpr std::string_view kFlagWithValue = " was given a disallowed flag override";
     if (text.ends_with(kFlagWithValue)) {
-        return "--" + text.substr(0, text.size() - kFlagWithValue.size()) +
-               " takes no value: type it or leave it out";
+        return "--" + text.substr(0, text.size() - kFlagWithValue.size()) + " takes no value";
     }
     const std::size_t twice = text.find(": At Most 1 required");
     return twice == std::string::npos
@@ -332,14 +331,14 @@ Answer<Arguments> typedWords(const char* command, const std::vector<std::string>
     for (const std::string& word : typed) {
         if (word.find('\0') != std::string::npos) {  // the rest would be left out
             return usageRefusal('"' + shownText(word, kMaxOfPlace) +
-                                "\" has a zero byte, which no word of a command line can have.");
+                                "\" contains a zero byte, which is not allowed.");
         }
         pointers.push_back(word.c_str());
     }
     auto arguments = parseArguments(static_cast<int>(pointers.size()), pointers.data(), taken);
     if (arguments && (taken & kInputFiles) == 0 && arguments->inputs.size() > files.size()) {
         return usageRefusal('"' + shownText(arguments->inputs.back().string(), kMaxOfPlace) +
-                            "\" names a file to read, which is not asked for here; leave it out.");
+                            "\" is an input file, which is not used here; leave it out.");
     }
     return arguments;
 }

@@ -99,7 +99,7 @@ void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream
             << " mm longer than " << seamName(one.mirrored) << " (tolerance "
             << fixed(one.tolerance, 1) << " mm)\n";
     }
-    out << "they keep their shapes as in the file; --mirror equal makes them equal\n";
+    out << "they keep their shapes from the file; use --mirror equal to make them equal\n";
 }
 
 /// A line per finding; the same finding about several pieces or seams shares one.
@@ -253,10 +253,9 @@ int runWalk(const Arguments& arguments, std::ostream& out, Messages& messages) {
     }
     const LineSettings& lines = arguments.lines;
     const PieceResults results = flattened(arguments, *garment, progress);
-    const auto [notches, walks] =
-        walkGarment(*garment, results,
-                    makePattern(*garment, results, lines, symmetryOf(*garment, lines)),
-                    lines.notches);
+    const auto [notches, walks] = walkGarment(
+        *garment, results, makePattern(*garment, results, lines, symmetryOf(*garment, lines)),
+        lines.notches);
     if (arguments.json) {
         out << writeWalk(*garment, notches, walks);
     } else {

@@ -21,17 +21,16 @@
 namespace toile::app {
 namespace {
 
-/// "round 2: 0.31 mm from the design on average, 1.20 mm at the worst twentieth, 4.10 mm at most;
-/// 18 % less".
+/// "round 2: 0.31 mm from the design on average, 95 % within 1.20 mm, 4.10 mm at most; 18 % less".
 void printRound(const ImproveRound& round, std::ostream& out) {
     constexpr int kDecimals = 2;
-    out << (round.number == 0 ? "as it was" : "round " + std::to_string(round.number)) << ": "
-        << fixed(round.gap.mean, kDecimals) << " mm from the design on average, "
-        << fixed(round.gap.most95, kDecimals) << " mm at the worst twentieth, "
-        << fixed(round.gap.max, kDecimals) << " mm at most";
+    out << (round.number == 0 ? "before" : "round " + std::to_string(round.number)) << ": "
+        << fixed(round.gap.mean, kDecimals) << " mm from the design on average, 95 % within "
+        << fixed(round.gap.most95, kDecimals) << " mm, " << fixed(round.gap.max, kDecimals)
+        << " mm at most";
     if (round.number > 0) {
         out << "; " << fixed(100 * std::abs(round.gain), 1) << " % "
-            << (round.gain < 0 ? "more: not kept" : "less");
+            << (round.gain < 0 ? "more, so not kept" : "less");
     }
     out << std::endl;  // a round takes its time
 }
@@ -47,11 +46,11 @@ void printEnd(const Improved& improved, std::ostream& out) {
             out << "further rounds only make it worse\n";
             break;
         case ImproveEnd::NotFlat:
-            out << "another round could not be made: " << sentence(*improved.why) << '\n';
+            out << "the next round failed: " << sentence(*improved.why) << '\n';
             break;
     }
     out << (improved.gain() > 0 ? "improved by " + fixed(100 * improved.gain(), 1) + " %"
-                                : "not improved: the pattern stays as it was")
+                                : "not improved, so the pattern is unchanged")
         << "\n\n";
 }
 
@@ -165,7 +164,7 @@ Result<void> writeProofFiles(const Arguments& arguments, const ExportSource& sou
         const std::string png = drawProof(source, proof, arguments);
         if (png.empty()) {
             return Error{ErrorCode::FileUnwritable, Subject::file(output.string()),
-                         "there is no OpenGL to draw with"};
+                         "OpenGL is not available for drawing"};
         }
         if (auto written = write(output, png); !written) {
             return written;
@@ -238,7 +237,7 @@ int runProve(const Arguments& arguments, std::ostream& out, Messages& messages) 
     int status = reportProblems(*garment, messages) ? kExitSomeFailed : kExitDone;
     status = reportFailures(results, messages) ? kExitSomeFailed : status;
     if (!order.isReference && refusalOfNoPattern(results)) {
-        messages.add("no piece lies flat: there is nothing to sew.");
+        messages.add("no piece could be flattened, so there is nothing to sew.");
         return kExitSomeFailed;
     }
     std::ostream& told = arguments.json ? messages.stream() : out;
@@ -299,7 +298,7 @@ Answer<ProofOrder> orderOfOwn(const Arguments& arguments, const Garment& garment
     if (!isNear(*body, garment)) {
         return Refusal(kNotProved,
                        "\"" + shownText(plan.body.string(), kMaxOfPlace) +
-                           "\" lies nowhere near the garment; say its unit with --body-unit.",
+                           "\" is far from the garment; set its unit with --body-unit.",
                        plan.body.string());
     }
     order.body = std::move(*body);
@@ -323,8 +322,8 @@ Answer<ProofOrder> proofOrder(const Arguments& arguments, const Garment& garment
     const auto hasPanel = [](const auto& piece) { return piece->reference.has_value(); };
     if (isDesigners && std::ranges::none_of(garment.pieces, hasPanel)) {
         const std::string way =
-            arguments.project ? "type --reference none" : "leave out --reference";
-        return Refusal(kNotProved, "the garment carries no panels of its designer's; " + way + ".");
+            arguments.project ? "use --reference none" : "leave out --reference";
+        return Refusal(kNotProved, "the garment has no reference panels; " + way + ".");
     }
     std::optional<PatternFile> pattern;
     if (!file.empty()) {

@@ -36,7 +36,7 @@ void readId(JsonFields& fields, const char* key, std::string& id) {
         if (isId(*json)) {
             id = json->dump(-1, ' ', false, JsonDocument::error_handler_t::replace);
         } else {
-            fields.fail(key, "must be a whole number or a text of at most 100 bytes");
+            fields.fail(key, "must be a whole number or a string of at most 100 bytes");
         }
     }
 }
@@ -45,7 +45,7 @@ void readTexts(JsonFields& fields, const char* key, std::vector<std::string>& te
     fields.readEach(key, [&](const JsonDocument& json, const std::string& place) {
         const auto* text = json.get_ptr<const std::string*>();
         if (!text || text->find('\0') != std::string::npos) {
-            fields.failAt(place, "must be a text");
+            fields.failAt(place, "must be a string");
             return;
         }
         texts.push_back(*text);
@@ -146,10 +146,10 @@ private:
         const bool isFull = waiting_.size() >= kMaxWaiting ||
                             (!waiting_.empty() && waitingBytes_ + line.bytes > kMaxWaitingBytes);
         if (isFull && line.request.what != "quit") {
-            say(serveAnswer(line.request.id,
-                            Refusal(kTooManyRequests,
-                                    "too many requests wait; send it again when some are "
-                                    "answered")));
+            say(serveAnswer(
+                line.request.id,
+                Refusal(kTooManyRequests,
+                        "too many requests are waiting; send it again when some are answered")));
             return;
         }
         waitingBytes_ += line.bytes;
@@ -231,7 +231,7 @@ ServeRequest readServeRequest(std::string_view line) {
         return request;
     }
     if (!json->is_object()) {
-        request.refusal = {kWrongRequest, "a request is an object"};
+        request.refusal = {kWrongRequest, "a request must be an object"};
         return request;
     }
     JsonFaults faults;

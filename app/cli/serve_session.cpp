@@ -156,11 +156,10 @@ ServeOutcome serveQuery(const ServeRequest& request, const Garment& garment,
     for (const std::string& word : request.wanted) {
         const bool isOfMesh = isAmong(word, kMeshArrays), isOfFlat = isAmong(word, kFlatArrays);
         if (!isOfMesh && !isOfFlat && word != "report" && !isAmong(word, kReportParts)) {
-            return Refusal("unknown-word", "there is nothing of this name to ask for: \"" + word +
-                                               "\"; see docs/serve.md");
+            return Refusal("unknown-word", "unknown query: \"" + word + "\"; see docs/serve.md");
         }
         if (!laid && (isOfFlat || word == "doubts")) {
-            return Refusal(kNotFlat, "nothing is flat yet: ask for \"flatten\" first");
+            return Refusal(kNotFlat, "nothing is flattened yet; send \"flatten\" first");
         }
         if (isOfMesh || isOfFlat) {
             for (const int p : *meant) {
@@ -219,7 +218,7 @@ ServeOutcome ServeSession::State::make(Asked next, ReadFiles files, Progress& pr
         files = std::move(*read);
     }
     if (next.seams && !next.typed.seams.empty()) {
-        return usageRefusal("give the cuts as \"seams\" or as --seams, not both");
+        return usageRefusal("use either \"seams\" or --seams for the cuts, not both");
     }
     auto loading = loadingOf(next.arguments, messages);
     if (!loading) {
@@ -271,7 +270,7 @@ ServeOutcome ServeSession::State::answer(const ServeRequest& request, Progress& 
         return OrderedJson::object();
     }
     if (!asked) {
-        return Refusal("no-garment", "there is no garment: ask for \"load\" first");
+        return Refusal("no-garment", "there is no garment; send \"load\" first");
     }
     if (what == "edit") {
         return edit(request, progress);

@@ -63,9 +63,8 @@ QString errorText(const Error& error) {
         text += QString::fromStdString(shownText(error.subject.name, kMaxOfPlace)) + ": ";
     }
     text += errorDescription(error);
-    if (QString advised = errorAdvice(error); !advised.isEmpty()) {
-        advised[0] = advised[0].toLower();
-        text += "; " + advised;
+    if (const QString advised = errorAdvice(error); !advised.isEmpty()) {
+        text += ". " + advised;
     }
     return text + '.';
 }

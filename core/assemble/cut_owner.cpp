@@ -81,7 +81,7 @@ CutOwners findCutOwners(const Pieces& pieces, const std::vector<UserCut>& cuts,
                 cutError(subjectOf(cuts[c]), worded("there is no piece to cut")));
         } else if (distance.farthest > limit) {
             owners.problems.push_back(cutError(
-                subjectOf(cuts[c]), worded("its point %1 lies %2 mm from the nearest piece, %3",
+                subjectOf(cuts[c]), worded("its point %1 is %2 mm from the nearest piece, %3",
                                            {figure(distance.point + 1.0), figure(distance.farthest),
                                             pieces[piece]->name})));
         } else {

@@ -311,9 +311,9 @@ private:
             } else {
                 done_.problems.push_back(cutError(
                     subjectOf(cut),
-                    toile::worded("in %1 it runs along the outline or along another cut, and "
-                                  "opens nothing",
-                                  {piece.name})));
+                    toile::worded(
+                        "in %1 it runs along the outline or another cut, so it opens nothing",
+                        {piece.name})));
             }
         }
         return areAllOut ? std::vector<Piece>{} : std::move(*parts);

@@ -269,7 +269,7 @@ private:
             return joinError(join, toile::worded("no piece has an edge"));
         }
         if (toNearest > limit()) {
-            return joinError(join, toile::worded("it lies %1 mm from the nearest edge of any piece",
+            return joinError(join, toile::worded("it is %1 mm from the nearest edge of a piece",
                                                  {figure(toNearest)}));
         }
         const double allowed =
@@ -282,12 +282,10 @@ private:
         return joinError(
             join,
             edge(nearest).mate == RimPairs::kSeveral
-                ? toile::worded("more than two edges lie on each other there, one of them of %1",
-                                {name})
-                : toile::worded(
-                      "the vertices of the two edges there, one of them of %1, do not lie "
-                      "on each other one to one",
-                      {name}));
+                ? toile::worded("more than two edges coincide there, one of them of %1", {name})
+                : toile::worded("the vertices of the two edges there, one of them of %1, do not "
+                                "match one to one",
+                                {name}));
     }
 
     /// Lengths along a chain up to each of its vertices.

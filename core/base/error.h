@@ -152,8 +152,8 @@ std::string_view commandLineOption(ErrorCode code);
 bool isNote(ErrorCode code);
 /// Maximum characters that a sentence shows of the name (a path) and of `detail` (a list).
 inline constexpr std::size_t kMaxOfPlace = 300, kMaxOfDetail = 1000;
-/// One sentence for a person at a command line, with the option that helps: "front: the piece has
-/// several boundary loops (2 loops); cut it ...".
+/// The text for the command line, with the option that helps: "front: the piece has several
+/// boundary loops (2 loops). Cut it ...".
 std::string sentence(const Error& error);
 
 /// A place in a sentence: its words, with the unit if there is one, "(1.0, 2.0, 3.0) mm", and its

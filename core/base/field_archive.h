@@ -45,7 +45,7 @@ public:
             if (json.is_string()) {
                 values.push_back(json.template get<std::string>());
             } else {
-                fields_.failAt(place, "must be a text");
+                fields_.failAt(place, "must be a string");
             }
         });
     }

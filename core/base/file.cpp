@@ -268,7 +268,7 @@ Result<void> writeFile(const fs::path& wanted, std::string_view bytes) {
     const fs::path path = throughLinks(wanted);
     std::error_code failed;
     if (fs::is_symlink(path, failed)) {
-        return unwritable(wanted, "its links lead nowhere");
+        return unwritable(wanted, "its link points to nothing");
     }
     const fs::file_status before = fs::status(path, failed);
     if (fs::is_directory(before)) {

@@ -50,13 +50,13 @@ bool isFiniteNumber(const JsonDocument& json) {
 Result<JsonDocument> parseJson(std::string_view text, const std::string& name,
                                ErrorCode malformed) {
     if (depthOf(text) > kMaxDepth) {
-        return Error{malformed, Subject::file(name), "its lists lie too deep in each other"};
+        return Error{malformed, Subject::file(name), "its lists are nested too deeply"};
     }
     try {
         return JsonDocument::parse(text);
     } catch (const JsonDocument::parse_error& error) {
         return Error{malformed, Subject::file(name),
-                     "no JSON: trouble at byte " + std::to_string(error.byte)};
+                     "invalid JSON at byte " + std::to_string(error.byte)};
     } catch (const JsonDocument::exception&) {  // a number that no double can represent
         return Error{malformed, Subject::file(name), "a number is out of range"};
     }
@@ -150,7 +150,7 @@ void JsonFields::read(std::string_view key, std::string& value) {
         if (json->is_string()) {
             value = json->get<std::string>();
         } else {
-            fail(key, "must be a text");
+            fail(key, "must be a string");
         }
     }
 }

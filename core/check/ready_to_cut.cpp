@@ -126,8 +126,7 @@ void checkRest(FindingList& found) {
     Finding finding;
     finding.kind = FindingKind::ProofFault;
     finding.severity = Severity::Doubt;
-    finding.reason =
-        worded("sewn back, the cloth has not come to rest, so that the gap says little");
+    finding.reason = worded("the simulation has not settled, so its gap is not reliable");
     found.add(std::move(finding));
 }
 

@@ -188,46 +188,43 @@ namespace {
 
 constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
     {Criterion::Seconds, FigureFormat::Seconds, Aggregate::Sum, false, "seconds", "time ms",
-     translatable("Time, ms"),
-     translatable("What the solver took for this piece, when it solved it last")},
+     translatable("Time, ms"), translatable("Time that the last solve of this piece took")},
     {Criterion::PiTheta, FigureFormat::Ratio, Aggregate::Mean, false, "pi_theta", "Pi_theta",
      nullptr, nullptr},
     {Criterion::PiE, FigureFormat::Ratio, Aggregate::Mean, false, "pi_e", "Pi_E", nullptr, nullptr},
     {Criterion::PiA, FigureFormat::Ratio, Aggregate::Mean, false, "pi_a", "Pi_A",
      translatable("Area error, %"),
-     translatable("How much of the area has gone to other triangles: 0 where each has its share of "
-                  "the whole, as in the garment")},
+     translatable("Share of the area that moved to other triangles; 0 if each keeps its share of "
+                  "the garment")},
     {Criterion::SymmetricDirichlet, FigureFormat::Ratio, Aggregate::MeanByArea, false,
      "symmetric_dirichlet", "SD", nullptr, nullptr},
     {Criterion::LengthError, FigureFormat::LengthError, Aggregate::Largest, false,
      "max_boundary_length_error", "length error", translatable("Outline length error, %"),
-     translatable("The edge of the outline whose length has changed most")},
+     translatable("Largest change in length of an outline edge")},
     {Criterion::FlippedTriangles, FigureFormat::Count, Aggregate::Sum, false, "flipped_triangles",
      "flips", translatable("Flipped triangles"),
-     translatable("Triangles that are flipped: cloth cannot do that")},
+     translatable("Triangles that are turned over in the pattern, which cloth cannot be")},
     {Criterion::OutlineCrossings, FigureFormat::Count, Aggregate::Sum, false, "outline_crossings",
      "crossings", translatable("Outline crossings"),
-     translatable("Where the outline crosses itself")},
+     translatable("Number of places where the outline crosses itself")},
     {Criterion::SeamMismatch, FigureFormat::Millimetres, Aggregate::Largest, true,
      "seam_mismatch_mm", "seam mm", translatable("Seam Δ, %1"),
-     translatable("The worst seam of this piece: by how much its two flat sides miss each other, "
-                  "the ease taken out")},
+     translatable(
+         "Largest difference between the two flat sides of a seam of this piece, beyond the ease")},
     {Criterion::ReferenceRms, FigureFormat::Millimetres, Aggregate::KnownByArea, true,
      "reference_rms_mm", "rms mm", translatable("To the reference panel, %1"),
-     translatable("Distance to the panel that the file carries, laid on each other as well as may "
-                  "be; root mean square")},
+     translatable("Root mean square distance to the panel in the file, after the best fit")},
     {Criterion::SewnGap, FigureFormat::Millimetres, Aggregate::KnownByArea, true, "sewn_gap_mm",
      "sewn gap mm", nullptr, nullptr},
     {Criterion::StrainMean, FigureFormat::Ratio, Aggregate::PieceOnly, false, "", "",
      translatable("Mean strain, %"),
-     translatable("How far the cloth must stretch or gather, on the mean of all edges of the "
-                  "mesh")},
+     translatable("Stretch or surplus of the cloth, averaged over all mesh edges")},
     {Criterion::StrainMax, FigureFormat::SignedRatio, Aggregate::PieceOnly, false, "", "",
      translatable("Most stretch, %"),
-     translatable("The edge of the mesh that must stretch most to take its worn shape")},
+     translatable("Largest stretch of a mesh edge from the pattern to the garment")},
     {Criterion::StrainMin, FigureFormat::SignedRatio, Aggregate::PieceOnly, false, "", "",
      translatable("Most surplus, %"),
-     translatable("The edge of the mesh that must gather most to take its worn shape")},
+     translatable("Largest surplus of a mesh edge from the pattern to the garment")},
 }};
 
 /// Stretch does not compensate for surplus elsewhere: each counts only on its own side of 0.

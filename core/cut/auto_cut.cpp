@@ -315,7 +315,7 @@ private:
             return Error{ErrorCode::SeveralLoops,
                          {},
                          counted(static_cast<long long>(openings_.size()), "loop") +
-                             "; automatic cutting takes at most " +
+                             "; automatic cutting handles at most " +
                              std::to_string(options_.maxLoops)};
         }
         isAtHole_.assign(mesh_.V.rows(), 0);

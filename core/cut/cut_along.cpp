@@ -49,11 +49,11 @@ Result<std::vector<int>> embed(FaceParts& parts, const PathPolyline& path,
                                        {figure(double(i)), figure(double(i + 1))}));
         }
         if (!splitter.connect(face, vertices.back(), vertex, vertices)) {
-            return cutError({}, worded("a path lost its way in a triangle"));
+            return cutError({}, worded("a path could not be continued through a triangle"));
         }
         if (parts.isCrowded(face)) {
-            return cutError({}, worded("it crosses itself and the cuts before it so often that a "
-                                       "triangle would fall into thousands of parts"));
+            return cutError({}, worded("it crosses itself and earlier cuts so often that a "
+                                       "triangle would split into thousands of parts"));
         }
     }
     return vertices;

@@ -277,7 +277,7 @@ Result<PathPolyline> loopAround(const SurfaceLinks& links, const SurfacePoint& p
         }
     }
     if (best < 0) {
-        return cutError({}, worded("there is no tube to go around"));
+        return cutError({}, worded("there is no tube to cut around"));
     }
     PathPolyline loop;
     loop.points.push_back(place);

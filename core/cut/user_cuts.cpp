@@ -125,7 +125,8 @@ Result<std::vector<SurfacePoint>> pointsOfCut(const SurfaceLinks& links,
         points.front() = ontoNearRim(links, points.front());
         points.back() = ontoNearRim(links, points.back());
     } else if (cut.kind == UserCut::Kind::Dart && !putOnRim(links, points)) {
-        return cutError(subjectOf(cut), worded("a dart starts at the rim, and the piece has none"));
+        return cutError(subjectOf(cut),
+                        worded("a dart must start at the rim, but the piece has none"));
     }
     return points;
 }

@@ -470,8 +470,9 @@ Wording cutWords(const Piece& piece, const std::optional<CrossingCut>& cut) {
         return worded("; no cut through the inside was found");
     }
     if (!cut->isWorthIt()) {
-        return worded("; only %1 mm of its edge fold over: smooth the edge there, or remesh a scan",
-                      {figure(cut->folded3d, 1)});
+        return worded(
+            "; only %1 mm of its edge folds over: smooth the edge there, or remesh a scan",
+            {figure(cut->folded3d, 1)});
     }
     const auto place = [&piece](int v) {
         return placeWording(piece.mesh.V(v, 0), piece.mesh.V(v, 1), piece.mesh.V(v, 2));

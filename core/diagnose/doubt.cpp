@@ -117,7 +117,7 @@ std::optional<Finding> strainDoubt(const PieceResult& result, int index, const F
     }
     if (!isBeyond && !isFault) {
         doubt.badness = apart;
-        doubt.reason = worded("moving its crossing outline apart adds %1 % of strain",
+        doubt.reason = worded("moving its crossing outline apart adds %1 % strain",
                               {figure(kPercent * apart, 1)});
         return doubt;
     }
@@ -125,9 +125,9 @@ std::optional<Finding> strainDoubt(const PieceResult& result, int index, const F
     const Wording mean = figure(kPercent * sizes.mean, 1);
     doubt.reason =
         isBeyond
-            ? worded("strain is beyond %1 % on %2 % of the area, which no cloth takes",
+            ? worded("strain exceeds %1 % on %2 % of the area, more than any fabric allows",
                      {figure(kPercent * kStrainBeyondCloth), figure(kPercent * sizes.beyond, 1)})
-            : worded("strain is %1 % on average, which only cloth that stretches takes", {mean});
+            : worded("strain is %1 % on average, which only stretch fabric allows", {mean});
     doubt.reason += closedWords(piece, result.quality ? &*result.quality : nullptr);
     return doubt;
 }

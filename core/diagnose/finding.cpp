@@ -18,91 +18,93 @@ namespace {
 constexpr Word<Severity> kSeverities[] = {
     {Severity::Fault, "fault"}, {Severity::Doubt, "doubt"}, {Severity::Note, "note"}};
 
-constexpr const char* kSewingAdvice =
-    TR("Look at it in the pattern, put it right, and prove again");
+constexpr const char* kSewingAdvice = TR("Correct it in the pattern, then prove again");
 
 constexpr FindingWords kWords[] = {
     {"not-flattened", TR("Not flattened"),
-     TR("the pattern does not show the garment as it is now (%1 of %2 pieces)"), TR("Flatten it")},
-    {"not-flat", TR("Pieces that are not flat"), "", ""},
+     TR("the pattern is missing or out of date for %1 of %2 pieces"), TR("Flatten the garment")},
+    {"not-flat", TR("Pieces that could not be flattened"), "", ""},
     {"outline-crosses", TR("Outlines that cross themselves"), "", ""},
-    {"flipped-triangles", TR("Flipped cloth"),
-     TR("triangles are flipped or without area in the pattern (%1 of %2)"),
+    {"flipped-triangles", TR("Flipped triangles"),
+     TR("triangles are flipped or have no area in the pattern (%1 of %2)"),
      TR("Choose another method, or cut the piece where it curves most")},
-    {"proof-fault", TR("Cloth that did not come to rest"), "%0", kSewingAdvice},
-    {"mirrored", TR("Pieces that are mirrored"), "%0", kSewingAdvice},
-    {"other-fits", TR("Pieces that fit another place"), "%0", kSewingAdvice},
-    {"seam-slips", TR("Seams that slip"), "%0", kSewingAdvice},
-    {"length-differs", TR("Seams of another length than the design"), "%0", kSewingAdvice},
-    {"not-there", TR("Pieces that the pattern lacks"), "%0", kSewingAdvice},
-    {"not-needed", TR("Pieces that the garment lacks"), "%0", kSewingAdvice},
-    {"far-off", TR("Cloth nowhere near the design"), "%0", kSewingAdvice},
+    {"proof-fault", TR("Proofs that did not settle"), "%0", kSewingAdvice},
+    {"mirrored", TR("Mirrored pieces"), "%0", kSewingAdvice},
+    {"other-fits", TR("Swapped pieces"), "%0", kSewingAdvice},
+    {"seam-slips", TR("Seams with unequal sides"), "%0", kSewingAdvice},
+    {"length-differs", TR("Seams longer or shorter than the design"), "%0", kSewingAdvice},
+    {"not-there", TR("Pieces missing in the pattern"), "%0", kSewingAdvice},
+    {"not-needed", TR("Pieces that are not in the garment"), "%0", kSewingAdvice},
+    {"far-off", TR("Pattern of another garment or unit"), "%0", kSewingAdvice},
     {"inside-out", TR("Inside out"),
-     TR("faces of the garment look inwards (%0): their pieces come out mirrored, wrong "
-        "side up"),
-     TR("Turn the garment; if only parts of it look inwards, make the normals consistent "
-        "in the modelling program"),
+     TR("faces of the garment point inwards (%0), so their pieces come out mirrored"),
+     TR("Turn the garment over. If only parts point inwards, make the normals consistent in the "
+        "modelling program"),
      "--turn-over"},
-    {"strain-beyond-cloth", TR("Strain beyond any cloth"), "%0",
-     TR("Cut the piece open or put darts where it curves most; if the file is a thick "
-        "shell or a scan, make one sheet of it first"),
-     "--auto-cut --enough 5"},
-    {"many-scraps", TR("Scraps instead of pieces"), "%0",
-     TR("State the unit if the garment is too small; else leave the scraps out, or divide "
-        "the file by something else; if it is a scan, make one sheet of it first"),
+    {"strain-beyond-cloth", TR("Strain too high for any fabric"), "%0",
+     TR("Add cuts or darts where the piece curves most. If the file is a thick shell or a scan, "
+        "convert it to one sheet first"),
+     "--auto-cut --max-strain 5"},
+    {"many-scraps", TR("Too many tiny pieces"), "%0",
+     TR("Set the unit if the garment is too small. Otherwise leave the tiny pieces out, or split "
+        "the file by something else. If it is a scan, convert it to one sheet first"),
      ""},
     {"long-cuts", TR("Cuts longer than the outline"), "%0",
-     TR("Divide the garment by its own seams, or draw the cuts where seams are to be; "
-        "if the file is a thick shell or a scan, make one sheet of it first"),
+     TR("Split the garment at its own seams, or draw the cuts yourself. If the file is a thick "
+        "shell or a scan, convert it to one sheet first"),
      ""},
     {"seam-lengths", TR("Seams that do not match"),
-     TR("the flat sides of the seam differ by %1 beyond the ease (%2 and %3)"),
-     TR("Choose a method that keeps seam lengths, or state the ease that is meant")},
+     TR("the flat sides of the seam differ by %1 more than the ease (%2 and %3)"),
+     TR("Choose a method that keeps seam lengths, or set the ease")},
     {"strain-warp", TR("Strain along the warp"),
-     TR("strain along the warp reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)"),
-     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+     TR("strain along the warp reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the "
+        "area)"),
+     TR("Turn the grain, choose a fabric with wider limits, or add a dart or a seam there")},
     {"strain-weft", TR("Strain along the weft"),
-     TR("strain along the weft reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)"),
-     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+     TR("strain along the weft reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the "
+        "area)"),
+     TR("Turn the grain, choose a fabric with wider limits, or add a dart or a seam there")},
     {"strain-bias", TR("Strain on the bias"),
-     TR("strain on the bias reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)"),
-     TR("Turn the grain, choose a fabric that gives more, or open a dart or a seam there")},
+     TR("strain on the bias reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the area)"),
+     TR("Turn the grain, choose a fabric with wider limits, or add a dart or a seam there")},
     {"sewn-gap", TR("Far from the design"),
-     TR("sewn back, the pattern sits %1 from the design on average, %2 at the worst twentieth; "
-        "this piece is the farthest off, %3 on average"),
-     TR("Look where it is with the overlay Gap; try another method, a dart or a seam there, and "
-        "prove again")},
+     TR("the sewn pattern is %1 from the design on average, 95 % within %2; this piece is "
+        "farthest, %3 on average"),
+     TR("Show the overlay Gap to see where. Try another method, a dart or a seam there, then prove "
+        "again")},
     {"seam-kink", TR("Kinks at the ends of seams"),
-     TR("the lines that meet over the end of the seam make a corner of %1"),
-     TR("True the seam's end, or leave it if a corner is meant")},
-    {"not-symmetric", TR("Pieces that have no half"),
-     TR("the piece is to be cut by half, but is not drawn as a mirror image: it is drawn whole"),
-     TR("Draw pieces that mirror each other alike, or cut it whole")},
-    {"no-facing", TR("Facings without room"),
-     TR("no strip of the facing's width can be copied along its edge: it is left out"),
-     TR("Make the facing narrower, or take it away")},
+     TR("the outlines that meet at the end of the seam form a corner of %1"),
+     TR("Smooth the corner, or keep it if you want one")},
+    {"not-symmetric", TR("Pieces that cannot be cut by half"),
+     TR("the piece is set to be cut by half, but it has no mirror image, so it is drawn "
+        "whole"),
+     TR("Make mirrored pieces equal, or cut the piece whole")},
+    {"no-facing", TR("Facings that do not fit"),
+     TR("no strip of the facing's width fits along its edge, so the facing is left out"),
+     TR("Make the facing narrower, or remove it")},
     {"wider-than-cloth", TR("Wider than the cloth"),
-     TR("it measures %1 where its cloth has room for %2"),
-     TR("Cut it apart, turn its grain, or take wider cloth")},
-    {"pieces-overlap", TR("Pieces on each other"), TR("the pieces lie on each other on the sheet"),
+     TR("the piece measures %1, but its cloth has room for only %2"),
+     TR("Divide the piece by a cut, turn its grain, or use wider cloth")},
+    {"pieces-overlap", TR("Overlapping pieces"), TR("the pieces overlap on the sheet"),
      TR("Move them apart, or lay them out again")},
-    {"unlikely-size", TR("Unlikely size"), TR("the garment is %1 at its largest"),
-     TR("State the unit of its file")},
-    {"unit-in-doubt", TR("Unit in doubt"),
-     TR("the file states no unit, and its size leaves doubt (%0)"),
-     TR("State the unit, or keep it if the size is right")},
-    {"up-axis-in-doubt", TR("Up axis in doubt"),
-     TR("the file does not say which axis points up (%0)"),
-     TR("State the axis, or keep it if the garment stands upright"), "--up y or --up z"},
-    {"grain-missing", TR("Grain not set"), TR("no grain is set: it is taken to run upwards"),
-     TR("Turn the grain arrow, or let Toile find the best grain")},
+    {"unlikely-size", TR("Unlikely size"), TR("the garment's largest dimension is %1"),
+     TR("Set the unit of its file")},
+    {"unit-in-doubt", TR("Uncertain unit"),
+     TR("the file states no unit, and its size is ambiguous (%0)"),
+     TR("Set the unit, or keep it if the size is right")},
+    {"up-axis-in-doubt", TR("Uncertain up axis"),
+     TR("the file does not state which axis points up (%0)"),
+     TR("Set the axis, or keep it if the garment stands upright"), "--up y or --up z"},
+    {"grain-missing", TR("Grain not set"),
+     TR("no grain is set, so Toile assumes that it runs upwards"),
+     TR("Turn the grain arrow, or let Toile choose the grain with the least stretch")},
     {"reference-note", TR("Notes on the reference pattern"), "%0", ""},
     {"message", TR("Messages"), "", ""},
 };
 
 /// For a piece with several rims.
 constexpr const char* kTube =
-    TR("the piece is a tube with %1 openings, and lies flat only when it is cut open");
+    TR("the piece is a tube with %1 openings and must be cut open to lie flat");
 
 static_assert(std::size(kWords) == kFindingKindCount);
 
@@ -176,10 +178,8 @@ std::string sentence(const Finding& finding) {
     const bool isNamed = finding.subject.name.empty() || isFoundBySewing;
     std::string text = isNamed ? "" : shownText(finding.subject.name, kMaxOfPlace) + ": ";
     text += description(finding);
-    std::string help = adviceFor(finding);
-    if (!help.empty()) {
-        help.front() = lowered(help.front());
-        text += "; " + help;
+    if (const std::string help = adviceFor(finding); !help.empty()) {
+        text += ". " + help;
     }
     const std::string_view option =
         finding.error ? commandLineOption(finding.error->code) : findingWords(finding.kind).option;

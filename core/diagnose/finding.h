@@ -132,7 +132,7 @@ const char* patternOf(const Finding& finding);
 std::string description(const Finding& finding);
 /// The advice, as a sentence without a full stop; empty if nothing is needed.
 std::string adviceFor(const Finding& finding);
-/// One sentence for the user, like those of errors: place, problem, advice.
+/// The text for the user, like that of errors: place, problem, advice.
 std::string sentence(const Finding& finding);
 
 }  // namespace toile

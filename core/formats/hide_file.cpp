@@ -22,8 +22,8 @@ namespace {
 
 constexpr const char* kNoHide = translatable("it has no closed line that could be a hide");
 constexpr const char* kZoneOutside =
-    translatable("a closed line that begins outside of the hide is left out (layer \"%1\")");
-constexpr const char* kHideUnit = translatable("its numbers are taken for %1: %2");
+    translatable("a closed line that starts outside the hide is left out (layer \"%1\")");
+constexpr const char* kHideUnit = translatable("its unit is assumed to be %1: %2");
 constexpr double kHideEndsNear = 0.01;  // mm, joins ends of lines
 constexpr double kMinHideArea = 1;      // mm2
 
@@ -132,7 +132,7 @@ std::vector<HideLine> closedLines(const LinesOfLayers& layers, std::vector<Wordi
     }
     if (open > 0) {
         notes.push_back(
-            worded("left out, since they do not close: %1", {countWording(open, "line")}));
+            worded("left out because they are not closed: %1", {countWording(open, "line")}));
     }
     std::ranges::stable_sort(closed, std::greater{}, &HideLine::area);
     return closed;
@@ -190,7 +190,7 @@ Result<HideFile> readHide(const std::filesystem::path& path) {
     const auto kind = patternFileKind(path);
     if (!kind || kind == PatternFileKind::GarmentCode) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
-                     "a hide is read from .dxf or .svg"};
+                     "hides must be .dxf or .svg files"};
     }
     const Result<std::string> bytes = readFile(path);
     if (!bytes) {

@@ -127,7 +127,7 @@ Result<std::vector<const ReadLine*>> inOrder(const ReadDrawing& read, const Draw
     std::map<LayerKind, std::vector<const ReadLine*>> byLayer;
     for (const ReadLine& line : read.lines) {
         if (!line.id.empty() && !byId.emplace(line.id, &line).second) {
-            return notReadBack(line.id, "it is there twice");
+            return notReadBack(line.id, "it occurs twice");
         }
         if (line.id.empty()) {
             byLayer[line.layer].push_back(&line);

@@ -42,7 +42,7 @@ Result<PatternFile> readPatternFile(const std::filesystem::path& path,
     const auto kind = patternFileKind(path);
     if (!kind) {
         return Error{ErrorCode::UnknownFormat, Subject::file(path.string()),
-                     "it is no pattern that can be read"};
+                     "it is not a pattern that Toile can read"};
     }
     const Result<std::string> bytes = readFile(path);
     return bytes ? readPattern(*bytes, *kind, path.string(), unit) : bytes.error();

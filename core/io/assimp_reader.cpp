@@ -35,21 +35,21 @@ namespace {
 using Eigen::Matrix4d;
 using Eigen::Vector3d;
 
-constexpr const char* kHoldsOther = translatable("it holds %1, not %2 as its ending says");
-constexpr const char* kHoldsNone = translatable("it does not begin as %1 does");
+constexpr const char* kHoldsOther = translatable("it contains %1, not %2 as its name says");
+constexpr const char* kHoldsNone = translatable("it does not start like %1");
 constexpr const char* kTakesMuch = translatable(
-    "reading it takes more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it "
-    "is damaged, or places its meshes too often");
+    "reading it needs more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it "
+    "may be damaged, or repeat its meshes too often");
 constexpr const char* kPlacesMany = translatable(
-    "it places %1 objects, too much for its size; export the garment alone, without instances");
+    "it places %1 objects, too many for its size; export the garment alone, without instances");
 constexpr const char* kElsewhere = translatable(
-    "it names \"%1\", which is not in its folder; export it again with its files in the same "
-    "folder, or as "
-    ".glb");
+    "it refers to \"%1\", which is not in its folder; export it again with its files in the same "
+    "folder, or as .glb");
 constexpr const char* kNo3mfParts = translatable(
-    "a 3MF file whose meshes are in parts of their own, as slicers save projects, is not read");
-constexpr const char* kNoJoints = translatable(
-    "the joints of a skin are not found by their names; export the mesh without its rig");
+    "Toile cannot read 3MF files with meshes in separate parts, as slicers save them; export the "
+    "mesh alone");
+constexpr const char* kNoJoints =
+    translatable("the joints of a skin cannot be found by name; export the mesh without its rig");
 
 struct Format {
     std::string_view ending;
@@ -534,7 +534,7 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, std::strin
     }
     if (child.end == io::ChildEnd::Crashed) {
         return Error{ErrorCode::MalformedFile, subject,
-                     worded("the library that reads this format crashes on it")};
+                     worded("the library that reads this format crashed on it")};
     }
     Result<PolygonSoup> soup = io::unpackedSoup(child.output, name);
     if (soup) {

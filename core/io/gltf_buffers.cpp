@@ -18,10 +18,10 @@ namespace {
 constexpr const char* kBufferElsewhere = translatable(
     "its buffer \"%1\" is not in its folder; export it again with its files in the same folder, or "
     "as .glb");
-constexpr const char* kBufferNoFile = translatable(
-    "its buffer \"%1\" is no file but a folder, pipe or device; put the file itself there");
-constexpr const char* kBuffersTooLong = translatable(
-    "its buffers are longer than 2 GiB, from \"%1\" on; export fewer or coarser meshes");
+constexpr const char* kBufferNoFile =
+    translatable("its buffer \"%1\" is a folder, pipe or device; put the file itself there");
+constexpr const char* kBuffersTooLong =
+    translatable("its buffers up to \"%1\" are longer than 2 GiB; export fewer or coarser meshes");
 
 }  // namespace
 }  // namespace toile

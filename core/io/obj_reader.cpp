@@ -113,11 +113,10 @@ private:
             soup_.statedUnit =
                 StatedUnit{*unit->named(), toile::worded("stated in a comment of the file")};
         } else if (unit && notes_.empty()) {
-            notes_.push_back(
-                {ErrorCode::UnitGuessed, Subject::file(builder_.name()),
-                 toile::worded("a comment of the file states a unit of %1, which is not used; "
-                               "--unit takes it",
-                               {Wording(unitText(*unit))})});
+            notes_.push_back({ErrorCode::UnitGuessed, Subject::file(builder_.name()),
+                              toile::worded("a comment in the file states a unit of %1, which "
+                                            "Toile does not use; set it with --unit",
+                                            {Wording(unitText(*unit))})});
         }
     }
 

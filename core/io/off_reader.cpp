@@ -60,14 +60,15 @@ private:
         }
         cursor_.skipSpaceAndComments();
         if (!readCount(vertexCount) || !readCount(faceCount)) {
-            return malformed("no counts of vertices and faces where they are expected");
+            return malformed("the counts of vertices and faces are missing");
         }
         cursor_.nextLine();
         // A vertex needs at least 5 bytes ("0 0 0"), a face one.
         const std::size_t vertices = static_cast<std::size_t>(vertexCount);
         if (vertices > cursor_.bytesLeft() / 5 + 1 ||
             static_cast<std::size_t>(faceCount) > cursor_.bytesLeft()) {
-            return malformed(promised(vertexCount, faceCount) + ", the file is too short for that");
+            return malformed(promised(vertexCount, faceCount) +
+                             ", but the file is too short for them");
         }
         return {};
     }
@@ -114,7 +115,7 @@ private:
 
     Error truncated(long long records, int vertexCount, int faceCount) const {
         const long long vertices = std::min<long long>(records, vertexCount);
-        return builder_.malformed(promised(vertexCount, faceCount) + ", the file ends after " +
+        return builder_.malformed(promised(vertexCount, faceCount) + ", but the file ends after " +
                                   counted(vertices, "vertex") + " and " +
                                   counted(records - vertices, "face"));
     }

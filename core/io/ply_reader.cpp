@@ -177,7 +177,7 @@ public:
             const std::string_view keyword = word();
             if (keyword == "end_header") {
                 if (!hasFormat) {
-                    return malformed("the header names no format");
+                    return malformed("the header states no format");
                 }
                 return finish();
             }
@@ -196,7 +196,7 @@ public:
                 return line.error();
             }
         }
-        return malformed("the header has no end");
+        return malformed("the end of the header is missing");
     }
 
 private:
@@ -221,7 +221,7 @@ private:
         const char* end = count.data() + count.size();
         const auto [last, status] = std::from_chars(count.data(), end, element.count);
         if (count.empty() || status != std::errc() || last != end) {
-            return malformed("an element without a count");
+            return malformed("an element has no count");
         }
         header_.elements.push_back(std::move(element));
         return {};
@@ -233,14 +233,14 @@ private:
         if (type == "list") {
             countType = parseWord(kTypes, word());
             if (!countType || !isWhole(*countType)) {
-                return malformed("a list whose count has no whole type");
+                return malformed("the count of a list has no integer type");
             }
             type = word();
         }
         const std::optional<PlyType> known = parseWord(kTypes, type);
         const std::string_view name = word();
         if (!known || name.empty() || header_.elements.empty()) {
-            return malformed("a property that cannot be read");
+            return malformed("a property cannot be read");
         }
         header_.elements.back().properties.push_back({std::string(name), *known, countType});
         return {};
@@ -395,7 +395,7 @@ private:
     Result<void> readVertices(const io::PlyElement& element) {
         const VertexLayout layout(element);
         if (!layout.hasPosition()) {
-            return builder_.malformed("the header gives vertices no x, y and z");
+            return builder_.malformed("the header lacks x, y and z of the vertices");
         }
         soup_.positions.reserve(element.count);
         const bool keepText = soup_.text && layout.positionLeads();
@@ -510,7 +510,7 @@ private:
     Error truncated(const io::PlyElement& element, std::size_t record) const {
         return builder_.malformed("\"" + element.name + "\" " + std::to_string(record + 1) +
                                   " of " + std::to_string(element.count) +
-                                  " breaks off or has a list without a proper count");
+                                  " is incomplete or has a list with a wrong count");
     }
 
     const io::PlyHeader& header_;

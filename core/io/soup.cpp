@@ -140,8 +140,8 @@ constexpr const char* kOfSeveralUnits = translatable(
     "together");
 
 constexpr const char* kIsPattern = translatable(
-    "a pattern is no garment: give it to toile compare --pattern, or open it as the reference "
-    "pattern");
+    "it is a pattern, not a garment; use it with toile compare --pattern, or open it as the "
+    "reference pattern");
 
 using Reader = Result<PolygonSoup> (*)(std::shared_ptr<const std::string>, const std::string&,
                                        Progress&);
@@ -155,11 +155,10 @@ constexpr std::string_view kOfPatterns[] = {".dxf", ".svg", "specification.json"
 Error unknownEnding(const std::string& name, std::string_view ending) {
     const bool isUsd = std::ranges::any_of(
         kBinaryUsd, [&](std::string_view known) { return equalsIgnoringCase(ending, known); });
-    return {
-        ErrorCode::UnknownFormat, Subject::file(name),
-        isUsd ? worded("%1 is USD in binary form; save it as .usda", {Wording(std::string(ending))})
-        : ending.empty() ? Wording("the name has no ending")
-                         : Wording("\"" + std::string(ending) + "\"")};
+    return {ErrorCode::UnknownFormat, Subject::file(name),
+            isUsd ? worded("%1 is binary USD; save it as .usda", {Wording(std::string(ending))})
+            : ending.empty() ? Wording("its name has no ending")
+                             : Wording("\"" + std::string(ending) + "\"")};
 }
 
 /// The error for a path whose ending is not a mesh format: the path may be a folder, for example.

@@ -61,7 +61,7 @@ public:
         const std::size_t there = (bytes_.size() - kHeaderBytes) / kFacetBytes;
         if (count > there) {
             return builder_.malformed("byte 80: " + std::to_string(count) +
-                                      " facets promised, the file ends after " +
+                                      " facets promised, but the file ends after " +
                                       std::to_string(there));
         }
         soup_.corners.reserve(3 * count);

@@ -259,8 +259,7 @@ private:
         if (cornerCount() == 3) {
             add(0, 1, 2);
         } else if (cornerCount() > kMaxEarCorners) {
-            fan(toile::translatable(
-                "divided as a fan: more corners than can be divided with care"));
+            fan(toile::translatable("split as a fan: too many corners"));
         } else {
             localise();
             cornerCount() == 4 ? divideQuad() : divideLarger();
@@ -354,7 +353,7 @@ private:
     }
 
     static constexpr const char* kCrossing =
-        toile::translatable("divided as a fan: it crosses itself or has no area");
+        toile::translatable("split as a fan: it crosses itself or has no area");
 
     const PolygonSoup& soup_;
     std::string name_;

@@ -10,8 +10,8 @@ namespace toile {
 namespace {
 
 // These texts are in namespace `toile`, where the window looks up their translations.
-constexpr const char* kNoUsd = translatable("it is no USD text");
-constexpr const char* kNotUnderstood = translatable("it cannot be understood");
+constexpr const char* kNoUsd = translatable("it is not USD text");
+constexpr const char* kNotUnderstood = translatable("it has a syntax error");
 
 Error malformedUsdText(int line, const char* what) {
     return {ErrorCode::MalformedFile, {}, worded("line %1: %2", {figure(line), worded(what)})};

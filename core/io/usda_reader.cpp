@@ -203,7 +203,7 @@ UsdUnit unitOfStage(const io::UsdStage& stage) {
                                : worded("stated in the USD file")}};
         }
     }
-    return {{LengthUnit::Metre, worded("the USD file's own unit is %1 m", {figure(metres, 6)})},
+    return {{LengthUnit::Metre, worded("the USD file states a unit of %1 m", {figure(metres, 6)})},
             metres};
 }
 
@@ -249,7 +249,7 @@ private:
             }
             const auto placement = io::usdPlacement(prim, parent);
             if (!placement) {
-                return "a transform cannot be understood";
+                return "a transform cannot be read";
             }
             const std::string* bound = prim.find("material:binding");
             const std::string_view own = bound ? lastName(*bound) : material;
@@ -289,7 +289,7 @@ private:
         const auto counts = countsOf(prim, "faceVertexCounts");
         const auto corners = countsOf(prim, "faceVertexIndices");
         if (!points || points->size() % 3 != 0 || !counts || !corners) {
-            return "a mesh has no points, or faces that cannot be understood";
+            return "a mesh has no points, or its faces cannot be read";
         }
         std::size_t sum = 0;
         for (const int count : *counts) {
@@ -301,7 +301,7 @@ private:
         const std::size_t pointCount = points->size() / 3;
         if (sum != corners->size() || sum > kMaxFaceCorners - soup_.corners.size() ||
             pointCount > kMaxFaceCorners - soup_.positions.size()) {
-            return "a mesh's faces have other corners than it lists";
+            return "the corners of a mesh do not match its face counts";
         }
         const std::string* called = prim.find("toile:name");
         objects_.change(called ? *called : prim.name, soup_.faceCount());

@@ -16,8 +16,8 @@ namespace toile {
 namespace {
 
 // These texts are in namespace `toile`, where the window looks up their translations.
-constexpr const char* kTooMany = translatable("it holds %1 files; unpack it and open the mesh");
-constexpr const char* kNoneIn = translatable("none of its %1 files is one of %2");
+constexpr const char* kTooMany = translatable("it contains %1 files; unpack it and open the mesh");
+constexpr const char* kNoneIn = translatable("none of its %1 files ends in %2");
 constexpr const char* kEncrypted =
     translatable("%1 in it is encrypted; unpack it and open the mesh");
 constexpr const char* kTooLarge = translatable(
@@ -25,7 +25,7 @@ constexpr const char* kTooLarge = translatable(
     "and open the mesh");
 constexpr const char* kNotUnpacked = translatable("%1 in it cannot be unpacked: %2");
 constexpr const char* kDamaged = translatable("the archive is damaged");
-constexpr const char* kNoArchive = translatable("it is no .zip archive: %1");
+constexpr const char* kNoArchive = translatable("it is not a .zip archive: %1");
 
 }  // namespace
 }  // namespace toile

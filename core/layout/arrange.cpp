@@ -101,9 +101,9 @@ std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own)
 std::string sentence(const ClothNeed& need) {
     const std::string of = need.material.empty() ? "" : " (" + need.material + ')';
     return need.fits() ? fixed(need.length, 0) + " mm of cloth" + of + ' ' + fixed(need.width, 0) +
-                             " mm wide, as the pieces lie"
+                             " mm wide for this layout"
                        : "the pieces" + of + " lie " + fixed(need.across, 0) +
-                             " mm wide, wider than the cloth: " + fixed(need.width, 0) + " mm";
+                             " mm wide, but the cloth is " + fixed(need.width, 0) + " mm";
 }
 
 }  // namespace toile

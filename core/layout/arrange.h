@@ -46,7 +46,7 @@ struct ClothNeed {
 /// @param laid  with the `Cutting` of each piece and the materials
 std::vector<ClothNeed> clothNeeds(const LaidOutPattern& laid, const Fabric& own);
 
-/// "1072 mm of cloth 1400 mm wide", "the pieces lie 1500 mm wide, wider than the cloth: 1400 mm".
+/// "1072 mm of cloth 1400 mm wide ...", "the pieces lie 1500 mm wide, but the cloth is 1400 mm".
 std::string sentence(const ClothNeed& need);
 
 }  // namespace toile

@@ -16,11 +16,11 @@
 namespace toile {
 namespace {
 
-constexpr const char* kNoSuchSeam = translatable("no seam that is laid here is called %1");
+constexpr const char* kNoSuchSeam = translatable("no seam in this marker is called %1");
 constexpr const char* kSeamNotMatched =
-    translatable("the repeat does not meet along %1: its sides are %2 mm apart in it");
+    translatable("the repeat does not match along %1: its sides are %2 mm off");
 constexpr const char* kMatchedAtOneEnd =
-    translatable("the repeat meets where %1 begins, and is %2 mm apart where it ends");
+    translatable("the repeat matches at the start of %1, but is %2 mm off at its end");
 
 }  // namespace
 }  // namespace toile

@@ -11,8 +11,8 @@
 namespace toile {
 namespace {
 
-constexpr const char* kFromBothLayers =
-    translatable("%1 is cut through both layers of the folded cloth: %2 more than are needed");
+constexpr const char* kFromBothLayers = translatable(
+    "%1 is cut through both layers of the folded cloth, which gives %2 more than needed");
 
 }  // namespace
 }  // namespace toile

@@ -20,16 +20,16 @@
 namespace toile {
 namespace {
 
-constexpr const char* kSplice =
-    translatable("%1 is not laid: it is %2 mm across, the cloth %3 mm; splice it at %4 mm");
+constexpr const char* kSplice = translatable(
+    "%1 is not placed: it is %2 mm across, but the cloth only %3 mm; splice it at %4 mm");
 constexpr const char* kNoRoomOnce =
-    translatable("%1 is not laid: there is no room left for it; take more cloth");
+    translatable("%1 is not placed: no room is left; use more cloth");
 constexpr const char* kNoRoom =
-    translatable("%1 is not laid %2 times: there is no room left for it; take more cloth");
+    translatable("%2 copies of %1 are not placed: no room is left; use more cloth");
 constexpr const char* kFitsNowhere = translatable(
-    "%1 is not laid: it fits on no sheet or hide; divide it by a cut, or take larger ones");
+    "%1 is not placed: it fits on no sheet or hide; divide it by a cut, or use larger ones");
 constexpr const char* kNoLine =
-    translatable("%1 is not laid: its outline crosses itself; divide it by a cut");
+    translatable("%1 is not placed: its outline crosses itself; divide it by a cut");
 
 }  // namespace
 }  // namespace toile

@@ -162,7 +162,7 @@ void noteFlatsLeft(const MeshPart& part, RepairNotes& notes) {
     for (int f = 0; f < part.mesh.F.rows(); ++f) {
         if (shapeOf(part.mesh, f).flat) {
             notes.add(ErrorCode::FlatFacesRemoved, "triangle",
-                      translatable("still there: all around is as flat"),
+                      translatable("kept because their neighbours are flat too"),
                       part.mesh.V.row(part.mesh.F(f, 0)));
         }
     }

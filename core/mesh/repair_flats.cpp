@@ -75,14 +75,14 @@ private:
     void take(int side) {
         const int other = twin_[side];
         if (other < 0) {
-            note(toile::translatable("dropped at the border"), side);
+            note(toile::translatable("removed at the boundary"), side);
             drop(side / 3);
         } else if (apexOf(F_, side) == apexOf(F_, other)) {
-            note(toile::translatable("dropped in pairs"), side);
+            note(toile::translatable("removed in pairs"), side);
             zip(side, other);
         } else {
             if (!shapeOf(part_.mesh, other / 3).flat) {  // else it only moves on
-                note(toile::translatable("given to the neighbour"), side);
+                note(toile::translatable("merged into the neighbour"), side);
             }
             flip(side, other);
         }
@@ -143,7 +143,7 @@ private:
         }
         for (int f = 0; f < F_.rows(); ++f) {
             if (hasArea[sides.component[f]] == 0) {
-                note(toile::translatable("dropped with all around them"), 3 * f);
+                note(toile::translatable("removed with all around them"), 3 * f);
                 gone_[f] = 1;
             }
         }

@@ -233,7 +233,7 @@ void turnWindings(MeshPart& part, Gluing& gluing, RepairNotes& notes) {
     for (int f = 0; f < F.rows(); ++f) {
         if (sides.turn[f] != 0) {
             std::swap(F(f, 1), F(f, 2));
-            notes.add(ErrorCode::WindingsTurned, "face", translatable("turned"),
+            notes.add(ErrorCode::WindingsTurned, "face", translatable("flipped"),
                       part.mesh.V.row(F(f, 0)));
         }
     }

@@ -13,11 +13,11 @@
 namespace toile {
 namespace {
 
-constexpr const char* kNoOutline = translatable("its outline is no polygon");
+constexpr const char* kNoOutline = translatable("its outline is not a polygon");
 constexpr const char* kWoundTwice =
-    translatable("its outline goes round twice, or a hole lies outside it or on another");
+    translatable("its outline winds around twice, or a hole is outside it or overlaps another");
 constexpr const char* kNoArea = translatable("its outline has no area");
-constexpr const char* kNoCopies = translatable("its copies or angles are no usable numbers");
+constexpr const char* kNoCopies = translatable("its copies or angles are not valid numbers");
 
 }  // namespace
 }  // namespace toile

@@ -20,7 +20,7 @@
 namespace toile {
 namespace {
 
-constexpr const char* kNoRoom = translatable("there is no room left for it on the cloth");
+constexpr const char* kNoRoom = translatable("no room is left for it on the cloth");
 
 }  // namespace
 }  // namespace toile

@@ -78,18 +78,16 @@ namespace toile {
 namespace {
 
 constexpr const char* kTooWide =
-    translatable("it does not fit across a strip of %1 mm at any angle that it may have");
-constexpr const char* kTooLong =
-    translatable("it is longer than the cloth anywhere, at any angle that it may have");
+    translatable("it does not fit across a strip of %1 mm at any allowed angle");
+constexpr const char* kTooLong = translatable("it is longer than the cloth at every allowed angle");
 
-constexpr const char* kNoStrip = translatable("width, gap and border leave no strip");
+constexpr const char* kNoStrip = translatable("the gap and border leave no room on this width");
 constexpr const char* kTooManyCopies =
-    translatable("more than %1 copies are not laid at once: lay several markers, or fewer copies");
-constexpr const char* kKeptOutside =
-    translatable("it is kept where it lies, which is outside the cloth");
-constexpr const char* kKeptOnOther = translatable("it is kept where it lies, which is on %1");
+    translatable("a marker holds at most %1 copies; make several markers, or use fewer copies");
+constexpr const char* kKeptOutside = translatable("its fixed place is outside the cloth");
+constexpr const char* kKeptOnOther = translatable("its fixed place overlaps %1");
 constexpr int kMaxCopiesOfProblem = 4000;
-constexpr const char* kNoBand = translatable("a band where nothing lies ends before it begins");
+constexpr const char* kNoBand = translatable("an excluded band ends before it begins");
 
 }  // namespace
 

@@ -477,8 +477,8 @@ void takeHalf(PreparedFile& file, const Preparation& preparation, UpAxis up, dou
         half.reset();
         file.problems.push_back(
             {ErrorCode::CannotReadAs, Subject::file(name),
-             worded("half a garment has rims in an upright plane, all cloth on one side of it, and "
-                    "there is no such plane; see which axis points up")});
+             worded("half a garment needs rims in an upright plane with all cloth on one side, and "
+                    "there is no such plane; check which axis points up")});
         return;
     }
     const int faces = file.soup->faceCount();
@@ -490,7 +490,7 @@ void takeHalf(PreparedFile& file, const Preparation& preparation, UpAxis up, dou
     file.problems.push_back(
         {ErrorCode::ReadAs, Subject::file(name),
          worded(
-             "half a garment: the mirror image of its %1 was added, joined over %2 mm in %3",
+             "half a garment: the mirror image of its %1 is added and joined along %2 mm in %3",
              {countWording(faces, "face"), figure(half->length, 0), planeWording(half->plane)})});
 }
 

@@ -173,8 +173,7 @@ UpGuess guessUpAxis(const MeshArrays& mesh) {
     }
     return between.x() > least && between.x() > 0 && !byExtents.inDoubt
                ? UpGuess{UpAxis::Y, true,
-                         worded("the openings lie beside each other along x: neither y nor z is "
-                                "seen to be up")}
+                         worded("the openings lie beside each other along x: y or z may be up")}
                : byExtents;
 }
 
@@ -265,17 +264,18 @@ ClothSide sideOfFaces(const MeshArrays& mesh) {
     }
     const int both = outwards + inwards;
     if (both < kEnoughSeen * kMaxLooks) {
-        return {ClothSide::Way::Unknown,
-                worded("an open sheet, which does not show its right side: as its faces are "
-                       "wound")};
+        return {
+            ClothSide::Way::Unknown,
+            worded(
+                "an open sheet does not show its right side, so the winding of its faces decides")};
     }
     const auto percent = [both](int count) { return figure(100.0 * count / both); };
     return inwards >= kInwards * both
                ? ClothSide{ClothSide::Way::Inwards,
-                           worded("%1 % of its cloth that has an inside looks there",
+                           worded("%1 % of the cloth around an inside points inwards",
                                   {percent(inwards)})}
                : ClothSide{ClothSide::Way::Outwards,
-                           worded("%1 % of its cloth that has an inside looks away from it",
+                           worded("%1 % of the cloth around an inside points outwards",
                                   {percent(outwards)})};
 }
 

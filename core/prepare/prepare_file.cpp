@@ -44,18 +44,17 @@ void takeSurface(PreparedFile& file, const FileSurface& surface, const Shell& sh
     LeftOut out = leftOut(surface, shell, which);
     const auto rims = static_cast<long long>(out.rims.size());
     const auto others = static_cast<long long>(out.other.size());
-    const char* pattern =
-        which == ShellSurface::Outer
-            ? translatable(
-                  "a thick shell, %1: the outer surface is the sheet; %2 of the inner "
-                  "one and %3 of rims are left out")
-        : which == ShellSurface::Inner
-            ? translatable(
-                  "a thick shell, %1: the inner surface is the sheet; %2 of the outer "
-                  "one and %3 of rims are left out")
-            : translatable(
-                  "a thick shell, %1: the sheet runs in the middle; %2 of the inner "
-                  "surface and %3 of rims are left out");
+    const char* pattern = which == ShellSurface::Outer
+                              ? translatable(
+                                    "a thick shell, %1: the outer surface is used; %2 of the inner "
+                                    "one and %3 of rims are left out")
+                          : which == ShellSurface::Inner
+                              ? translatable(
+                                    "a thick shell, %1: the inner surface is used; %2 of the outer "
+                                    "one and %3 of rims are left out")
+                              : translatable(
+                                    "a thick shell, %1: the middle between its surfaces is used; "
+                                    "%2 of the inner surface and %3 of rims are left out");
     file.problems.push_back({ErrorCode::ReadAs, Subject::file(name),
                              worded(pattern, {file.reading.evidence, countWording(others, "face"),
                                               countWording(rims, "face")})});
@@ -74,7 +73,7 @@ void takeLayers(PreparedFile& file, const FileSurface& surface, const Layers& la
     }
     if (only > layers.count) {
         file.problems.push_back({ErrorCode::CannotReadAs, Subject::file(name),
-                                 worded("layer %1 was asked for, and there are %2; all are taken",
+                                 worded("there is no layer %1 among the %2 layers, so all are used",
                                         {figure(only), figure(layers.count)})});
         only = 0;
     }
@@ -86,13 +85,12 @@ void takeLayers(PreparedFile& file, const FileSurface& surface, const Layers& la
     for (std::size_t f = 0; f < layerOfFace.size(); ++f) {
         (layerOfFace[f] == only - 1 ? kept : others).push_back(static_cast<int>(f));
     }
-    file.problems.push_back(
-        {ErrorCode::ReadAs, Subject::file(name),
-         worded(
-             "%1 layers of cloth, %2 mm apart: layer %3 from outside is taken, with %4; %5 of "
-             "the others are left out",
-             {figure(layers.count), figure(layers.apart, 1), figure(only),
-              countWording(std::ssize(kept), "face"), countWording(std::ssize(others), "face")})});
+    file.problems.push_back({ErrorCode::ReadAs, Subject::file(name),
+                             worded("%1 layers of cloth, %2 mm apart: layer %3 from outside is "
+                                    "used, with %4; %5 of the others are left out",
+                                    {figure(layers.count), figure(layers.apart, 1), figure(only),
+                                     countWording(std::ssize(kept), "face"),
+                                     countWording(std::ssize(others), "face")})});
     file.reading.leftOut = facesOf(surface, others);
     file.soup = std::make_shared<const PolygonSoup>(withFaces(*file.soup, kept));
 }
@@ -108,20 +106,19 @@ void readLayers(PreparedFile& file, const FileSurface& surface, int only, const 
     }
     file.problems.push_back(
         {ErrorCode::CannotReadAs, Subject::file(name),
-         worded("no connected parts lie inside each other; layers that are sewn together by common "
-                "vertices are one part")});
+         worded("no connected part lies inside another; layers that share vertices are one part")});
     file.reading.isStated = false;
 }
 
 Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
     Wording words = worded("a scan of %1", {countWording(effect.trianglesBefore, "triangle")});
     if (effect.fragments > 0) {
-        words += worded("; %1 of %2 cm² dropped",
+        words += worded("; %1 of %2 cm² removed",
                         {countWording(effect.fragments, "fragment"),
                          figure(effect.debrisArea / kSquareMillimetresPerSquareCentimetre, 1)});
     }
     if (effect.holes > 0) {
-        words += worded("; %1 closed by %2 cm²",
+        words += worded("; %1 closed with %2 cm²",
                         {countWording(effect.holes, "hole"),
                          figure(effect.patchArea / kSquareMillimetresPerSquareCentimetre, 1)});
     }
@@ -133,7 +130,7 @@ Wording inWords(const ScanEffect& effect, const ScanSteps& steps) {
                         {figure(effect.meanMove, 2), figure(effect.largestMove, 2)});
     }
     if (!effect.isSurface) {
-        words += worded("; it is no surface that holes and noise can be seen to on");
+        words += worded("; it is not a clean surface, so holes and noise are not treated");
     } else if (effect.isRemeshed) {
         words += worded("; remeshed to %1 with edges of about %2 mm",
                         {countWording(effect.triangles, "triangle"), figure(steps.edgeLength, 1)});

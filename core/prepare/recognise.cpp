@@ -128,7 +128,7 @@ constexpr double kFoldedShare = 0.02;
 
 constexpr const char* kOneThickness = translatable("two surfaces %1 mm apart");
 constexpr const char* kThicknesses = translatable("two surfaces %1 to %2 mm apart");
-constexpr const char* kWithoutRims = translatable("%1, which no rim joins");
+constexpr const char* kWithoutRims = translatable("%1, not joined by a rim");
 
 Wording evidenceOf(const Shell& shell) {
     const bool isEven = shell.thickest - shell.thinnest < 0.1 * shell.median;

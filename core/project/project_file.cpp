@@ -20,7 +20,7 @@ fs::path readPath(JsonFields& fields, std::string_view key) {
     std::string text;
     fields.read(key, text);
     if (text.find('\0') != std::string::npos) {  // the system would use the part before it
-        fields.fail(key, "is no path");
+        fields.fail(key, "must be a path");
     }
     return std::u8string(text.begin(), text.end());
 }
@@ -143,8 +143,8 @@ Result<ReadProject> readDocument(JsonDocument json, const std::string& name,
     }
     if (version > kProjectVersion) {
         return Error{ErrorCode::NewerProject, Subject::file(name),
-                     "its format is version " + std::to_string(version) + ", this Toile knows " +
-                         std::to_string(kProjectVersion)};
+                     "its format is version " + std::to_string(version) +
+                         ", but this Toile knows version " + std::to_string(kProjectVersion)};
     }
     upgradeProject(json, version, kProjectUpgrades);
     ReadProject read{readCurrent(json, folder, faults), {}};

@@ -99,7 +99,7 @@ bool isNear(const MeshArrays& body, const Garment& garment) {
 
 Error bodyNotNear(const std::filesystem::path& path) {
     return {ErrorCode::CannotReadAs, Subject::file(path.string()),
-            worded("it lies nowhere near the garment: its unit or its axes are others")};
+            worded("it is far from the garment; check its unit and its axes")};
 }
 
 }  // namespace toile

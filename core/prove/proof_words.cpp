@@ -53,8 +53,8 @@ Finding clothNowhereNear(double gap, double size) {
     Finding fault{FindingKind::FarOff, Severity::Fault};
     setAmount(fault, gap);
     fault.reason = worded(
-        "the cloth ended %1 mm from the design on average, which is %2 mm large; the pattern or "
-        "its unit is not that of this garment",
+        "the cloth ended %1 mm from the design on average, on a design of %2 mm; check that "
+        "pattern and unit belong to this garment",
         {figure(gap, 0), figure(size, 0)});
     return fault;
 }
@@ -77,27 +77,24 @@ Wording patternInOtherUnit(double times, const FileUnit& read) {
                         "garment; it is probably in %3 (--pattern-unit %3)",
                         {was, share, Wording(std::string(symbol(*likely)))})
                   : worded(
-                        "its outlines, read in %1, are %2 times as long as those of the "
-                        "garment; state its unit, or that of the garment",
+                        "its outlines, read in %1, are %2 times as long as those of the garment; "
+                        "set its unit, or that of the garment",
                         {was, share});
 }
 
 Wording nothingToSew() {
     return worded(
-        "nothing of the pattern is a piece of the garment that is flat; take the pattern that was "
-        "made of it");
-}
-
-Wording patternTooSmall() {
-    return worded(
-        "its pattern is so small that nothing of it is left in a file; state the unit of the "
+        "no piece of the pattern is a flat piece of the garment; use a pattern made from this "
         "garment");
 }
 
+Wording patternTooSmall() {
+    return worded("its pattern is too small to be written to a file; set the unit of the garment");
+}
+
 Wording edgesTooFine(double edge, double triangles, double least) {
-    return worded(
-        "edges of %1 mm make %2 triangles; from %3 mm on there are few enough of them to be sewn",
-        {figure(edge, 1), figure(triangles, 0), figure(std::ceil(10 * least) / 10, 1)});
+    return worded("edges of %1 mm make %2 triangles, too many to sew; use edges of %3 mm or more",
+                  {figure(edge, 1), figure(triangles, 0), figure(std::ceil(10 * least) / 10, 1)});
 }
 
 Wording sourceIsReference() {
@@ -114,34 +111,34 @@ Finding pieceNotThere(const Garment& garment, int piece) {
 }
 
 Finding pieceCrossesItself(const Garment& garment, int piece) {
-    return pieceFault(FindingKind::NotThere, garment, piece,
-                      worded("the outline of %1 crosses itself in the pattern; it is left out",
-                             {garment.pieces[piece]->name}));
+    return pieceFault(
+        FindingKind::NotThere, garment, piece,
+        worded("the outline of %1 crosses itself in the pattern, so the piece is left out",
+               {garment.pieces[piece]->name}));
 }
 
 Finding pieceSewnAway(const Garment& garment, int piece) {
-    return pieceFault(
-        FindingKind::NotThere, garment, piece,
-        worded("the sides of %1 are sewn to each other, so that nothing of it is left",
-               {garment.pieces[piece]->name}));
+    return pieceFault(FindingKind::NotThere, garment, piece,
+                      worded("the sides of %1 are sewn to each other, so nothing of it is left",
+                             {garment.pieces[piece]->name}));
 }
 
 Finding pieceNotNeeded(const FilePiece& piece) {
     Finding fault{FindingKind::NotNeeded, Severity::Fault};
-    fault.reason = worded("%1 of the pattern is no piece of the garment", {calledInFile(piece)});
+    fault.reason = worded("the garment has no piece for %1 of the pattern", {calledInFile(piece)});
     return fault;
 }
 
 Finding pieceMirrored(const Garment& garment, int piece) {
     return pieceFault(FindingKind::Mirrored, garment, piece,
-                      worded("%1 is mirrored in the pattern; it is turned over to be sewn",
+                      worded("%1 is mirrored in the pattern and is turned over for sewing",
                              {garment.pieces[piece]->name}));
 }
 
 Finding otherPieceFits(const Garment& garment, int piece, int other, const FilePiece& there) {
     Finding fault = pieceFault(
         FindingKind::OtherFits, garment, piece,
-        worded("what the pattern calls %1 does not fit %2 but %3",
+        worded("%1 of the pattern does not fit %2, but %3",
                {calledInFile(there), garment.pieces[piece]->name, garment.pieces[other]->name}));
     fault.pieces.push_back(other);
     return fault;
@@ -155,7 +152,7 @@ Finding seamSlips(const Garment& garment, int seam, double slip) {
     fault.reason = isOfOne
                        ? worded("%1: the two sides differ by %2 mm more than their ease",
                                 {at.name, figure(fault.badness, 1)})
-                       : worded("%1: the side of %2 is %3 mm longer than what it is sewn to",
+                       : worded("%1: the side of %2 is %3 mm longer than the other side",
                                 {at.name, garment.pieces[longer]->name, figure(fault.badness, 1)});
     return fault;
 }
@@ -203,15 +200,16 @@ Wording pulling(const Wording& subject, double strain, const std::optional<Given
                 bool isSeam) {
     const std::vector<Wording> arguments{subject, figure(100 * strain, 1)};
     if (given && strain > given->most) {
-        return isSeam ? worded("; the seam %1 pulls %2 %, more than the fabric gives", arguments)
-                      : worded("; %1 pulls %2 %, more than the fabric gives", arguments);
+        return isSeam
+                   ? worded(". Tightest seam: %1, %2 %, more than the fabric allows", arguments)
+                   : worded(". Tightest piece: %1, %2 %, more than the fabric allows", arguments);
     }
     if (given && strain <= given->least) {
-        return isSeam ? worded("; the seam %1 pulls %2 %, which the fabric gives", arguments)
-                      : worded("; %1 pulls %2 %, which the fabric gives", arguments);
+        return isSeam ? worded(". Tightest seam: %1, %2 %, which the fabric allows", arguments)
+                      : worded(". Tightest piece: %1, %2 %, which the fabric allows", arguments);
     }
-    return isSeam ? worded("; the seam %1 pulls %2 %", arguments)
-                  : worded("; %1 pulls %2 %", arguments);
+    return isSeam ? worded(". Tightest seam: %1, %2 %", arguments)
+                  : worded(". Tightest piece: %1, %2 %", arguments);
 }
 
 /// The seam or the piece with most tension or slack; nothing if all is below 1 %.
@@ -235,7 +233,8 @@ Wording tellingPlace(const Proof& proof, const Garment& garment) {
         return pulling(nameOf(pulled), pulled->mostPull, givenBy(proof, {number}), false);
     }
     return slack->mostSlack >= kReportedStrain
-               ? worded("; %1 bags by %2 %", {nameOf(slack), figure(100 * slack->mostSlack, 1)})
+               ? worded(". Loosest piece: %1, %2 % slack",
+                        {nameOf(slack), figure(100 * slack->mostSlack, 1)})
                : Wording();
 }
 
@@ -254,16 +253,16 @@ Wording typedFigure(double value) {
 
 Wording sentence(const Proof& proof, const Garment& garment) {
     Wording stated =
-        worded("Sewn back it sits %1 mm from the design on average, %2 mm at the worst twentieth",
+        worded("The sewn pattern is %1 mm from the design on average, 95 % within %2 mm",
                {figure(proof.gap.mean, 1), figure(proof.gap.most95, 1)});
     stated += tellingPlace(proof, garment);
     if (proof.freeShare >= kReportedFree) {
-        stated += worded("; %1 % of it hangs free", {figure(100 * proof.freeShare)});
+        stated += worded(". %1 % hangs free", {figure(100 * proof.freeShare)});
     }
     // Pieces that the user left out do not count.
     const auto missing = std::ranges::count(proof.faults, FindingKind::NotThere, &Finding::kind);
     if (missing > 0) {
-        stated += worded("; %1 of %2 pieces are not in it",
+        stated += worded(". %1 of %2 pieces are missing",
                          {figure(static_cast<double>(missing)),
                           figure(static_cast<double>(proof.pieces.size()))});
     }
@@ -280,13 +279,13 @@ Wording howHeld(const Proof& proof) {
         stated += worded(", gravity");
     }
     if (settings.touchesItself) {
-        stated += worded(", %1 mm off itself", {typedFigure(settings.thickness)});
+        stated += worded(", %1 mm between layers", {typedFigure(settings.thickness)});
     }
     if (proof.scale != 1) {
-        stated += worded(", %1 times as large", {typedFigure(proof.scale)});
+        stated += worded(", scaled by %1", {typedFigure(proof.scale)});
     }
     if (settings.stiffness != StatedStiffness()) {
-        stated += worded(", cloth as typed");
+        stated += worded(", own stiffness values");
     }
     return stated;
 }

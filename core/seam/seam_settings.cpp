@@ -341,7 +341,7 @@ std::vector<SeamSettings> withEaseByName(std::vector<SeamSettings> settings, con
         }
     }
     const Problems found =
-        aboutEach(ErrorCode::NoSuchSeam, unknown, worded("the seams file gives it an ease"));
+        aboutEach(ErrorCode::NoSuchSeam, unknown, worded("the seams file sets its ease"));
     problems.insert(problems.end(), found.begin(), found.end());
     return settings;
 }

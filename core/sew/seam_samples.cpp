@@ -201,7 +201,7 @@ Result<CutCloth> cutAlongSeams(const Garment& garment, const std::vector<Points2
     }
     CutCloth cut = sewer.cut();
     if (cut.F.rows() == 0) {
-        return Error{ErrorCode::NoGeometry, {}, "no piece is flat"};
+        return Error{ErrorCode::NoGeometry, {}, "no piece is flattened"};
     }
     return cut;
 }

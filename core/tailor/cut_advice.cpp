@@ -146,17 +146,17 @@ constexpr double kShortestLine = 0.25;
 
 Wording evidenceOf(const TailorCut& cut) {
     if (cut.isFileBorder) {
-        return worded("a border of the file, in its UV map or its parts");
+        return worded("a border in the file's UV map or parts");
     }
     if (cut.likeliness > MeshLines::kLikely) {
         return worded("the mesh has a line there that looks like a seam (%1)",
                       {figure(cut.likeliness, 2)});
     }
-    return worded("by the form");
+    return worded("from the shape");
 }
 
 Wording ridgeEvidence() {
-    return worded("along a ridge of the form");
+    return worded("along a ridge of the shape");
 }
 
 Wording planeEvidence(double deviation) {
@@ -164,7 +164,7 @@ Wording planeEvidence(double deviation) {
 }
 
 Wording openingEvidence() {
-    return worded("the shortest that lets it lie flat");
+    return worded("the shortest cut that lets the piece lie flat");
 }
 
 AdvisedCut advisedCut(TailorCut cut) {

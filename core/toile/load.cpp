@@ -214,11 +214,10 @@ Result<TakenFile> takeFile(const ReadFile& read, int index, const std::string& p
     DividedFile divided = divide(*file, index, prefix, {options.split, !options.strict});
     if (divided.partCount > kMaxPiecesOfFile) {
         const Wording mode = std::string(toile::name(divided.split.mode));
-        return Error{
-            ErrorCode::MalformedFile, Subject::file(name),
-            worded("divided by %1 it falls into %2 pieces, and at most %3 are read; divide "
-                   "it otherwise, or join its parts in the modelling program",
-                   {mode, figure(divided.partCount), figure(kMaxPiecesOfFile)})};
+        return Error{ErrorCode::MalformedFile, Subject::file(name),
+                     worded("splitting by %1 gives %2 pieces, more than the limit of %3; split it "
+                            "by something else, or join its parts in the modelling program",
+                            {mode, figure(divided.partCount), figure(kMaxPiecesOfFile)})};
     }
     file->side = sideOfFaces(joinedMesh(divided.pieces));
     if (options.closeSlits) {

@@ -900,24 +900,12 @@ veraltet</translation>
         <translation>MakeHuman arbeitet in Dezimetern</translation>
     </message>
     <message>
-        <source>a comment of the file states a unit of %1, which is not used; --unit takes it</source>
-        <translation>ein Kommentar der Datei nennt eine Einheit von %1, die nicht verwendet wird; --unit nimmt sie an</translation>
-    </message>
-    <message>
-        <source>a 3MF file whose meshes are in parts of their own, as slicers save projects, is not read</source>
-        <translation>eine 3MF-Datei, deren Netze in eigenen Teilen liegen, wie Slicer Projekte speichern, wird nicht gelesen</translation>
-    </message>
-    <message>
         <source>a garment of %1 mm is unusual</source>
         <translation>ein Kleidungsstück von %1 mm ist ungewöhnlich</translation>
     </message>
     <message>
         <source>stated in a comment of the file</source>
         <translation>in einem Kommentar der Datei angegeben</translation>
-    </message>
-    <message>
-        <source>it holds %1, not %2 as its ending says</source>
-        <translation>sie enthält %1, nicht %2, wie ihre Endung sagt</translation>
     </message>
     <message>
         <source>a ZIP archive, as 3MF is</source>
@@ -928,20 +916,8 @@ veraltet</translation>
         <translation>eine LightWave-Szene</translation>
     </message>
     <message>
-        <source>the library that reads this format crashes on it</source>
-        <translation>die Bibliothek, die dieses Format liest, stürzt an ihr ab</translation>
-    </message>
-    <message>
         <source>its buffer &quot;%1&quot; is not in its folder; export it again with its files in the same folder, or as .glb</source>
         <translation>ihr Puffer „%1“ liegt nicht in ihrem Ordner; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
-    </message>
-    <message>
-        <source>reading it takes more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it is damaged, or places its meshes too often</source>
-        <translation>sie zu lesen braucht mehr als %1 s Rechenzeit oder %2 MB Speicher, zu viel für %3 MB; sie ist beschädigt oder setzt ihre Netze zu oft</translation>
-    </message>
-    <message>
-        <source>it does not begin as %1 does</source>
-        <translation>sie beginnt nicht wie %1</translation>
     </message>
     <message>
         <source>%1 mm is unusual for &quot;%2&quot; in its name</source>
@@ -950,14 +926,6 @@ veraltet</translation>
     <message>
         <source>z is up in 3MF files</source>
         <translation>in 3MF-Dateien ist z oben</translation>
-    </message>
-    <message>
-        <source>it places %1 objects, too much for its size; export the garment alone, without instances</source>
-        <translation>sie setzt %1 Objekte, zu viel für ihre Größe; exportieren Sie das Kleidungsstück allein, ohne Instanzen</translation>
-    </message>
-    <message>
-        <source>the joints of a skin are not found by their names; export the mesh without its rig</source>
-        <translation>die Gelenke eines Skins sind an ihren Namen nicht zu finden; exportieren Sie das Netz ohne sein Rig</translation>
     </message>
     <message>
         <source>it is too large: its meshes are %1 MB unpacked, too much for an archive of %2 MB; unpack it and open the mesh</source>
@@ -972,60 +940,8 @@ veraltet</translation>
         <translation>binäres glTF</translation>
     </message>
     <message>
-        <source>it names &quot;%1&quot;, which is not in its folder; export it again with its files in the same folder, or as .glb</source>
-        <translation>sie nennt „%1“, das nicht in ihrem Ordner liegt; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
-    </message>
-    <message>
         <source>glTF as text</source>
         <translation>glTF als Text</translation>
-    </message>
-    <message>
-        <source>its buffer &quot;%1&quot; is no file but a folder, pipe or device; put the file itself there</source>
-        <translation>ihr Puffer „%1“ ist keine Datei, sondern ein Ordner, eine Pipe oder ein Gerät; legen Sie die Datei selbst dorthin</translation>
-    </message>
-    <message>
-        <source>its buffers are longer than 2 GiB, from &quot;%1&quot; on; export fewer or coarser meshes</source>
-        <translation>ihre Puffer sind ab „%1“ länger als 2 GiB; exportieren Sie weniger oder gröbere Netze</translation>
-    </message>
-    <message>
-        <source>its outline is no polygon</source>
-        <translation>sein Umriss ist kein Polygon</translation>
-    </message>
-    <message>
-        <source>its copies or angles are no usable numbers</source>
-        <translation>seine Anzahl oder seine Winkel sind keine brauchbaren Zahlen</translation>
-    </message>
-    <message>
-        <source>width, gap and border leave no strip</source>
-        <translation>Breite, Abstand und Rand lassen keinen Streifen übrig</translation>
-    </message>
-    <message>
-        <source>it does not fit across a strip of %1 mm at any angle that it may have</source>
-        <translation>es passt in keinem erlaubten Winkel in einen Streifen von %1 mm</translation>
-    </message>
-    <message>
-        <source>it is kept where it lies, which is outside the cloth</source>
-        <translation>es soll liegen bleiben, liegt aber außerhalb des Stoffs</translation>
-    </message>
-    <message>
-        <source>it is kept where it lies, which is on %1</source>
-        <translation>es soll liegen bleiben, liegt aber auf %1</translation>
-    </message>
-    <message>
-        <source>it is longer than the cloth anywhere, at any angle that it may have</source>
-        <translation>es ist in jedem erlaubten Winkel länger, als der Stoff irgendwo ist</translation>
-    </message>
-    <message>
-        <source>a band where nothing lies ends before it begins</source>
-        <translation>ein Abschnitt, in dem nichts liegt, endet vor seinem Anfang</translation>
-    </message>
-    <message>
-        <source>there is no room left for it on the cloth</source>
-        <translation>auf dem Stoff ist kein Platz mehr dafür</translation>
-    </message>
-    <message>
-        <source>its outline goes round twice, or a hole lies outside it or on another</source>
-        <translation>sein Umriss läuft zweimal herum, oder ein Loch liegt außerhalb oder auf einem anderen</translation>
     </message>
     <message>
         <source>the file cannot be read</source>
@@ -1040,24 +956,8 @@ veraltet</translation>
         <translation>die Datei lässt sich nicht schreiben</translation>
     </message>
     <message>
-        <source>Check that the folder exists, is writable and has room</source>
-        <translation>Prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
-    </message>
-    <message>
-        <source>the file&apos;s ending names no format Toile knows</source>
-        <translation>die Endung der Datei nennt kein Format, das Toile kennt</translation>
-    </message>
-    <message>
         <source>the file breaks the rules of its format</source>
         <translation>die Datei verletzt die Regeln ihres Formats</translation>
-    </message>
-    <message>
-        <source>Export it again from the program it came from</source>
-        <translation>Exportieren Sie sie noch einmal aus dem Programm, aus dem sie kommt</translation>
-    </message>
-    <message>
-        <source>the file holds no faces</source>
-        <translation>die Datei enthält keine Flächen</translation>
     </message>
     <message>
         <source>Export the garment as a mesh with faces</source>
@@ -1068,56 +968,12 @@ veraltet</translation>
         <translation>die Projektdatei verletzt die Regeln ihres Formats</translation>
     </message>
     <message>
-        <source>Open an older copy of it, or correct the place named with a text editor</source>
-        <translation>Öffnen Sie eine ältere Kopie oder bessern Sie die genannte Stelle mit einem Texteditor aus</translation>
-    </message>
-    <message>
         <source>the project was saved by a newer version of Toile</source>
         <translation>das Projekt wurde von einer neueren Fassung von Toile gespeichert</translation>
     </message>
     <message>
-        <source>Open it with that version</source>
-        <translation>Öffnen Sie es mit dieser Fassung</translation>
-    </message>
-    <message>
-        <source>the size leaves doubt about the unit</source>
-        <translation>die Größe lässt Zweifel an der Einheit</translation>
-    </message>
-    <message>
-        <source>State the unit if the size is wrong</source>
-        <translation>Geben Sie die Einheit an, wenn die Größe nicht stimmt</translation>
-    </message>
-    <message>
-        <source>faces name vertices that the file does not have</source>
-        <translation>Flächen nennen Punkte, die die Datei nicht hat</translation>
-    </message>
-    <message>
-        <source>They are left out; export the file again if something is missing</source>
-        <translation>Sie werden ausgelassen; exportieren Sie die Datei noch einmal, wenn etwas fehlt</translation>
-    </message>
-    <message>
-        <source>positions are not finite numbers</source>
-        <translation>Lagen sind keine endlichen Zahlen</translation>
-    </message>
-    <message>
-        <source>Faces on them are left out; export the file again if something is missing</source>
-        <translation>Flächen darauf werden ausgelassen; exportieren Sie die Datei noch einmal, wenn etwas fehlt</translation>
-    </message>
-    <message>
         <source>faces have fewer than three different corners</source>
         <translation>Flächen haben weniger als drei verschiedene Ecken</translation>
-    </message>
-    <message>
-        <source>They are left out</source>
-        <translation>Sie werden ausgelassen</translation>
-    </message>
-    <message>
-        <source>polygons could not be divided by their shape</source>
-        <translation>Vielecke ließen sich nicht nach ihrer Form teilen</translation>
-    </message>
-    <message>
-        <source>They are divided as a fan, which may fold over; triangulate them in the modelling program</source>
-        <translation>Sie werden als Fächer geteilt, der sich falten kann; zerlegen Sie sie im Modellierprogramm in Dreiecke</translation>
     </message>
     <message>
         <source>vertices belong to no face</source>
@@ -1128,216 +984,52 @@ veraltet</translation>
         <translation>ein aus dieser Datei geschriebenes Netz weicht von ihr ab</translation>
     </message>
     <message>
-        <source>the file says things that this Toile does not know</source>
-        <translation>die Datei sagt Dinge, die dieses Toile nicht kennt</translation>
-    </message>
-    <message>
-        <source>They do nothing, and are gone once the project is saved here; look for a misspelt name</source>
-        <translation>Sie bewirken nichts und sind weg, sobald das Projekt hier gespeichert wird; vielleicht ist ein Name falsch geschrieben</translation>
-    </message>
-    <message>
-        <source>the file is not as it was when the project was saved</source>
-        <translation>die Datei ist nicht mehr so wie beim Speichern des Projekts</translation>
-    </message>
-    <message>
-        <source>Cuts, ease and places are kept; look whether they still fit</source>
-        <translation>Einschnitte, Einhalteweiten und Lagen bleiben; sehen Sie nach, ob sie noch passen</translation>
-    </message>
-    <message>
-        <source>the garment has no piece of this name any more</source>
-        <translation>das Kleidungsstück hat kein Schnittteil dieses Namens mehr</translation>
-    </message>
-    <message>
-        <source>What the project says of it is left out</source>
-        <translation>Was das Projekt über es sagt, wird ausgelassen</translation>
-    </message>
-    <message>
-        <source>the edges of outlines crowd as those of no garment do</source>
-        <translation>die Kanten von Umrissen drängen sich wie bei keinem Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Seams are not looked for there</source>
-        <translation>Nähte werden dort nicht gesucht</translation>
-    </message>
-    <message>
-        <source>seams are guessed: their edges lie near each other, but have no points in common</source>
-        <translation>Nähte sind geraten: Ihre Kanten liegen nahe beieinander, haben aber keine gemeinsamen Punkte</translation>
-    </message>
-    <message>
         <source>Check them in the list of seams</source>
         <translation>Prüfen Sie sie in der Liste der Nähte</translation>
-    </message>
-    <message>
-        <source>edges have no length</source>
-        <translation>Kanten haben keine Länge</translation>
-    </message>
-    <message>
-        <source>Their two ends are made one vertex</source>
-        <translation>Ihre beiden Enden werden ein Punkt</translation>
     </message>
     <message>
         <source>triangles have no area</source>
         <translation>Dreiecke haben keine Fläche</translation>
     </message>
     <message>
-        <source>They are removed so that no hole opens</source>
-        <translation>Sie werden so entfernt, dass kein Loch entsteht</translation>
-    </message>
-    <message>
-        <source>faces lie twice on the same vertices</source>
-        <translation>Flächen liegen doppelt auf denselben Punkten</translation>
-    </message>
-    <message>
-        <source>One of each is kept</source>
-        <translation>Je eine bleibt</translation>
-    </message>
-    <message>
-        <source>faces look to the other side than their neighbours</source>
-        <translation>Flächen zeigen zur anderen Seite als ihre Nachbarn</translation>
-    </message>
-    <message>
-        <source>They are flipped to agree with the larger area</source>
-        <translation>Sie werden nach der Seite der größeren Fläche gewendet</translation>
-    </message>
-    <message>
         <source>edges are shared by more than two faces</source>
         <translation>Kanten gehören zu mehr als zwei Flächen</translation>
-    </message>
-    <message>
-        <source>The faces that continue each other best stay joined; the others are cut free</source>
-        <translation>Die Flächen, die einander am besten fortsetzen, bleiben verbunden; die anderen werden abgetrennt</translation>
-    </message>
-    <message>
-        <source>parts of the surface touch in a single vertex</source>
-        <translation>Teile der Oberfläche berühren sich in einem einzigen Punkt</translation>
-    </message>
-    <message>
-        <source>Each part gets a vertex of its own</source>
-        <translation>Jeder Teil bekommt einen eigenen Punkt</translation>
-    </message>
-    <message>
-        <source>different edges of the surface join the same two vertices</source>
-        <translation>verschiedene Kanten der Oberfläche verbinden dieselben zwei Punkte</translation>
-    </message>
-    <message>
-        <source>All but one of them get a vertex in their middle</source>
-        <translation>Alle außer einer bekommen einen Punkt in ihrer Mitte</translation>
-    </message>
-    <message>
-        <source>vertices lie on each other without being joined</source>
-        <translation>Punkte liegen aufeinander, ohne verbunden zu sein</translation>
-    </message>
-    <message>
-        <source>They are made one</source>
-        <translation>Sie werden eins</translation>
-    </message>
-    <message>
-        <source>holes in the cloth stay open inside the outline</source>
-        <translation>Löcher im Stoff bleiben innerhalb des Umrisses offen</translation>
     </message>
     <message>
         <source>the flat outline crosses itself</source>
         <translation>der flache Umriss kreuzt sich selbst</translation>
     </message>
     <message>
-        <source>Divide the piece by a cut before it is cut out of cloth</source>
-        <translation>Teilen Sie das Schnittteil durch einen Einschnitt, bevor es zugeschnitten wird</translation>
-    </message>
-    <message>
-        <source>the flat outline crossed itself and was moved apart, keeping its lengths</source>
-        <translation>der flache Umriss kreuzte sich selbst und wurde auseinandergeschoben, mit seinen Längen</translation>
-    </message>
-    <message>
-        <source>boundary edges are too short for their lengths to be exact</source>
-        <translation>Randkanten sind zu kurz, als dass ihre Längen genau sein könnten</translation>
-    </message>
-    <message>
-        <source>Look for doubled vertices and extreme coordinates in the piece</source>
-        <translation>Suchen Sie im Schnittteil nach doppelten Punkten und extremen Koordinaten</translation>
-    </message>
-    <message>
-        <source>triangles have almost no height</source>
-        <translation>Dreiecke haben fast keine Höhe</translation>
-    </message>
-    <message>
-        <source>The pattern may be uneven next to them; merge doubled vertices or remove the slivers in the modelling program</source>
-        <translation>Das Schnittmuster kann neben ihnen uneben sein; verschmelzen Sie doppelte Punkte oder entfernen Sie die Splitter im Modellierprogramm</translation>
-    </message>
-    <message>
-        <source>the surface&apos;s curvature asks for corners that no flat outline has</source>
-        <translation>die Krümmung der Oberfläche verlangt Ecken, die kein flacher Umriss hat</translation>
-    </message>
-    <message>
         <source>Cut the piece where it curves most if the pattern looks folded there</source>
         <translation>Schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt, wenn das Schnittmuster da gefaltet aussieht</translation>
-    </message>
-    <message>
-        <source>the method ended before it reached its goal</source>
-        <translation>das Verfahren endete, bevor es sein Ziel erreichte</translation>
-    </message>
-    <message>
-        <source>Look at its strain before you cut cloth; look for slivers in the piece, or cut it where it curves most</source>
-        <translation>Sehen Sie seine Dehnung an, bevor Sie Stoff schneiden; suchen Sie nach Splittern im Schnittteil oder schneiden Sie es dort ein, wo es sich am meisten krümmt</translation>
     </message>
     <message>
         <source>the piece is closed and has no outline</source>
         <translation>das Schnittteil ist geschlossen und hat keinen Umriss</translation>
     </message>
     <message>
-        <source>Cut it open along a seam, or let Toile do it</source>
-        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
-    </message>
-    <message>
         <source>the piece has several boundary loops</source>
         <translation>das Schnittteil hat mehrere Ränder</translation>
-    </message>
-    <message>
-        <source>Cut it from loop to loop, or let Toile do it</source>
-        <translation>Schneiden Sie es von Rand zu Rand auf, oder lassen Sie Toile das tun</translation>
     </message>
     <message>
         <source>the piece has a handle, like a ring or a cup</source>
         <translation>das Schnittteil hat einen Henkel wie ein Ring oder eine Tasse</translation>
     </message>
     <message>
-        <source>Cut the handle open along a seam, or let Toile do it</source>
-        <translation>Schneiden Sie den Henkel entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
-    </message>
-    <message>
         <source>Separate the layers that meet there</source>
         <translation>Trennen Sie die Lagen, die dort aufeinandertreffen</translation>
-    </message>
-    <message>
-        <source>parts of the piece touch in a single vertex</source>
-        <translation>Teile des Schnittteils berühren sich in einem einzigen Punkt</translation>
     </message>
     <message>
         <source>Separate the parts, or join them along an edge</source>
         <translation>Trennen Sie die Teile oder verbinden Sie sie entlang einer Kante</translation>
     </message>
     <message>
-        <source>neighbouring faces look to opposite sides</source>
-        <translation>benachbarte Flächen zeigen zu verschiedenen Seiten</translation>
-    </message>
-    <message>
         <source>Make the normals consistent in the modelling program</source>
         <translation>Gleichen Sie die Normalen im Modellierprogramm an</translation>
     </message>
     <message>
-        <source>the piece has one side only, like a Moebius strip</source>
-        <translation>das Schnittteil hat nur eine Seite wie ein Möbiusband</translation>
-    </message>
-    <message>
         <source>Cut it across</source>
         <translation>Schneiden Sie es quer durch</translation>
-    </message>
-    <message>
-        <source>Remove the doubled faces in the modelling program</source>
-        <translation>Entfernen Sie die doppelten Flächen im Modellierprogramm</translation>
-    </message>
-    <message>
-        <source>Merge doubled vertices or remove the slivers in the modelling program</source>
-        <translation>Verschmelzen Sie doppelte Punkte oder entfernen Sie die Splitter im Modellierprogramm</translation>
     </message>
     <message>
         <source>boundary edges have no length</source>
@@ -1356,52 +1048,16 @@ veraltet</translation>
         <translation>Verschieben Sie seine Punkte oder bessern Sie zuerst das Schnittteil aus</translation>
     </message>
     <message>
-        <source>the seam cannot be taken out</source>
-        <translation>die Naht lässt sich nicht herausnehmen</translation>
-    </message>
-    <message>
-        <source>Leave it, or join the parts in the modelling program</source>
-        <translation>Lassen Sie sie oder verbinden Sie die Teile im Modellierprogramm</translation>
-    </message>
-    <message>
         <source>the garment has no seam of this name</source>
         <translation>das Kleidungsstück hat keine Naht dieses Namens</translation>
-    </message>
-    <message>
-        <source>Look at the names in the list of seams</source>
-        <translation>Sehen Sie die Namen in der Liste der Nähte nach</translation>
-    </message>
-    <message>
-        <source>one boundary edge is as long as all the others together, so that no flat outline has these lengths</source>
-        <translation>eine Randkante ist so lang wie alle anderen zusammen, sodass kein flacher Umriss diese Längen hat</translation>
-    </message>
-    <message>
-        <source>Refine the boundary or move the seam</source>
-        <translation>Verfeinern Sie den Rand oder verlegen Sie die Naht</translation>
-    </message>
-    <message>
-        <source>no closed outline near the surface&apos;s angles was found</source>
-        <translation>nahe den Winkeln der Oberfläche fand sich kein geschlossener Umriss</translation>
     </message>
     <message>
         <source>Cut the piece where it curves most, or choose the other boundary solver</source>
         <translation>Schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt, oder wählen Sie den anderen Umrisslöser</translation>
     </message>
     <message>
-        <source>the interior&apos;s equations could not be solved</source>
-        <translation>die Gleichungen des Inneren ließen sich nicht lösen</translation>
-    </message>
-    <message>
-        <source>Look for slivers and extreme differences of edge length in the piece</source>
-        <translation>Suchen Sie im Schnittteil nach Splittern und extremen Unterschieden der Kantenlänge</translation>
-    </message>
-    <message>
         <source>the result is not a finite number</source>
         <translation>das Ergebnis ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>Look for extreme coordinates in the piece</source>
-        <translation>Suchen Sie im Schnittteil nach extremen Koordinaten</translation>
     </message>
     <message>
         <source>there is not enough memory</source>
@@ -1424,24 +1080,8 @@ veraltet</translation>
         <translation>Nicht abgewickelt</translation>
     </message>
     <message>
-        <source>the pattern does not show the garment as it is now (%1 of %2 pieces)</source>
-        <translation>das Schnittmuster zeigt das Kleidungsstück nicht, wie es jetzt ist (%1 von %2 Schnittteilen)</translation>
-    </message>
-    <message>
-        <source>Flatten it</source>
-        <translation>Wickeln Sie es ab</translation>
-    </message>
-    <message>
-        <source>Pieces that are not flat</source>
-        <translation>Schnittteile, die nicht flach sind</translation>
-    </message>
-    <message>
         <source>Outlines that cross themselves</source>
         <translation>Umrisse, die sich selbst kreuzen</translation>
-    </message>
-    <message>
-        <source>Flipped cloth</source>
-        <translation>Umgeklappter Stoff</translation>
     </message>
     <message>
         <source>Choose another method, or cut the piece where it curves most</source>
@@ -1452,20 +1092,8 @@ veraltet</translation>
         <translation>Nähte, die nicht passen</translation>
     </message>
     <message>
-        <source>the flat sides of the seam differ by %1 beyond the ease (%2 and %3)</source>
-        <translation>die flachen Seiten der Naht unterscheiden sich um %1 über die Einhalteweite hinaus (%2 und %3)</translation>
-    </message>
-    <message>
-        <source>Choose a method that keeps seam lengths, or state the ease that is meant</source>
-        <translation>Wählen Sie ein Verfahren, das Nahtlängen hält, oder geben Sie die gewünschte Einhalteweite an</translation>
-    </message>
-    <message>
         <source>Strain along the warp</source>
         <translation>Dehnung längs der Kette</translation>
-    </message>
-    <message>
-        <source>Turn the grain, choose a fabric that gives more, or open a dart or a seam there</source>
-        <translation>Drehen Sie den Fadenlauf, wählen Sie ein nachgiebigeres Material oder öffnen Sie dort einen Abnäher oder eine Naht</translation>
     </message>
     <message>
         <source>Strain along the weft</source>
@@ -1476,14 +1104,6 @@ veraltet</translation>
         <translation>Dehnung im Schrägen</translation>
     </message>
     <message>
-        <source>Pieces on each other</source>
-        <translation>Schnittteile aufeinander</translation>
-    </message>
-    <message>
-        <source>the pieces lie on each other on the sheet</source>
-        <translation>die Schnittteile liegen auf dem Bogen aufeinander</translation>
-    </message>
-    <message>
         <source>Move them apart, or lay them out again</source>
         <translation>Schieben Sie sie auseinander oder legen Sie sie neu aus</translation>
     </message>
@@ -1492,76 +1112,16 @@ veraltet</translation>
         <translation>Unwahrscheinliche Größe</translation>
     </message>
     <message>
-        <source>the garment is %1 at its largest</source>
-        <translation>das Kleidungsstück misst höchstens %1</translation>
-    </message>
-    <message>
-        <source>State the unit of its file</source>
-        <translation>Geben Sie die Einheit seiner Datei an</translation>
-    </message>
-    <message>
-        <source>Unit in doubt</source>
-        <translation>Einheit zweifelhaft</translation>
-    </message>
-    <message>
-        <source>the file states no unit, and its size leaves doubt (%0)</source>
-        <translation>die Datei nennt keine Einheit, und ihre Größe lässt Zweifel (%0)</translation>
-    </message>
-    <message>
-        <source>State the unit, or keep it if the size is right</source>
-        <translation>Geben Sie die Einheit an, oder behalten Sie sie, wenn die Größe stimmt</translation>
-    </message>
-    <message>
-        <source>Up axis in doubt</source>
-        <translation>Achse nach oben zweifelhaft</translation>
-    </message>
-    <message>
-        <source>the file does not say which axis points up (%0)</source>
-        <translation>die Datei sagt nicht, welche Achse nach oben zeigt (%0)</translation>
-    </message>
-    <message>
-        <source>State the axis, or keep it if the garment stands upright</source>
-        <translation>Geben Sie die Achse an, oder behalten Sie sie, wenn das Kleidungsstück aufrecht steht</translation>
-    </message>
-    <message>
         <source>Inside out</source>
         <translation>Innen nach außen</translation>
-    </message>
-    <message>
-        <source>faces of the garment look inwards (%0): their pieces come out mirrored, wrong side up</source>
-        <translation>Flächen des Kleidungsstücks zeigen nach innen (%0): ihre Teile sind gespiegelt, mit der linken Seite nach oben</translation>
-    </message>
-    <message>
-        <source>Turn the garment; if only parts of it look inwards, make the normals consistent in the modelling program</source>
-        <translation>Wenden Sie das Kleidungsstück; zeigen nur Teile nach innen, richten Sie die Normalen im Modellierprogramm einheitlich aus</translation>
     </message>
     <message>
         <source>Grain not set</source>
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>
-        <source>no grain is set: it is taken to run upwards</source>
-        <translation>kein Fadenlauf angegeben: er gilt als nach oben gerichtet</translation>
-    </message>
-    <message>
-        <source>Turn the grain arrow, or let Toile find the best grain</source>
-        <translation>Drehen Sie den Pfeil des Fadenlaufs, oder lassen Sie Toile den besten Fadenlauf finden</translation>
-    </message>
-    <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>The isometric method keeps the lengths of their rims; the others measure them only</source>
-        <translation>Die isometrische Methode hält die Längen ihrer Ränder ein; die anderen messen sie nur</translation>
-    </message>
-    <message>
-        <source>the rims of holes are not as long as on the garment</source>
-        <translation>die Ränder von Löchern sind nicht so lang wie am Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Cut from the rim to the outline if a patch is to be sewn in</source>
-        <translation>Schneiden Sie vom Rand zum Umriss, wenn ein Flicken eingenäht werden soll</translation>
     </message>
     <message>
         <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
@@ -1732,10 +1292,6 @@ veraltet</translation>
         <translation>die Punkte %1 und %2 eines Weges liegen in keinem gemeinsamen Dreieck</translation>
     </message>
     <message>
-        <source>a path lost its way in a triangle</source>
-        <translation>ein Weg ließ sich durch ein Dreieck nicht fortsetzen</translation>
-    </message>
-    <message>
         <source>the points lie on parts that are not connected</source>
         <translation>die Punkte liegen auf Teilen, die nicht zusammenhängen</translation>
     </message>
@@ -1748,24 +1304,8 @@ veraltet</translation>
         <translation>die Koordinaten eines Punktes sind keine endlichen Zahlen</translation>
     </message>
     <message>
-        <source>a dart starts at the rim, and the piece has none</source>
-        <translation>ein Abnäher beginnt am Rand, und das Schnittteil hat keinen</translation>
-    </message>
-    <message>
         <source>boundary lengths or angles are not finite</source>
         <translation>Längen oder Winkel des Randes sind keine endlichen Zahlen</translation>
-    </message>
-    <message>
-        <source>the edge has %1, the others together %2</source>
-        <translation>die Kante hat %1, die anderen zusammen %2</translation>
-    </message>
-    <message>
-        <source>closing gap %1 of the perimeter</source>
-        <translation>Lücke von %1 des Umfangs</translation>
-    </message>
-    <message>
-        <source>not within %1 steps, gradient %2</source>
-        <translation>nicht in %1 Schritten, Gradient %2</translation>
     </message>
     <message>
         <source>(%1, %2)</source>
@@ -1784,28 +1324,12 @@ veraltet</translation>
         <translation>; schneiden Sie es von %1 bis %2 ein, %3 mm</translation>
     </message>
     <message>
-        <source>; only %1 mm of its edge fold over: smooth the edge there, or remesh a scan</source>
-        <translation>; nur %1 mm seiner Kante klappen um: glätten Sie dort die Kante, oder vernetzen Sie einen Scan neu</translation>
-    </message>
-    <message>
         <source>; one cut is not enough: begin with one from %1 to %2, %3 mm</source>
         <translation>; ein Einschnitt reicht nicht: beginnen Sie mit einem von %1 bis %2, %3 mm</translation>
     </message>
     <message>
-        <source>%1, the first at %2 mm of the pattern, where %3 and %4 mm of the piece meet</source>
-        <translation>%1, die erste bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
-    </message>
-    <message>
-        <source>%1 at %2 mm of the pattern, where %3 and %4 mm of the piece meet</source>
-        <translation>%1 bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
-    </message>
-    <message>
         <source>face %1 at %2 mm</source>
         <translation>Fläche %1 bei %2 mm</translation>
-    </message>
-    <message>
-        <source>a filled-in face at %1 mm</source>
-        <translation>eine eingesetzte Fläche bei %1 mm</translation>
     </message>
     <message>
         <source>%1, %2 degrees at %3 mm</source>
@@ -1828,20 +1352,8 @@ veraltet</translation>
         <translation>der Umriss würde sich selbst kreuzen</translation>
     </message>
     <message>
-        <source>it would take too much strain</source>
-        <translation>es wäre zu viel Dehnung nötig</translation>
-    </message>
-    <message>
         <source>after %1 steps</source>
         <translation>nach %1 Schritten</translation>
-    </message>
-    <message>
-        <source>angles that fit in the plane are met to %1 radians only</source>
-        <translation>Winkel, die in die Ebene passen, sind nur auf %1 rad genau erreicht</translation>
-    </message>
-    <message>
-        <source>no start without flipped triangles was found</source>
-        <translation>kein Anfang ohne umgeklappte Dreiecke wurde gefunden</translation>
     </message>
     <message>
         <source>it has no points</source>
@@ -1852,16 +1364,8 @@ veraltet</translation>
         <translation>es gibt kein Schnittteil zum Einschneiden</translation>
     </message>
     <message>
-        <source>its point %1 lies %2 mm from the nearest piece, %3</source>
-        <translation>sein Punkt %1 liegt %2 mm vom nächsten Schnittteil entfernt, %3</translation>
-    </message>
-    <message>
         <source>in %1, %2</source>
         <translation>in %1: %2</translation>
-    </message>
-    <message>
-        <source>in %1 it runs along the outline or along another cut, and opens nothing</source>
-        <translation>in %1 läuft er am Umriss oder an einem anderen Einschnitt entlang und öffnet nichts</translation>
     </message>
     <message>
         <source>%1 and %2 come from different files</source>
@@ -1870,18 +1374,6 @@ veraltet</translation>
     <message>
         <source>no piece has an edge</source>
         <translation>kein Schnittteil hat einen Rand</translation>
-    </message>
-    <message>
-        <source>it lies %1 mm from the nearest edge of any piece</source>
-        <translation>sie liegt %1 mm vom nächsten Rand eines Schnittteils entfernt</translation>
-    </message>
-    <message>
-        <source>more than two edges lie on each other there, one of them of %1</source>
-        <translation>mehr als zwei Kanten liegen dort aufeinander, eine davon von %1</translation>
-    </message>
-    <message>
-        <source>the vertices of the two edges there, one of them of %1, do not lie on each other one to one</source>
-        <translation>die Punkte der beiden Kanten dort, eine davon von %1, liegen nicht paarweise aufeinander</translation>
     </message>
     <message>
         <source>%1, the result: %2</source>
@@ -1918,10 +1410,6 @@ veraltet</translation>
     <message>
         <source>Collada files state their up axis; read as y</source>
         <translation>Collada-Dateien nennen ihre Hochachse; als y gelesen</translation>
-    </message>
-    <message>
-        <source>z is up in 3MF files</source>
-        <translation>in 3MF-Dateien zeigt z nach oben</translation>
     </message>
     <message>
         <source>Collada files state their unit; read as metres</source>
@@ -1964,28 +1452,12 @@ veraltet</translation>
         <translation>die Öffnungen liegen entlang y so weit auseinander wie entlang z: z könnte nach oben zeigen</translation>
     </message>
     <message>
-        <source>the openings lie beside each other along x: neither y nor z is seen to be up</source>
-        <translation>die Öffnungen liegen entlang x nebeneinander: weder y noch z ist als oben zu erkennen</translation>
-    </message>
-    <message>
         <source>the only opening faces along y: y is up</source>
         <translation>die einzige Öffnung zeigt entlang y: y zeigt nach oben</translation>
     </message>
     <message>
         <source>the only opening faces along z: z may be up</source>
         <translation>die einzige Öffnung zeigt entlang z: z könnte nach oben zeigen</translation>
-    </message>
-    <message>
-        <source>an open sheet, which does not show its right side: as its faces are wound</source>
-        <translation>eine offene Lage, der man die rechte Seite nicht ansieht: wie ihre Flächen umlaufen</translation>
-    </message>
-    <message>
-        <source>%1 % of its cloth that has an inside looks there</source>
-        <translation>%1 % seines Stoffs, der eine Innenseite hat, zeigen dorthin</translation>
-    </message>
-    <message>
-        <source>%1 % of its cloth that has an inside looks away from it</source>
-        <translation>%1 % seines Stoffs, der eine Innenseite hat, zeigen von ihr weg</translation>
     </message>
     <message>
         <source>y is up, as in most files</source>
@@ -2016,10 +1488,6 @@ veraltet</translation>
         <translation>weggelassen</translation>
     </message>
     <message>
-        <source>still there: all around is as flat</source>
-        <translation>noch da: ringsum ist alles ebenso flach</translation>
-    </message>
-    <message>
         <source>added</source>
         <translation>hinzugefügt</translation>
     </message>
@@ -2034,22 +1502,6 @@ veraltet</translation>
     <message>
         <source>split</source>
         <translation>geteilt</translation>
-    </message>
-    <message>
-        <source>dropped at the border</source>
-        <translation>am Rand weggelassen</translation>
-    </message>
-    <message>
-        <source>dropped in pairs</source>
-        <translation>paarweise weggelassen</translation>
-    </message>
-    <message>
-        <source>given to the neighbour</source>
-        <translation>dem Nachbarn zugeschlagen</translation>
-    </message>
-    <message>
-        <source>dropped with all around them</source>
-        <translation>mit allem ringsum weggelassen</translation>
     </message>
     <message>
         <source>cut apart</source>
@@ -2068,10 +1520,6 @@ veraltet</translation>
         <translation>, zuerst bei </translation>
     </message>
     <message>
-        <source>turned</source>
-        <translation>gewendet</translation>
-    </message>
-    <message>
         <source>%1 welded to another, at %2 mm</source>
         <translation>%1 mit anderen verschmolzen, bei %2 mm</translation>
     </message>
@@ -2088,20 +1536,12 @@ veraltet</translation>
         <translation>%1, sein Rand %2 mm</translation>
     </message>
     <message>
-        <source>the seams file gives it an ease</source>
-        <translation>die Nahtdatei gibt ihr eine Einhalteweite</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
     </message>
     <message>
         <source>no usable face is left</source>
         <translation>keine brauchbare Fläche bleibt übrig</translation>
-    </message>
-    <message>
-        <source>it crosses itself and the cuts before it so often that a triangle would fall into thousands of parts</source>
-        <translation>er kreuzt sich selbst und die Einschnitte davor so oft, dass ein Dreieck in Tausende Teile zerfiele</translation>
     </message>
     <message>
         <source>%1 of %2, the worst at %3 mm</source>
@@ -2112,112 +1552,44 @@ veraltet</translation>
         <translation>%1 von %2, bei %3 mm</translation>
     </message>
     <message>
-        <source>%1, the worst of %2 mm at %3 mm, off by %4 of it</source>
-        <translation>%1, die schlimmste von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
-    </message>
-    <message>
-        <source>%1 of %2 mm at %3 mm, off by %4 of it</source>
-        <translation>%1 von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
-    </message>
-    <message>
         <source>Mean strain, %</source>
         <translation>Mittlere Dehnung, %</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather, on the mean of all edges of the mesh</source>
-        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, im Mittel aller Netzkanten</translation>
     </message>
     <message>
         <source>Most stretch, %</source>
         <translation>Größte Dehnung, %</translation>
     </message>
     <message>
-        <source>The edge of the mesh that must stretch most to take its worn shape</source>
-        <translation>Die Netzkante, die sich am meisten dehnen muss, um ihre getragene Form anzunehmen</translation>
-    </message>
-    <message>
         <source>Most surplus, %</source>
         <translation>Größtes Zuviel, %</translation>
-    </message>
-    <message>
-        <source>The edge of the mesh that must gather most to take its worn shape</source>
-        <translation>Die Netzkante, die sich am meisten stauchen muss, um ihre getragene Form anzunehmen</translation>
     </message>
     <message>
         <source>Seam Δ, %1</source>
         <translation>Naht-Δ, %1</translation>
     </message>
     <message>
-        <source>The worst seam of this piece: by how much its two flat sides miss each other, the ease taken out</source>
-        <translation>Die schlechteste Naht dieses Schnittteils: wie weit ihre beiden flachen Seiten auseinanderliegen, ohne die Einhalteweite</translation>
-    </message>
-    <message>
         <source>Outline length error, %</source>
         <translation>Längenfehler des Umrisses, %</translation>
-    </message>
-    <message>
-        <source>The edge of the outline whose length has changed most</source>
-        <translation>Die Umrisskante, deren Länge sich am meisten geändert hat</translation>
     </message>
     <message>
         <source>Area error, %</source>
         <translation>Flächenfehler, %</translation>
     </message>
     <message>
-        <source>How much of the area has gone to other triangles: 0 where each has its share of the whole, as in the garment</source>
-        <translation>Wie viel der Fläche zu anderen Dreiecken gewandert ist: 0, wo jedes seinen Anteil am Ganzen hat wie im Kleidungsstück</translation>
-    </message>
-    <message>
         <source>Flipped triangles</source>
         <translation>Umgeklappte Dreiecke</translation>
-    </message>
-    <message>
-        <source>Triangles that are flipped: cloth cannot do that</source>
-        <translation>Umgeklappte Dreiecke: Stoff kann das nicht</translation>
     </message>
     <message>
         <source>Outline crossings</source>
         <translation>Kreuzungen des Umrisses</translation>
     </message>
     <message>
-        <source>Where the outline crosses itself</source>
-        <translation>Wo sich der Umriss selbst kreuzt</translation>
-    </message>
-    <message>
         <source>Time, ms</source>
         <translation>Zeit, ms</translation>
     </message>
     <message>
-        <source>What the solver took for this piece, when it solved it last</source>
-        <translation>Was der Löser zuletzt für dieses Schnittteil brauchte</translation>
-    </message>
-    <message>
         <source>To the reference panel, %1</source>
         <translation>Zum Referenzteil, %1</translation>
-    </message>
-    <message>
-        <source>Distance to the panel that the file carries, laid on each other as well as may be; root mean square</source>
-        <translation>Abstand zum Schnittteil in der Datei, bestmöglich aufeinandergelegt; quadratisches Mittel</translation>
-    </message>
-    <message>
-        <source>the outline could not be drawn as a fair line, and is exact</source>
-        <translation>der Umriss ließ sich nicht als ausgeglichene Linie zeichnen und ist der genaue</translation>
-    </message>
-    <message>
-        <source>the fair line would cross itself</source>
-        <translation>die ausgeglichene Linie würde sich selbst kreuzen</translation>
-    </message>
-    <message>
-        <source>There it stays nearer to the exact outline, and is less smooth; cut the piece, or give its edges more room</source>
-        <translation>Dort bleibt sie näher am genauen Umriss und ist weniger glatt; das Teil schneiden oder seinen Kanten mehr Platz geben</translation>
-    </message>
-    <message>
-        <source>the garment is wrinkled, and the fair line strays further than usual</source>
-        <translation>das Kleidungsstück hat Falten, und die ausgeglichene Linie weicht weiter ab als sonst</translation>
-    </message>
-    <message>
-        <source>Set another tolerance for fair lines to keep it nearer, with more waves</source>
-        <translation>Eine andere Toleranz für ausgeglichene Linien setzen, damit sie näher bleibt, mit mehr Wellen</translation>
     </message>
     <message>
         <source>up to %1 mm from the exact outline, not %2 mm</source>
@@ -2232,18 +1604,6 @@ veraltet</translation>
         <translation>sein flacher Umriss würde sich selbst kreuzen</translation>
     </message>
     <message>
-        <source>no interior without flipped triangles fits the outline as it was moved</source>
-        <translation>kein Inneres ohne umgeklappte Dreiecke passt in den verschobenen Umriss</translation>
-    </message>
-    <message>
-        <source>Move the outline by less, or refine the mesh along it</source>
-        <translation>Verschieben Sie den Umriss weniger, oder verfeinern Sie das Netz an ihm</translation>
-    </message>
-    <message>
-        <source>an edge of the outline is to have %1 mm</source>
-        <translation>eine Kante des Umrisses soll %1 mm lang sein</translation>
-    </message>
-    <message>
         <source>the triangle at %1 mm would turn over</source>
         <translation>das Dreieck bei %1 mm würde umklappen</translation>
     </message>
@@ -2256,76 +1616,8 @@ veraltet</translation>
         <translation>Knicke an Nahtenden</translation>
     </message>
     <message>
-        <source>the lines that meet over the end of the seam make a corner of %1</source>
-        <translation>die Linien, die über das Nahtende hinweg zusammentreffen, bilden eine Ecke von %1</translation>
-    </message>
-    <message>
-        <source>True the seam&apos;s end, or leave it if a corner is meant</source>
-        <translation>Gleichen Sie das Nahtende aus, oder lassen Sie es, wenn eine Ecke gemeint ist</translation>
-    </message>
-    <message>
-        <source>Pieces that have no half</source>
-        <translation>Schnittteile ohne Hälfte</translation>
-    </message>
-    <message>
-        <source>the piece is to be cut by half, but is not drawn as a mirror image: it is drawn whole</source>
-        <translation>das Schnittteil soll halb gezeichnet werden, ist aber nicht spiegelgleich gezeichnet: es wird ganz gezeichnet</translation>
-    </message>
-    <message>
-        <source>Draw pieces that mirror each other alike, or cut it whole</source>
-        <translation>Zeichnen Sie gespiegelte Schnittteile gleich, oder schneiden Sie es ganz zu</translation>
-    </message>
-    <message>
-        <source>strain along the warp reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung längs der Kette erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
-    </message>
-    <message>
-        <source>strain along the weft reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung längs des Schusses erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
-    </message>
-    <message>
-        <source>strain on the bias reaches %1, the fabric%0 takes %2 (%3 of the area lies beyond)</source>
-        <translation>die Dehnung im Schrägen erreicht %1, das Material%0 erlaubt %2 (%3 der Fläche liegen darüber)</translation>
-    </message>
-    <message>
-        <source>Allow it to stray less, take straight lines and typed intakes back, or refine the mesh along it</source>
-        <translation>Lassen Sie ihn weniger abweichen, nehmen Sie gerade Linien und eingegebene Abnäherinhalte zurück, oder verfeinern Sie das Netz an ihm</translation>
-    </message>
-    <message>
-        <source>Facings without room</source>
-        <translation>Belege ohne Platz</translation>
-    </message>
-    <message>
-        <source>no strip of the facing&apos;s width can be copied along its edge: it is left out</source>
-        <translation>entlang der Kante hat kein Streifen von der Breite des Belegs Platz: er entfällt</translation>
-    </message>
-    <message>
-        <source>Make the facing narrower, or take it away</source>
-        <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
-    </message>
-    <message>
-        <source>this build of Toile does not write the format</source>
-        <translation>dieses Toile schreibt das Format nicht</translation>
-    </message>
-    <message>
-        <source>Use one that has the window</source>
-        <translation>Nehmen Sie eines mit Fenster</translation>
-    </message>
-    <message>
-        <source>the file made says something else than the pattern</source>
-        <translation>die erzeugte Datei sagt etwas anderes als der Schnitt</translation>
-    </message>
-    <message>
-        <source>Nothing was written; use another format and report this with the garment</source>
-        <translation>Nichts wurde geschrieben; nehmen Sie ein anderes Format und melden Sie dies mit dem Kleidungsstück</translation>
-    </message>
-    <message>
         <source>the pattern does not fit the page</source>
         <translation>der Schnitt passt nicht auf die Seite</translation>
-    </message>
-    <message>
-        <source>Choose other paper, or lay the pieces closer together</source>
-        <translation>Wählen Sie anderes Papier, oder legen Sie die Teile enger</translation>
     </message>
     <message>
         <source>ASTM D6673</source>
@@ -2592,18 +1884,6 @@ veraltet</translation>
         <translation>DXF von %1 (%2)</translation>
     </message>
     <message>
-        <source>%1: its mirror line is no part of its outline; it stays as it is</source>
-        <translation>%1: die Spiegellinie ist kein Teil des Umrisses; es bleibt, wie es ist</translation>
-    </message>
-    <message>
-        <source>%1: %2 of its outlines that do not close</source>
-        <translation>%1: %2 Umrisse, die sich nicht schließen</translation>
-    </message>
-    <message>
-        <source>%1; the largest piece is %2 mm then</source>
-        <translation>%1; das größte Teil misst dann %2 mm</translation>
-    </message>
-    <message>
         <source>%1, but the largest piece would be %2 mm; in %3 it is %4 mm</source>
         <translation>%1, aber das größte Teil hätte %2 mm; in %3 hat es %4 mm</translation>
     </message>
@@ -2614,10 +1894,6 @@ veraltet</translation>
     <message>
         <source>$INSUNITS %1</source>
         <translation>$INSUNITS %1</translation>
-    </message>
-    <message>
-        <source>the file says none; the largest piece is %1 mm then</source>
-        <translation>die Datei nennt keine; das größte Teil misst dann %1 mm</translation>
     </message>
     <message>
         <source>GarmentCode JSON, %1 of stitched edges</source>
@@ -2634,10 +1910,6 @@ veraltet</translation>
     <message>
         <source>the size of its page</source>
         <translation>die Größe der Seite</translation>
-    </message>
-    <message>
-        <source>it says no size of its page: 96 units to the inch</source>
-        <translation>die Größe der Seite fehlt: 96 Einheiten pro Zoll</translation>
     </message>
     <message>
         <source>drawing programs, laser and blade cutters</source>
@@ -2736,10 +2008,6 @@ veraltet</translation>
         <translation>units_in_meter %1</translation>
     </message>
     <message>
-        <source>the file says none; this format is usually in cm</source>
-        <translation>die Datei nennt keine; das Format ist meist in cm</translation>
-    </message>
-    <message>
         <source>pieces: %1, pages after this one: %2</source>
         <translation>Schnittteile: %1, Seiten nach dieser: %2</translation>
     </message>
@@ -2768,24 +2036,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>größte Ausdehnung %1, gelesen als Dezimeter: %2 mm</translation>
     </message>
     <message>
-        <source>the piece is a tube with %1 openings, and lies flat only when it is cut open</source>
-        <translation>das Schnittteil ist ein Schlauch mit %1 Öffnungen und liegt erst flach, wenn es aufgeschnitten ist</translation>
-    </message>
-    <message>
         <source>the piece is left out of the pattern</source>
         <translation>das Schnittteil ist aus dem Schnitt ausgenommen</translation>
-    </message>
-    <message>
-        <source>there is no tube to go around</source>
-        <translation>hier ist kein Schlauch, um den er laufen könnte</translation>
-    </message>
-    <message>
-        <source>On each other on the sheet: %1. Move them apart, or lay all out again.</source>
-        <translation>Auf dem Bogen aufeinander: %1. Schieben Sie sie auseinander oder legen Sie alles neu aus.</translation>
-    </message>
-    <message>
-        <source>Without a grain line, as their grain is not stated: %1. Turn the arrow, or choose a grain.</source>
-        <translation>Ohne Fadenlauf in der Datei, weil er nicht angegeben ist: %1. Drehen Sie den Pfeil oder wählen Sie einen Fadenlauf.</translation>
     </message>
     <message>
         <source>no cuts were found that open it</source>
@@ -2796,20 +2048,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Exportieren Sie das Kleidungsstück als .obj</translation>
     </message>
     <message>
-        <source>strain is beyond %1 % on %2 % of the area, which no cloth takes</source>
-        <translation>auf %2 % der Fläche liegt die Dehnung über %1 %, was kein Stoff mitmacht</translation>
-    </message>
-    <message>
-        <source>strain is %1 % on average, which only cloth that stretches takes</source>
-        <translation>die Dehnung liegt im Mittel bei %1 %, was nur dehnbarer Stoff mitmacht</translation>
-    </message>
-    <message>
         <source>; the piece is nearly closed: its outline of %1 mm cannot lie flat around its %2 cm²</source>
         <translation>; das Teil ist fast geschlossen: sein Umriss von %1 mm kann nicht flach um seine %2 cm² liegen</translation>
-    </message>
-    <message>
-        <source>moving its crossing outline apart adds %1 % of strain</source>
-        <translation>den sich kreuzenden Umriss auseinanderzurücken kostet %1 % Dehnung</translation>
     </message>
     <message>
         <source>%1 of %2 pieces are smaller than 1 cm²</source>
@@ -2820,40 +2060,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>seine Schnitte sind %1 mm lang, länger als sein Umriss von %2 mm</translation>
     </message>
     <message>
-        <source>Strain beyond any cloth</source>
-        <translation>Dehnung, die kein Stoff mitmacht</translation>
-    </message>
-    <message>
-        <source>Cut the piece open or put darts where it curves most; if the file is a thick shell or a scan, make one sheet of it first</source>
-        <translation>Schneiden Sie das Teil auf oder setzen Sie Abnäher, wo es am stärksten gewölbt ist; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
-    </message>
-    <message>
-        <source>Scraps instead of pieces</source>
-        <translation>Schnipsel statt Teile</translation>
-    </message>
-    <message>
-        <source>State the unit if the garment is too small; else leave the scraps out, or divide the file by something else; if it is a scan, make one sheet of it first</source>
-        <translation>Geben Sie die Einheit an, wenn das Kleidungsstück zu klein ist; sonst lassen Sie die Schnipsel weg, oder teilen Sie die Datei nach etwas anderem; ist sie ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
-    </message>
-    <message>
         <source>Cuts longer than the outline</source>
         <translation>Schnitte, die länger sind als der Umriss</translation>
-    </message>
-    <message>
-        <source>Divide the garment by its own seams, or draw the cuts where seams are to be; if the file is a thick shell or a scan, make one sheet of it first</source>
-        <translation>Teilen Sie das Kleidungsstück nach seinen eigenen Nähten, oder zeichnen Sie die Schnitte, wo Nähte sein sollen; ist die Datei eine dicke Schale oder ein Scan, machen Sie zuerst eine Lage Stoff daraus</translation>
-    </message>
-    <message>
-        <source>%1 is USD in binary form; save it as .usda</source>
-        <translation>%1 ist USD in binärer Form; speichern Sie die Datei als .usda</translation>
-    </message>
-    <message>
-        <source>it is no USD text</source>
-        <translation>es ist kein USD-Text</translation>
-    </message>
-    <message>
-        <source>it cannot be understood</source>
-        <translation>das ist nicht zu verstehen</translation>
     </message>
     <message>
         <source>line %1: %2</source>
@@ -2872,18 +2080,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>in der USD-Datei angegeben</translation>
     </message>
     <message>
-        <source>the USD file&apos;s own unit is %1 m</source>
-        <translation>die eigene Einheit der USD-Datei ist %1 m</translation>
-    </message>
-    <message>
-        <source>it holds %1 files; unpack it and open the mesh</source>
-        <translation>es enthält %1 Dateien; entpacken Sie es und öffnen Sie das Netz</translation>
-    </message>
-    <message>
-        <source>none of its %1 files is one of %2</source>
-        <translation>keine seiner %1 Dateien ist eine von %2</translation>
-    </message>
-    <message>
         <source>%1 in it is encrypted; unpack it and open the mesh</source>
         <translation>%1 darin ist verschlüsselt; entpacken Sie es und öffnen Sie das Netz</translation>
     </message>
@@ -2896,32 +2092,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>das Archiv ist beschädigt</translation>
     </message>
     <message>
-        <source>it is no .zip archive: %1</source>
-        <translation>es ist kein .zip-Archiv: %1</translation>
-    </message>
-    <message>
-        <source>the file is no plain sheet of cloth and was made one</source>
-        <translation>die Datei ist keine einfache Stofffläche und wurde zu einer gemacht</translation>
-    </message>
-    <message>
-        <source>Say what the file is if that is wrong</source>
-        <translation>Sagen Sie, was die Datei ist, falls das nicht stimmt</translation>
-    </message>
-    <message>
-        <source>the file does not look like the stated kind</source>
-        <translation>die Datei sieht nicht nach der angegebenen Art aus</translation>
-    </message>
-    <message>
-        <source>Nothing was done with it; say that it is something else</source>
-        <translation>Es wurde nichts mit ihr gemacht; sagen Sie, dass sie etwas anderes ist</translation>
-    </message>
-    <message>
         <source>the file looks like a scan</source>
         <translation>die Datei sieht nach einem Scan aus</translation>
-    </message>
-    <message>
-        <source>Prepare it as a scan: debris is removed, holes are closed, noise is smoothed</source>
-        <translation>Lassen Sie sie als Scan aufbereiten: Bruchstücke entfallen, Löcher werden geschlossen, Rauschen geglättet</translation>
     </message>
     <message>
         <source>1 fragment</source>
@@ -2932,36 +2104,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Bruchstücke</translation>
     </message>
     <message>
-        <source>a thick shell, %1: the outer surface is the sheet; %2 of the inner one and %3 of rims are left out</source>
-        <translation>eine dicke Schale, %1: Die äußere Fläche ist der Stoff; weggelassen: %2 der inneren, %3 der Ränder</translation>
-    </message>
-    <message>
-        <source>a thick shell, %1: the inner surface is the sheet; %2 of the outer one and %3 of rims are left out</source>
-        <translation>eine dicke Schale, %1: Die innere Fläche ist der Stoff; weggelassen: %2 der äußeren, %3 der Ränder</translation>
-    </message>
-    <message>
-        <source>a thick shell, %1: the sheet runs in the middle; %2 of the inner surface and %3 of rims are left out</source>
-        <translation>eine dicke Schale, %1: Der Stoff verläuft in der Mitte; weggelassen: %2 der inneren Fläche, %3 der Ränder</translation>
-    </message>
-    <message>
         <source>a scan of %1</source>
         <translation>ein Scan aus %1</translation>
     </message>
     <message>
-        <source>; %1 of %2 cm² dropped</source>
-        <translation>; %1 mit %2 cm² entfernt</translation>
-    </message>
-    <message>
-        <source>; %1 closed by %2 cm²</source>
-        <translation>; %1 mit %2 cm² geschlossen</translation>
-    </message>
-    <message>
         <source>; noise smoothed by %1 mm on average, %2 mm at most</source>
         <translation>; Rauschen geglättet, im Mittel um %1 mm, höchstens um %2 mm</translation>
-    </message>
-    <message>
-        <source>; it is no surface that holes and noise can be seen to on</source>
-        <translation>; es ist keine Fläche, an der sich Löcher schließen und Rauschen glätten ließe</translation>
     </message>
     <message>
         <source>; remeshed to %1 with edges of about %2 mm</source>
@@ -2996,10 +2144,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>zwei Flächen im Abstand von %1 bis %2 mm</translation>
     </message>
     <message>
-        <source>%1, which no rim joins</source>
-        <translation>%1, die kein Rand verbindet</translation>
-    </message>
-    <message>
         <source>1 opening</source>
         <translation>1 Öffnung</translation>
     </message>
@@ -3020,26 +2164,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>der senkrechten Ebene durch %1 mm</translation>
     </message>
     <message>
-        <source>half a garment has rims in an upright plane, all cloth on one side of it, and there is no such plane; see which axis points up</source>
-        <translation>ein halbes Kleidungsstück hat Ränder in einer senkrechten Ebene und allen Stoff auf einer Seite davon, und eine solche Ebene gibt es nicht; prüfen Sie, welche Achse nach oben zeigt</translation>
-    </message>
-    <message>
-        <source>half a garment: the mirror image of its %1 was added, joined over %2 mm in %3</source>
-        <translation>ein halbes Kleidungsstück: Zu %1 wurde das Spiegelbild hinzugefügt, verbunden auf %2 mm in %3</translation>
-    </message>
-    <message>
-        <source>layer %1 was asked for, and there are %2; all are taken</source>
-        <translation>Lage %1 war verlangt, es gibt %2; alle werden genommen</translation>
-    </message>
-    <message>
-        <source>%1 layers of cloth, %2 mm apart: layer %3 from outside is taken, with %4; %5 of the others are left out</source>
-        <translation>%1 Stofflagen, %2 mm auseinander: Die Lage %3 von außen wird genommen, mit %4; weggelassen: %5 der anderen</translation>
-    </message>
-    <message>
-        <source>no connected parts lie inside each other; layers that are sewn together by common vertices are one part</source>
-        <translation>keine zusammenhängenden Stücke liegen ineinander; Lagen, die gemeinsame Eckpunkte haben, sind ein Stück</translation>
-    </message>
-    <message>
         <source>Lining</source>
         <translation>Futter</translation>
     </message>
@@ -3048,48 +2172,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Lage %1</translation>
     </message>
     <message>
-        <source>the piece is not seen to be a garment that is worn</source>
-        <translation>dem Teil ist nicht anzusehen, wie es getragen wird</translation>
-    </message>
-    <message>
-        <source>It gets the shortest cuts that let it lie flat; draw others where they are wanted</source>
-        <translation>Es bekommt die kürzesten Einschnitte, mit denen es flach liegt; zeichnen Sie andere, wo Sie sie wollen</translation>
-    </message>
-    <message>
         <source>the mesh has a line there that looks like a seam (%1)</source>
         <translation>im Netz verläuft dort eine Linie, die wie eine Naht aussieht (%1)</translation>
-    </message>
-    <message>
-        <source>by the form</source>
-        <translation>nach der Form</translation>
     </message>
     <message>
         <source>its meshes state different units or up axes; unpack it and open those of one garment together</source>
         <translation>seine Netze geben verschiedene Einheiten oder Hochachsen an; entpacken Sie es und öffnen Sie die eines Kleidungsstücks zusammen</translation>
     </message>
     <message>
-        <source>a border of the file, in its UV map or its parts</source>
-        <translation>eine Grenze der Datei, in ihrer UV-Karte oder ihren Teilen</translation>
-    </message>
-    <message>
-        <source>along a ridge of the form</source>
-        <translation>entlang einer Kante der Form</translation>
-    </message>
-    <message>
         <source>where left meets right, %1 mm from symmetric</source>
         <translation>wo links auf rechts trifft, %1 mm von der Symmetrie entfernt</translation>
     </message>
     <message>
-        <source>the shortest that lets it lie flat</source>
-        <translation>der kürzeste, mit dem es flach liegen kann</translation>
-    </message>
-    <message>
         <source>the cloth at its tip is %1 % too long</source>
         <translation>der Stoff an seiner Spitze ist um %1 % zu lang</translation>
-    </message>
-    <message>
-        <source>more than %1 copies are not laid at once: lay several markers, or fewer copies</source>
-        <translation>mehr als %1 Stücke werden nicht auf einmal ausgelegt: legen Sie mehrere Schnittbilder aus oder weniger Stücke</translation>
     </message>
     <message>
         <source>Own fabric</source>
@@ -3104,48 +2200,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1: %2, zu %3 % genutzt</translation>
     </message>
     <message>
-        <source>%1 is cut through both layers of the folded cloth: %2 more than are needed</source>
-        <translation>%1 wird durch beide Lagen des gefalteten Stoffs geschnitten: %2 mehr als gebraucht</translation>
-    </message>
-    <message>
-        <source>%1 is not laid: it is %2 mm across, the cloth %3 mm; splice it at %4 mm</source>
-        <translation>%1 ist nicht ausgelegt: es ist %2 mm breit, der Stoff %3 mm; setzen Sie es bei %4 mm an</translation>
-    </message>
-    <message>
-        <source>%1 is not laid %2 times: there is no room left for it; take more cloth</source>
-        <translation>%1 ist %2-mal nicht ausgelegt: dafür ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
-    </message>
-    <message>
-        <source>%1 is not laid: it fits on no sheet or hide; divide it by a cut, or take larger ones</source>
-        <translation>%1 ist nicht ausgelegt: es passt auf keinen Bogen und keine Haut; teilen Sie es durch einen Einschnitt, oder nehmen Sie größere</translation>
-    </message>
-    <message>
-        <source>%1 is not laid: its outline crosses itself; divide it by a cut</source>
-        <translation>%1 ist nicht ausgelegt: sein Umriss kreuzt sich selbst; teilen Sie es durch einen Einschnitt</translation>
-    </message>
-    <message>
-        <source>no seam that is laid here is called %1</source>
-        <translation>keine Naht, die hier ausgelegt ist, heißt %1</translation>
-    </message>
-    <message>
-        <source>the repeat does not meet along %1: its sides are %2 mm apart in it</source>
-        <translation>der Rapport trifft sich nicht entlang %1: die Seiten liegen darin %2 mm auseinander</translation>
-    </message>
-    <message>
-        <source>the repeat meets where %1 begins, and is %2 mm apart where it ends</source>
-        <translation>der Rapport trifft sich, wo %1 beginnt, und liegt %2 mm auseinander, wo sie endet</translation>
-    </message>
-    <message>
         <source>it has no closed line that could be a hide</source>
         <translation>es enthält keine geschlossene Linie, die eine Haut sein könnte</translation>
-    </message>
-    <message>
-        <source>a closed line that begins outside of the hide is left out (layer &quot;%1&quot;)</source>
-        <translation>eine geschlossene Linie, die außerhalb der Haut beginnt, ist weggelassen (Ebene „%1“)</translation>
-    </message>
-    <message>
-        <source>its numbers are taken for %1: %2</source>
-        <translation>die Zahlen gelten als %1: %2</translation>
     </message>
     <message>
         <source>1 hide</source>
@@ -3164,10 +2220,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Bögen</translation>
     </message>
     <message>
-        <source>%1 is not laid: there is no room left for it; take more cloth</source>
-        <translation>%1 ist nicht ausgelegt: dafür ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
-    </message>
-    <message>
         <source>on the design, %1 Pa</source>
         <translation>auf dem Entwurf, %1 Pa</translation>
     </message>
@@ -3184,92 +2236,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>, mit Schwerkraft</translation>
     </message>
     <message>
-        <source>, %1 times as large</source>
-        <translation>, %1-mal so groß</translation>
-    </message>
-    <message>
-        <source>, cloth as typed</source>
-        <translation>, Stoff wie eingegeben</translation>
-    </message>
-    <message>
-        <source>; the seam %1 pulls %2 %, more than the fabric gives</source>
-        <translation>; die Naht %1 spannt um %2 %, mehr als der Stoff nachgibt</translation>
-    </message>
-    <message>
-        <source>; %1 pulls %2 %, more than the fabric gives</source>
-        <translation>; %1 spannt um %2 %, mehr als der Stoff nachgibt</translation>
-    </message>
-    <message>
-        <source>; the seam %1 pulls %2 %, which the fabric gives</source>
-        <translation>; die Naht %1 spannt um %2 %, was der Stoff nachgibt</translation>
-    </message>
-    <message>
-        <source>; %1 pulls %2 %, which the fabric gives</source>
-        <translation>; %1 spannt um %2 %, was der Stoff nachgibt</translation>
-    </message>
-    <message>
-        <source>; the seam %1 pulls %2 %</source>
-        <translation>; die Naht %1 spannt um %2 %</translation>
-    </message>
-    <message>
-        <source>; %1 pulls %2 %</source>
-        <translation>; %1 spannt um %2 %</translation>
-    </message>
-    <message>
-        <source>; %1 bags by %2 %</source>
-        <translation>; %1 beutelt um %2 %</translation>
-    </message>
-    <message>
-        <source>sewn back, the cloth has not come to rest, so that the gap says little</source>
-        <translation>wieder zusammengenäht ist der Stoff nicht zur Ruhe gekommen, sodass der Abstand wenig sagt</translation>
-    </message>
-    <message>
-        <source>the sides of %1 are sewn to each other, so that nothing of it is left</source>
-        <translation>die Seiten von %1 sind aneinandergenäht, sodass nichts davon bleibt</translation>
-    </message>
-    <message>
-        <source>; %1 of %2 pieces are not in it</source>
-        <translation>; %1 von %2 Teilen sind nicht dabei</translation>
-    </message>
-    <message>
-        <source>Sewn back it sits %1 mm from the design on average, %2 mm at the worst twentieth</source>
-        <translation>Wieder zusammengenäht liegt der Schnitt im Mittel %1 mm vom Entwurf, beim schlechtesten Zwanzigstel %2 mm</translation>
-    </message>
-    <message>
-        <source>; %1 % of it hangs free</source>
-        <translation>; %1 % davon hängen frei</translation>
-    </message>
-    <message>
-        <source>Faults found by sewing</source>
-        <translation>Beim Nähen gefundene Fehler</translation>
-    </message>
-    <message>
-        <source>Look at it in the pattern, put it right, and prove again</source>
-        <translation>Im Schnitt ansehen, in Ordnung bringen und erneut prüfen</translation>
-    </message>
-    <message>
         <source>Far from the design</source>
         <translation>Weit vom Entwurf</translation>
-    </message>
-    <message>
-        <source>sewn back, the pattern sits %1 from the design on average, %2 at the worst twentieth; this piece is the farthest off, %3 on average</source>
-        <translation>wieder zusammengenäht liegt der Schnitt im Mittel %1 vom Entwurf, beim schlechtesten Zwanzigstel %2; dieses Schnittteil liegt am weitesten weg, im Mittel %3</translation>
-    </message>
-    <message>
-        <source>Look where it is with the overlay Gap; try another method, a dart or a seam there, and prove again</source>
-        <translation>Mit der Einfärbung „Abstand“ ansehen, wo das ist; dort ein anderes Verfahren, einen Abnäher oder eine Naht versuchen und erneut prüfen</translation>
-    </message>
-    <message>
-        <source>it lies nowhere near the garment: its unit or its axes are others</source>
-        <translation>er liegt nirgends in der Nähe des Kleidungsstücks: Einheit oder Achsen sind andere</translation>
-    </message>
-    <message>
-        <source>its pattern is so small that nothing of it is left in a file; state the unit of the garment</source>
-        <translation>sein Schnitt ist so klein, dass in einer Datei nichts von ihm bleibt; geben Sie die Einheit des Kleidungsstücks an</translation>
-    </message>
-    <message>
-        <source>nothing of the pattern is a piece of the garment that is flat; take the pattern that was made of it</source>
-        <translation>nichts von dem Schnitt ist ein flaches Schnittteil des Kleidungsstücks; nehmen Sie den Schnitt, der daraus gemacht ist</translation>
     </message>
     <message>
         <source>the designer&apos;s panels</source>
@@ -3284,28 +2252,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>der Schnitt hat kein Schnittteil %1</translation>
     </message>
     <message>
-        <source>the outline of %1 crosses itself in the pattern; it is left out</source>
-        <translation>der Umriss von %1 kreuzt sich im Schnitt selbst; das Teil ist ausgelassen</translation>
-    </message>
-    <message>
-        <source>%1 of the pattern is no piece of the garment</source>
-        <translation>%1 im Schnitt ist kein Schnittteil des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>%1 is mirrored in the pattern; it is turned over to be sewn</source>
-        <translation>%1 ist im Schnitt gespiegelt; zum Nähen wird es gewendet</translation>
-    </message>
-    <message>
-        <source>what the pattern calls %1 does not fit %2 but %3</source>
-        <translation>was im Schnitt %1 heißt, passt nicht zu %2, sondern zu %3</translation>
-    </message>
-    <message>
         <source>%1: the two sides differ by %2 mm more than their ease</source>
         <translation>%1: die beiden Seiten unterscheiden sich um %2 mm mehr als ihre Einhalteweite</translation>
-    </message>
-    <message>
-        <source>%1: the side of %2 is %3 mm longer than what it is sewn to</source>
-        <translation>%1: die Seite von %2 ist %3 mm länger als das, woran sie genäht wird</translation>
     </message>
     <message>
         <source>%1 is %2 mm longer in the pattern than on the design</source>
@@ -3316,28 +2264,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 ist im Schnitt %2 mm kürzer als auf dem Entwurf</translation>
     </message>
     <message>
-        <source>, %1 mm off itself</source>
-        <translation>, %1 mm Abstand von sich selbst</translation>
-    </message>
-    <message>
-        <source>edges of %1 mm make %2 triangles; from %3 mm on there are few enough of them to be sewn</source>
-        <translation>Kanten von %1 mm ergeben %2 Dreiecke; ab %3 mm sind es wenig genug, um genäht zu werden</translation>
-    </message>
-    <message>
-        <source>triangles are flipped or without area in the pattern (%1 of %2)</source>
-        <translation>Dreiecke liegen im Schnittmuster umgeklappt oder ohne Fläche (%1 von %2)</translation>
-    </message>
-    <message>
         <source>Wider than the cloth</source>
         <translation>Breiter als der Stoff</translation>
-    </message>
-    <message>
-        <source>it measures %1 where its cloth has room for %2</source>
-        <translation>es misst %1, wo sein Stoff Platz für %2 hat</translation>
-    </message>
-    <message>
-        <source>Cut it apart, turn its grain, or take wider cloth</source>
-        <translation>Teilen Sie es, drehen Sie seinen Fadenlauf oder nehmen Sie breiteren Stoff</translation>
     </message>
     <message>
         <source>the triangle at %1 mm, all its corners on the outline, would have no area left</source>
@@ -3346,10 +2274,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1, no faces</source>
         <translation>%1, keine Flächen</translation>
-    </message>
-    <message>
-        <source>triangles are flipped or without area in the pattern</source>
-        <translation>Dreiecke liegen im Schnittmuster umgeklappt oder ohne Fläche</translation>
     </message>
     <message>
         <source>1 texture coordinate</source>
@@ -3366,10 +2290,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>not readable</source>
         <translation>nicht lesbar</translation>
-    </message>
-    <message>
-        <source>a pattern is no garment: give it to toile compare --pattern, or open it as the reference pattern</source>
-        <translation>ein Schnitt ist kein Kleidungsstück: Öffnen Sie ihn als Referenzschnitt, oder geben Sie ihn toile compare --pattern</translation>
     </message>
     <message>
         <source>with decimal commas; numbers need decimal points</source>
@@ -3420,84 +2340,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>ausgelassen: eine Ecke kommt zweimal vor</translation>
     </message>
     <message>
-        <source>divided as a fan: more corners than can be divided with care</source>
-        <translation>als Fächer zerlegt: zu viele Ecken für eine sorgfältige Zerlegung</translation>
-    </message>
-    <message>
-        <source>divided as a fan: it crosses itself or has no area</source>
-        <translation>als Fächer zerlegt: sie kreuzt sich selbst oder hat keine Fläche</translation>
-    </message>
-    <message>
         <source>it has no closed line that could be a piece; export the outlines of its pieces as closed lines</source>
         <translation>es enthält keine geschlossene Linie, die ein Schnittteil sein könnte; exportieren Sie die Umrisse seiner Teile als geschlossene Linien</translation>
-    </message>
-    <message>
-        <source>the cloth ended %1 mm from the design on average, which is %2 mm large; the pattern or its unit is not that of this garment</source>
-        <translation>der Stoff liegt am Ende im Mittel %1 mm vom Entwurf entfernt, der %2 mm groß ist; das Schnittmuster oder seine Einheit ist nicht die dieses Kleidungsstücks</translation>
     </message>
     <message>
         <source>its outlines, read in %1, are %2 times as long as those of the garment; it is probably in %3 (--pattern-unit %3)</source>
         <translation>seine Umrisse, in %1 gelesen, sind %2-mal so lang wie die des Kleidungsstücks; wahrscheinlich ist es in %3 (--pattern-unit %3)</translation>
     </message>
     <message>
-        <source>its outlines, read in %1, are %2 times as long as those of the garment; state its unit, or that of the garment</source>
-        <translation>seine Umrisse, in %1 gelesen, sind %2-mal so lang wie die des Kleidungsstücks; geben Sie seine Einheit oder die des Kleidungsstücks an</translation>
-    </message>
-    <message>
         <source>the border of the sheet is left out: %1 on layer &quot;%2&quot;</source>
         <translation>der Rahmen des Blattes ist ausgelassen: %1 auf Ebene „%2“</translation>
     </message>
     <message>
-        <source>in doubt: %1 has %2, which take %3 % of it; if they are pieces, take the line around them out of the drawing</source>
-        <translation>fraglich: %1 hat %2, zusammen %3 % davon; wenn es Schnittteile sind, entfernen Sie die Linie um sie herum aus der Zeichnung</translation>
-    </message>
-    <message>
-        <source>left out, since they do not close: %1</source>
-        <translation>ausgelassen, da nicht geschlossen: %1</translation>
-    </message>
-    <message>
-        <source>left out, since they are in no piece or beyond the largest %2 outlines: %1</source>
-        <translation>ausgelassen, da in keinem Schnittteil oder nicht unter den %2 größten Umrissen: %1</translation>
-    </message>
-    <message>
-        <source>drawn to %1 mm its curves take more than %2 points; check its unit, and take what belongs to no piece out of the drawing</source>
-        <translation>auf %1 mm genau gezeichnet brauchen seine Kurven mehr als %2 Punkte; prüfen Sie seine Einheit, und nehmen Sie aus der Zeichnung, was zu keinem Schnittteil gehört</translation>
-    </message>
-    <message>
-        <source>left out, since they lie on the printed sheet (paper space): %1</source>
-        <translation>ausgelassen, da auf dem Druckblatt (Papierbereich): %1</translation>
-    </message>
-    <message>
-        <source>left out, since Toile does not read them: %1</source>
-        <translation>ausgelassen, da Toile sie nicht liest: %1</translation>
-    </message>
-    <message>
-        <source>left out, since each block is read once: %1</source>
-        <translation>ausgelassen, da jeder Block einmal gelesen wird: %1</translation>
-    </message>
-    <message>
         <source>%1 more notes like: %2</source>
         <translation>%1 weitere Hinweise wie: %2</translation>
-    </message>
-    <message>
-        <source>left out, since Toile does not use their layers: %1</source>
-        <translation>ausgelassen, da Toile ihre Ebenen nicht verwendet: %1</translation>
-    </message>
-    <message>
-        <source>left out, since they belong to no piece: %1</source>
-        <translation>ausgelassen, da zu keinem Schnittteil gehörig: %1</translation>
-    </message>
-    <message>
-        <source>%1: left out, since they lie outside of its outline: %2</source>
-        <translation>%1: ausgelassen, da außerhalb seines Umrisses: %2</translation>
-    </message>
-    <message>
-        <source>it states no code page and is read as UTF-8; if its names are wrong, save it with $DWGCODEPAGE</source>
-        <translation>die Datei nennt keine Codepage und ist als UTF-8 gelesen; wenn Namen falsch sind, speichern Sie sie mit $DWGCODEPAGE</translation>
-    </message>
-    <message>
-        <source>some of its characters are none of its code page %1; they are shown as �</source>
-        <translation>einige ihrer Zeichen gehören nicht zu ihrer Codepage %1; sie erscheinen als �</translation>
     </message>
     <message>
         <source>it states no code page, so its names are read as Western European and may be wrong; save it with $DWGCODEPAGE or as UTF-8</source>
@@ -3512,8 +2368,1144 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Hinweise zum Referenzschnitt</translation>
     </message>
     <message>
-        <source>divided by %1 it falls into %2 pieces, and at most %3 are read; divide it otherwise, or join its parts in the modelling program</source>
-        <translation>sie zerfällt bei der Teilung nach „%1“ in %2 Schnittteile, und höchstens %3 werden gelesen; teilen Sie sie anders, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
+        <source>its point %1 is %2 mm from the nearest piece, %3</source>
+        <translation>sein Punkt %1 liegt %2 mm vom nächsten Schnittteil entfernt, %3</translation>
+    </message>
+    <message>
+        <source>in %1 it runs along the outline or another cut, so it opens nothing</source>
+        <translation>in %1 läuft er am Umriss oder an einem anderen Einschnitt entlang und öffnet daher nichts</translation>
+    </message>
+    <message>
+        <source>it is %1 mm from the nearest edge of a piece</source>
+        <translation>sie liegt %1 mm vom nächsten Rand eines Schnittteils entfernt</translation>
+    </message>
+    <message>
+        <source>more than two edges coincide there, one of them of %1</source>
+        <translation>mehr als zwei Kanten fallen dort zusammen, eine davon von %1</translation>
+    </message>
+    <message>
+        <source>the vertices of the two edges there, one of them of %1, do not match one to one</source>
+        <translation>die Punkte der beiden Kanten dort, eine davon von %1, passen nicht paarweise zusammen</translation>
+    </message>
+    <message>
+        <source>Check that the folder exists, is writable and has free space</source>
+        <translation>Prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
+    </message>
+    <message>
+        <source>Toile does not know the format of the file</source>
+        <translation>Toile kennt das Format der Datei nicht</translation>
+    </message>
+    <message>
+        <source>this build of Toile cannot write the format</source>
+        <translation>dieses Toile kann das Format nicht schreiben</translation>
+    </message>
+    <message>
+        <source>Use a build with the window</source>
+        <translation>Nehmen Sie ein Toile mit Fenster</translation>
+    </message>
+    <message>
+        <source>the file does not match the pattern when read back, so it was not written</source>
+        <translation>die Datei stimmt beim Wiederlesen nicht mit dem Schnitt überein und wurde daher nicht geschrieben</translation>
+    </message>
+    <message>
+        <source>Use another format, and report this with the garment</source>
+        <translation>Nehmen Sie ein anderes Format, und melden Sie dies mit dem Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Choose larger paper, or move the pieces closer together</source>
+        <translation>Wählen Sie größeres Papier, oder legen Sie die Teile enger</translation>
+    </message>
+    <message>
+        <source>Export it again from the program that made it</source>
+        <translation>Exportieren Sie sie noch einmal aus dem Programm, aus dem sie kommt</translation>
+    </message>
+    <message>
+        <source>the file contains no usable geometry</source>
+        <translation>die Datei enthält keine brauchbare Geometrie</translation>
+    </message>
+    <message>
+        <source>Open an older copy, or correct this place in a text editor</source>
+        <translation>Öffnen Sie eine ältere Kopie, oder berichtigen Sie diese Stelle in einem Texteditor</translation>
+    </message>
+    <message>
+        <source>Update Toile to open it</source>
+        <translation>Aktualisieren Sie Toile, um es zu öffnen</translation>
+    </message>
+    <message>
+        <source>the unit is uncertain</source>
+        <translation>die Einheit ist unsicher</translation>
+    </message>
+    <message>
+        <source>Set the unit if the size is wrong</source>
+        <translation>Geben Sie die Einheit an, wenn die Größe nicht stimmt</translation>
+    </message>
+    <message>
+        <source>faces refer to vertices that do not exist</source>
+        <translation>Flächen verweisen auf Punkte, die es nicht gibt</translation>
+    </message>
+    <message>
+        <source>Export the file again if something is missing</source>
+        <translation>Exportieren Sie die Datei noch einmal, wenn etwas fehlt</translation>
+    </message>
+    <message>
+        <source>positions are not finite numbers, so their faces are left out</source>
+        <translation>Koordinaten sind keine endlichen Zahlen, daher entfallen ihre Flächen</translation>
+    </message>
+    <message>
+        <source>polygons could not be split into triangles cleanly</source>
+        <translation>Vielecke ließen sich nicht sauber in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>Check whether they fold over; if so, triangulate them in the modelling program</source>
+        <translation>Prüfen Sie, ob sie sich falten; zerlegen Sie sie dann im Modellierprogramm in Dreiecke</translation>
+    </message>
+    <message>
+        <source>the file has entries that this version does not know</source>
+        <translation>die Datei hat Einträge, die diese Fassung nicht kennt</translation>
+    </message>
+    <message>
+        <source>Check their spelling; saving from this version removes them</source>
+        <translation>Prüfen Sie ihre Schreibweise; das Speichern mit dieser Fassung entfernt sie</translation>
+    </message>
+    <message>
+        <source>the file has changed since the project was saved</source>
+        <translation>die Datei hat sich seit dem Speichern des Projekts geändert</translation>
+    </message>
+    <message>
+        <source>Check that the cuts, eases and positions still fit</source>
+        <translation>Prüfen Sie, ob Einschnitte, Einhalteweiten und Lagen noch passen</translation>
+    </message>
+    <message>
+        <source>the garment no longer has this piece, so its settings are not used</source>
+        <translation>das Kleidungsstück hat dieses Schnittteil nicht mehr, daher werden seine Einstellungen nicht verwendet</translation>
+    </message>
+    <message>
+        <source>Apply the settings to another piece if you need them</source>
+        <translation>Stellen Sie ein anderes Schnittteil so ein, wenn Sie sie brauchen</translation>
+    </message>
+    <message>
+        <source>too many outline edges lie together, so no seams are found there</source>
+        <translation>zu viele Kanten von Umrissen liegen beieinander, daher werden dort keine Nähte gefunden</translation>
+    </message>
+    <message>
+        <source>Check the unit, and the mesh at these places</source>
+        <translation>Prüfen Sie die Einheit und das Netz an diesen Stellen</translation>
+    </message>
+    <message>
+        <source>the file is not a plain sheet of cloth, so it was converted to one</source>
+        <translation>die Datei ist keine einfache Stofffläche und wurde daher in eine umgewandelt</translation>
+    </message>
+    <message>
+        <source>Choose another kind of input if this is wrong</source>
+        <translation>Wählen Sie eine andere Art der Eingabe, wenn das nicht stimmt</translation>
+    </message>
+    <message>
+        <source>the file does not fit the chosen kind of input, so it was not converted</source>
+        <translation>die Datei passt nicht zur gewählten Art der Eingabe und wurde daher nicht umgewandelt</translation>
+    </message>
+    <message>
+        <source>Choose another kind of input</source>
+        <translation>Wählen Sie eine andere Art der Eingabe</translation>
+    </message>
+    <message>
+        <source>Prepare it as a scan to remove debris, close holes and smooth noise</source>
+        <translation>Lassen Sie sie als Scan aufbereiten, um Bruchstücke zu entfernen, Löcher zu schließen und Rauschen zu glätten</translation>
+    </message>
+    <message>
+        <source>edges have no length, so their ends are merged</source>
+        <translation>Kanten haben keine Länge, daher werden ihre Enden verschmolzen</translation>
+    </message>
+    <message>
+        <source>triangles without area are removed where possible</source>
+        <translation>Dreiecke ohne Fläche werden entfernt, wo es geht</translation>
+    </message>
+    <message>
+        <source>duplicate faces are removed</source>
+        <translation>doppelte Flächen werden entfernt</translation>
+    </message>
+    <message>
+        <source>faces are flipped to match the larger area around them</source>
+        <translation>Flächen werden gewendet, damit sie zur größeren Fläche um sie passen</translation>
+    </message>
+    <message>
+        <source>edges shared by more than two faces are cut apart</source>
+        <translation>Kanten von mehr als zwei Flächen werden aufgetrennt</translation>
+    </message>
+    <message>
+        <source>Check that the right faces stay joined there</source>
+        <translation>Prüfen Sie, ob dort die richtigen Flächen verbunden bleiben</translation>
+    </message>
+    <message>
+        <source>parts that touch at a single vertex are separated</source>
+        <translation>Teile, die sich in einem einzigen Punkt berühren, werden getrennt</translation>
+    </message>
+    <message>
+        <source>different edges join the same two vertices, so vertices are added</source>
+        <translation>verschiedene Kanten verbinden dieselben zwei Punkte, daher werden Punkte hinzugefügt</translation>
+    </message>
+    <message>
+        <source>vertices at the same position are merged</source>
+        <translation>Punkte an derselben Stelle werden verschmolzen</translation>
+    </message>
+    <message>
+        <source>the piece has holes inside its outline, which stay open</source>
+        <translation>das Schnittteil hat Löcher innerhalb seines Umrisses, die offen bleiben</translation>
+    </message>
+    <message>
+        <source>Use the isometric method if the lengths of their rims matter</source>
+        <translation>Nehmen Sie die isometrische Methode, wenn es auf die Längen ihrer Ränder ankommt</translation>
+    </message>
+    <message>
+        <source>Add a cut to the piece before you cut cloth</source>
+        <translation>Fügen Sie einen Einschnitt hinzu, bevor Sie Stoff zuschneiden</translation>
+    </message>
+    <message>
+        <source>the flat outline crossed itself, so it was moved apart without changing its lengths</source>
+        <translation>der flache Umriss kreuzte sich selbst und wurde daher auseinandergeschoben, ohne seine Längen zu ändern</translation>
+    </message>
+    <message>
+        <source>triangles are flipped or have no area in the pattern</source>
+        <translation>Dreiecke sind im Schnittmuster umgeklappt oder haben keine Fläche</translation>
+    </message>
+    <message>
+        <source>boundary edges are too short for exact lengths</source>
+        <translation>Randkanten sind zu kurz für genaue Längen</translation>
+    </message>
+    <message>
+        <source>Check the piece for doubled vertices and extreme coordinates</source>
+        <translation>Prüfen Sie das Schnittteil auf doppelte Punkte und extreme Koordinaten</translation>
+    </message>
+    <message>
+        <source>triangles have almost no height, so the pattern may be uneven there</source>
+        <translation>Dreiecke haben fast keine Höhe, daher kann das Schnittmuster dort uneben sein</translation>
+    </message>
+    <message>
+        <source>Merge doubled vertices or remove slivers in the modelling program</source>
+        <translation>Verschmelzen Sie doppelte Punkte oder entfernen Sie Splitter im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>the surface&apos;s curvature needs corners that no flat outline can have</source>
+        <translation>die Krümmung der Oberfläche braucht Ecken, die kein flacher Umriss haben kann</translation>
+    </message>
+    <message>
+        <source>the method stopped before it converged</source>
+        <translation>das Verfahren hielt an, bevor es konvergierte</translation>
+    </message>
+    <message>
+        <source>Check the strain before you cut cloth; remove slivers, or cut the piece where it curves most</source>
+        <translation>Prüfen Sie die Dehnung, bevor Sie Stoff zuschneiden; entfernen Sie Splitter, oder schneiden Sie das Schnittteil dort ein, wo es sich am meisten krümmt</translation>
+    </message>
+    <message>
+        <source>the rims of holes differ in length from the garment</source>
+        <translation>die Ränder von Löchern haben eine andere Länge als am Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Cut from the rim to the outline if you want to sew in a patch</source>
+        <translation>Schneiden Sie vom Rand zum Umriss, wenn Sie einen Flicken einnähen wollen</translation>
+    </message>
+    <message>
+        <source>the outline could not be drawn as a fair line, so it is exact</source>
+        <translation>der Umriss ließ sich nicht als ausgeglichene Linie zeichnen und ist daher der genaue</translation>
+    </message>
+    <message>
+        <source>Lower the tolerance, remove straight lines and typed intakes, or refine the mesh along the outline</source>
+        <translation>Verringern Sie die Toleranz, entfernen Sie gerade Linien und eingegebene Abnäherinhalte, oder verfeinern Sie das Netz am Umriss</translation>
+    </message>
+    <message>
+        <source>the fair line would cross itself, so it stays closer to the exact outline there</source>
+        <translation>die ausgeglichene Linie würde sich selbst kreuzen, daher bleibt sie dort näher am genauen Umriss</translation>
+    </message>
+    <message>
+        <source>Cut the piece, or give its edges more room</source>
+        <translation>Schneiden Sie das Schnittteil ein, oder geben Sie seinen Kanten mehr Platz</translation>
+    </message>
+    <message>
+        <source>Cut it open along a seam, or let Toile do it</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
+    </message>
+    <message>
+        <source>Cut it from loop to loop, or let Toile do it</source>
+        <translation>Schneiden Sie es von Rand zu Rand auf, oder lassen Sie Toile das tun</translation>
+    </message>
+    <message>
+        <source>Cut the handle open along a seam, or let Toile do it</source>
+        <translation>Schneiden Sie den Henkel entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
+    </message>
+    <message>
+        <source>parts of the piece touch at a single vertex</source>
+        <translation>Teile des Schnittteils berühren sich in einem einzigen Punkt</translation>
+    </message>
+    <message>
+        <source>neighbouring faces point in opposite directions</source>
+        <translation>benachbarte Flächen zeigen in entgegengesetzte Richtungen</translation>
+    </message>
+    <message>
+        <source>the piece has only one side, like a Moebius strip</source>
+        <translation>das Schnittteil hat nur eine Seite, wie ein Möbiusband</translation>
+    </message>
+    <message>
+        <source>the piece has duplicate faces</source>
+        <translation>das Schnittteil hat doppelte Flächen</translation>
+    </message>
+    <message>
+        <source>Remove the duplicate faces in the modelling program</source>
+        <translation>Entfernen Sie die doppelten Flächen im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>the piece does not look like a garment on a body, so it gets the shortest cuts</source>
+        <translation>das Schnittteil sieht nicht wie ein Kleidungsstück am Körper aus und bekommt daher die kürzesten Einschnitte</translation>
+    </message>
+    <message>
+        <source>Draw your own cuts if you want them elsewhere</source>
+        <translation>Zeichnen Sie eigene Einschnitte, wenn Sie sie anderswo wollen</translation>
+    </message>
+    <message>
+        <source>the seam cannot be removed</source>
+        <translation>die Naht lässt sich nicht entfernen</translation>
+    </message>
+    <message>
+        <source>Keep it, or join the parts in the modelling program</source>
+        <translation>Behalten Sie sie, oder verbinden Sie die Teile im Modellierprogramm</translation>
+    </message>
+    <message>
+        <source>Check the names in the list of seams</source>
+        <translation>Prüfen Sie die Namen in der Liste der Nähte</translation>
+    </message>
+    <message>
+        <source>one boundary edge is as long as all others together, so no flat outline can close</source>
+        <translation>eine Randkante ist so lang wie alle anderen zusammen, daher kann sich kein flacher Umriss schließen</translation>
+    </message>
+    <message>
+        <source>Refine the boundary, or move the seam</source>
+        <translation>Verfeinern Sie den Rand, oder verlegen Sie die Naht</translation>
+    </message>
+    <message>
+        <source>the solver found no closed outline near the surface&apos;s angles</source>
+        <translation>der Löser fand keinen geschlossenen Umriss nahe den Winkeln der Oberfläche</translation>
+    </message>
+    <message>
+        <source>the moved outline cannot be filled without flipped triangles</source>
+        <translation>der verschobene Umriss lässt sich nicht ohne umgeklappte Dreiecke füllen</translation>
+    </message>
+    <message>
+        <source>Move the outline less, or refine the mesh along it</source>
+        <translation>Verschieben Sie den Umriss weniger, oder verfeinern Sie das Netz an ihm</translation>
+    </message>
+    <message>
+        <source>the equations of the interior could not be solved</source>
+        <translation>die Gleichungen des Inneren ließen sich nicht lösen</translation>
+    </message>
+    <message>
+        <source>Check the piece for slivers and extreme differences in edge length</source>
+        <translation>Prüfen Sie das Schnittteil auf Splitter und extreme Unterschiede der Kantenlänge</translation>
+    </message>
+    <message>
+        <source>Check the piece for extreme coordinates</source>
+        <translation>Prüfen Sie das Schnittteil auf extreme Koordinaten</translation>
+    </message>
+    <message>
+        <source>seams are guessed from edges that lie close together but share no points</source>
+        <translation>Nähte sind aus Kanten geraten, die nahe beieinanderliegen, aber keine gemeinsamen Punkte haben</translation>
+    </message>
+    <message>
+        <source>the garment is wrinkled, so its fair lines are less exact than usual</source>
+        <translation>das Kleidungsstück hat Falten, daher sind seine ausgeglichenen Linien ungenauer als sonst</translation>
+    </message>
+    <message>
+        <source>Lower the tolerance of fair lines to keep them closer, with more waves</source>
+        <translation>Verringern Sie die Toleranz ausgeglichener Linien, damit sie näher bleiben, mit mehr Wellen</translation>
+    </message>
+    <message>
+        <source>the simulation has not settled, so its gap is not reliable</source>
+        <translation>die Simulation ist nicht zur Ruhe gekommen, daher ist der Abstand nicht verlässlich</translation>
+    </message>
+    <message>
+        <source>Time that the last solve of this piece took</source>
+        <translation>Zeit, die der Löser zuletzt für dieses Schnittteil brauchte</translation>
+    </message>
+    <message>
+        <source>Share of the area that moved to other triangles; 0 if each keeps its share of the garment</source>
+        <translation>Anteil der Fläche, der zu anderen Dreiecken gewandert ist; 0, wenn jedes seinen Anteil behält</translation>
+    </message>
+    <message>
+        <source>Largest change in length of an outline edge</source>
+        <translation>Größte Längenänderung einer Umrisskante</translation>
+    </message>
+    <message>
+        <source>Triangles that are turned over in the pattern, which cloth cannot be</source>
+        <translation>Dreiecke, die im Schnittmuster umgeklappt sind; Stoff kann das nicht</translation>
+    </message>
+    <message>
+        <source>Number of places where the outline crosses itself</source>
+        <translation>Anzahl der Stellen, an denen sich der Umriss selbst kreuzt</translation>
+    </message>
+    <message>
+        <source>Largest difference between the two flat sides of a seam of this piece, beyond the ease</source>
+        <translation>Größter Unterschied der beiden flachen Seiten einer Naht dieses Schnittteils, über die Einhalteweite hinaus</translation>
+    </message>
+    <message>
+        <source>Root mean square distance to the panel in the file, after the best fit</source>
+        <translation>Quadratisches Mittel des Abstands zum Schnittteil in der Datei, bestmöglich aufeinandergelegt</translation>
+    </message>
+    <message>
+        <source>Stretch or surplus of the cloth, averaged over all mesh edges</source>
+        <translation>Dehnung oder Zuviel des Stoffs, im Mittel aller Netzkanten</translation>
+    </message>
+    <message>
+        <source>Largest stretch of a mesh edge from the pattern to the garment</source>
+        <translation>Größte Dehnung einer Netzkante vom Schnittmuster zum Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Largest surplus of a mesh edge from the pattern to the garment</source>
+        <translation>Größtes Zuviel einer Netzkante vom Schnittmuster zum Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>a path could not be continued through a triangle</source>
+        <translation>ein Weg ließ sich durch ein Dreieck nicht fortsetzen</translation>
+    </message>
+    <message>
+        <source>it crosses itself and earlier cuts so often that a triangle would split into thousands of parts</source>
+        <translation>er kreuzt sich selbst und frühere Einschnitte so oft, dass ein Dreieck in Tausende Teile zerfiele</translation>
+    </message>
+    <message>
+        <source>there is no tube to cut around</source>
+        <translation>hier ist kein Schlauch, um den er laufen könnte</translation>
+    </message>
+    <message>
+        <source>a dart must start at the rim, but the piece has none</source>
+        <translation>ein Abnäher muss am Rand beginnen, aber das Schnittteil hat keinen</translation>
+    </message>
+    <message>
+        <source>; only %1 mm of its edge folds over: smooth the edge there, or remesh a scan</source>
+        <translation>; nur %1 mm seiner Kante klappen um: glätten Sie dort die Kante, oder vernetzen Sie einen Scan neu</translation>
+    </message>
+    <message>
+        <source>moving its crossing outline apart adds %1 % strain</source>
+        <translation>den sich kreuzenden Umriss auseinanderzurücken kostet %1 % Dehnung</translation>
+    </message>
+    <message>
+        <source>strain exceeds %1 % on %2 % of the area, more than any fabric allows</source>
+        <translation>auf %2 % der Fläche liegt die Dehnung über %1 %, mehr als jeder Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>strain is %1 % on average, which only stretch fabric allows</source>
+        <translation>die Dehnung liegt im Mittel bei %1 %, was nur dehnbarer Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>Correct it in the pattern, then prove again</source>
+        <translation>Berichtigen Sie es im Schnitt, und prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>the pattern is missing or out of date for %1 of %2 pieces</source>
+        <translation>das Schnittmuster fehlt oder ist veraltet für %1 von %2 Schnittteilen</translation>
+    </message>
+    <message>
+        <source>Flatten the garment</source>
+        <translation>Wickeln Sie das Kleidungsstück ab</translation>
+    </message>
+    <message>
+        <source>Pieces that could not be flattened</source>
+        <translation>Schnittteile, die sich nicht abwickeln ließen</translation>
+    </message>
+    <message>
+        <source>triangles are flipped or have no area in the pattern (%1 of %2)</source>
+        <translation>Dreiecke sind im Schnittmuster umgeklappt oder haben keine Fläche (%1 von %2)</translation>
+    </message>
+    <message>
+        <source>Proofs that did not settle</source>
+        <translation>Proben, die nicht zur Ruhe kamen</translation>
+    </message>
+    <message>
+        <source>Mirrored pieces</source>
+        <translation>Gespiegelte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Swapped pieces</source>
+        <translation>Vertauschte Schnittteile</translation>
+    </message>
+    <message>
+        <source>Seams with unequal sides</source>
+        <translation>Nähte mit ungleichen Seiten</translation>
+    </message>
+    <message>
+        <source>Seams longer or shorter than the design</source>
+        <translation>Nähte, länger oder kürzer als im Entwurf</translation>
+    </message>
+    <message>
+        <source>Pieces missing in the pattern</source>
+        <translation>Schnittteile, die im Schnitt fehlen</translation>
+    </message>
+    <message>
+        <source>Pieces that are not in the garment</source>
+        <translation>Teile, die das Kleidungsstück nicht hat</translation>
+    </message>
+    <message>
+        <source>Pattern of another garment or unit</source>
+        <translation>Schnitt eines anderen Kleidungsstücks oder in anderer Einheit</translation>
+    </message>
+    <message>
+        <source>faces of the garment point inwards (%0), so their pieces come out mirrored</source>
+        <translation>Flächen des Kleidungsstücks zeigen nach innen (%0), daher sind ihre Schnittteile gespiegelt</translation>
+    </message>
+    <message>
+        <source>Turn the garment over. If only parts point inwards, make the normals consistent in the modelling program</source>
+        <translation>Wenden Sie das Kleidungsstück. Zeigen nur Teile nach innen, gleichen Sie die Normalen im Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>Strain too high for any fabric</source>
+        <translation>Dehnung zu hoch für jeden Stoff</translation>
+    </message>
+    <message>
+        <source>Add cuts or darts where the piece curves most. If the file is a thick shell or a scan, convert it to one sheet first</source>
+        <translation>Fügen Sie Einschnitte oder Abnäher hinzu, wo sich das Schnittteil am meisten krümmt. Ist die Datei eine dicke Schale oder ein Scan, wandeln Sie sie zuerst in eine Lage um</translation>
+    </message>
+    <message>
+        <source>Too many tiny pieces</source>
+        <translation>Zu viele winzige Schnittteile</translation>
+    </message>
+    <message>
+        <source>Set the unit if the garment is too small. Otherwise leave the tiny pieces out, or split the file by something else. If it is a scan, convert it to one sheet first</source>
+        <translation>Geben Sie die Einheit an, wenn das Kleidungsstück zu klein ist. Sonst lassen Sie die winzigen Schnittteile aus, oder teilen Sie die Datei nach etwas anderem. Ist sie ein Scan, wandeln Sie sie zuerst in eine Lage um</translation>
+    </message>
+    <message>
+        <source>Split the garment at its own seams, or draw the cuts yourself. If the file is a thick shell or a scan, convert it to one sheet first</source>
+        <translation>Teilen Sie das Kleidungsstück an seinen eigenen Nähten, oder zeichnen Sie die Einschnitte selbst. Ist die Datei eine dicke Schale oder ein Scan, wandeln Sie sie zuerst in eine Lage um</translation>
+    </message>
+    <message>
+        <source>the flat sides of the seam differ by %1 more than the ease (%2 and %3)</source>
+        <translation>die flachen Seiten der Naht unterscheiden sich um %1 mehr als die Einhalteweite (%2 und %3)</translation>
+    </message>
+    <message>
+        <source>Choose a method that keeps seam lengths, or set the ease</source>
+        <translation>Wählen Sie ein Verfahren, das Nahtlängen hält, oder geben Sie die Einhalteweite an</translation>
+    </message>
+    <message>
+        <source>strain along the warp reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the area)</source>
+        <translation>die Dehnung längs der Kette erreicht %1, aber das Material%0 erlaubt %2 (überschritten auf %3 der Fläche)</translation>
+    </message>
+    <message>
+        <source>Turn the grain, choose a fabric with wider limits, or add a dart or a seam there</source>
+        <translation>Drehen Sie den Fadenlauf, wählen Sie ein Material mit weiteren Grenzen, oder fügen Sie dort einen Abnäher oder eine Naht hinzu</translation>
+    </message>
+    <message>
+        <source>strain along the weft reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the area)</source>
+        <translation>die Dehnung längs des Schusses erreicht %1, aber das Material%0 erlaubt %2 (überschritten auf %3 der Fläche)</translation>
+    </message>
+    <message>
+        <source>strain on the bias reaches %1, but the fabric%0 allows %2 (exceeded on %3 of the area)</source>
+        <translation>die Dehnung im Schrägen erreicht %1, aber das Material%0 erlaubt %2 (überschritten auf %3 der Fläche)</translation>
+    </message>
+    <message>
+        <source>the sewn pattern is %1 from the design on average, 95 % within %2; this piece is farthest, %3 on average</source>
+        <translation>der genähte Schnitt liegt im Mittel %1 vom Entwurf entfernt, zu 95 % innerhalb von %2; dieses Schnittteil liegt am weitesten weg, im Mittel %3</translation>
+    </message>
+    <message>
+        <source>Show the overlay Gap to see where. Try another method, a dart or a seam there, then prove again</source>
+        <translation>Sehen Sie mit der Einfärbung „Abstand“ nach, wo. Versuchen Sie dort ein anderes Verfahren, einen Abnäher oder eine Naht, und prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>the outlines that meet at the end of the seam form a corner of %1</source>
+        <translation>die Umrisse, die am Nahtende zusammentreffen, bilden eine Ecke von %1</translation>
+    </message>
+    <message>
+        <source>Smooth the corner, or keep it if you want one</source>
+        <translation>Gleichen Sie die Ecke aus, oder behalten Sie sie, wenn Sie eine wollen</translation>
+    </message>
+    <message>
+        <source>Pieces that cannot be cut by half</source>
+        <translation>Schnittteile, die sich nicht halb zuschneiden lassen</translation>
+    </message>
+    <message>
+        <source>the piece is set to be cut by half, but it has no mirror image, so it is drawn whole</source>
+        <translation>das Schnittteil soll halb zugeschnitten werden, hat aber kein Spiegelbild und wird daher ganz gezeichnet</translation>
+    </message>
+    <message>
+        <source>Make mirrored pieces equal, or cut the piece whole</source>
+        <translation>Gleichen Sie gespiegelte Schnittteile an, oder schneiden Sie das Schnittteil ganz zu</translation>
+    </message>
+    <message>
+        <source>Facings that do not fit</source>
+        <translation>Belege, die nicht passen</translation>
+    </message>
+    <message>
+        <source>no strip of the facing&apos;s width fits along its edge, so the facing is left out</source>
+        <translation>entlang der Kante hat kein Streifen von der Breite des Belegs Platz, daher entfällt er</translation>
+    </message>
+    <message>
+        <source>Make the facing narrower, or remove it</source>
+        <translation>Machen Sie den Beleg schmaler, oder entfernen Sie ihn</translation>
+    </message>
+    <message>
+        <source>the piece measures %1, but its cloth has room for only %2</source>
+        <translation>das Schnittteil misst %1, aber sein Stoff hat nur Platz für %2</translation>
+    </message>
+    <message>
+        <source>Divide the piece by a cut, turn its grain, or use wider cloth</source>
+        <translation>Teilen Sie das Schnittteil durch einen Einschnitt, drehen Sie seinen Fadenlauf, oder nehmen Sie breiteren Stoff</translation>
+    </message>
+    <message>
+        <source>Overlapping pieces</source>
+        <translation>Überlappende Schnittteile</translation>
+    </message>
+    <message>
+        <source>the pieces overlap on the sheet</source>
+        <translation>die Schnittteile überlappen sich auf dem Bogen</translation>
+    </message>
+    <message>
+        <source>the garment&apos;s largest dimension is %1</source>
+        <translation>das Kleidungsstück misst höchstens %1</translation>
+    </message>
+    <message>
+        <source>Set the unit of its file</source>
+        <translation>Geben Sie die Einheit seiner Datei an</translation>
+    </message>
+    <message>
+        <source>Uncertain unit</source>
+        <translation>Einheit unsicher</translation>
+    </message>
+    <message>
+        <source>the file states no unit, and its size is ambiguous (%0)</source>
+        <translation>die Datei nennt keine Einheit, und ihre Größe ist nicht eindeutig (%0)</translation>
+    </message>
+    <message>
+        <source>Set the unit, or keep it if the size is right</source>
+        <translation>Geben Sie die Einheit an, oder behalten Sie sie, wenn die Größe stimmt</translation>
+    </message>
+    <message>
+        <source>Uncertain up axis</source>
+        <translation>Achse nach oben unsicher</translation>
+    </message>
+    <message>
+        <source>the file does not state which axis points up (%0)</source>
+        <translation>die Datei gibt nicht an, welche Achse nach oben zeigt (%0)</translation>
+    </message>
+    <message>
+        <source>Set the axis, or keep it if the garment stands upright</source>
+        <translation>Geben Sie die Achse an, oder behalten Sie sie, wenn das Kleidungsstück aufrecht steht</translation>
+    </message>
+    <message>
+        <source>no grain is set, so Toile assumes that it runs upwards</source>
+        <translation>kein Fadenlauf ist angegeben, daher gilt er als nach oben gerichtet</translation>
+    </message>
+    <message>
+        <source>Turn the grain arrow, or let Toile choose the grain with the least stretch</source>
+        <translation>Drehen Sie den Pfeil des Fadenlaufs, oder lassen Sie Toile den Fadenlauf mit der geringsten Dehnung wählen</translation>
+    </message>
+    <message>
+        <source>the piece is a tube with %1 openings and must be cut open to lie flat</source>
+        <translation>das Schnittteil ist ein Schlauch mit %1 Öffnungen und muss aufgeschnitten werden, um flach zu liegen</translation>
+    </message>
+    <message>
+        <source>%1, the first at %2 mm in the pattern, where %3 and %4 mm on the piece meet</source>
+        <translation>%1, die erste bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 mm in the pattern, where %3 and %4 mm on the piece meet</source>
+        <translation>%1 bei %2 mm im Schnitt, wo %3 und %4 mm des Schnittteils aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>%1, the worst %2 mm long at %3 mm, off by %4 of its length</source>
+        <translation>%1, die schlimmste %2 mm lang bei %3 mm, um %4 ihrer Länge falsch</translation>
+    </message>
+    <message>
+        <source>%1 of %2 mm at %3 mm, off by %4 of its length</source>
+        <translation>%1 von %2 mm bei %3 mm, um %4 ihrer Länge falsch</translation>
+    </message>
+    <message>
+        <source>an added face at %1 mm</source>
+        <translation>eine eingesetzte Fläche bei %1 mm</translation>
+    </message>
+    <message>
+        <source>an outline edge has a target length of %1 mm</source>
+        <translation>eine Kante des Umrisses soll %1 mm lang werden</translation>
+    </message>
+    <message>
+        <source>no solution after %1 steps, gradient %2</source>
+        <translation>keine Lösung nach %1 Schritten, Gradient %2</translation>
+    </message>
+    <message>
+        <source>the edge is %1 long, the others together %2</source>
+        <translation>die Kante ist %1 lang, die anderen zusammen %2</translation>
+    </message>
+    <message>
+        <source>the outline stays open by %1 of its perimeter</source>
+        <translation>der Umriss bleibt um %1 seines Umfangs offen</translation>
+    </message>
+    <message>
+        <source>Toile found no starting shape without flipped triangles</source>
+        <translation>es fand sich keine Anfangsform ohne umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>the strain would be too high</source>
+        <translation>die Dehnung wäre zu groß</translation>
+    </message>
+    <message>
+        <source>the angles fit in the plane only to within %1 radians</source>
+        <translation>die Winkel passen nur auf %1 rad genau in die Ebene</translation>
+    </message>
+    <message>
+        <source>Pieces overlap on the sheet: %1. Move them apart, or lay out all pieces again.</source>
+        <translation>Schnittteile überlappen sich auf dem Bogen: %1. Schieben Sie sie auseinander, oder legen Sie alle neu aus.</translation>
+    </message>
+    <message>
+        <source>Pieces without a grain line because no grain is set: %1. Turn the arrow, or choose a grain.</source>
+        <translation>Schnittteile ohne Fadenlauf in der Datei, weil keiner angegeben ist: %1. Drehen Sie den Pfeil, oder wählen Sie einen Fadenlauf.</translation>
+    </message>
+    <message>
+        <source>at a tolerance of %1 mm its curves need more than %2 points; check the unit, and remove lines that belong to no piece</source>
+        <translation>auf %1 mm genau brauchen seine Kurven mehr als %2 Punkte; prüfen Sie die Einheit, und entfernen Sie Linien, die zu keinem Schnittteil gehören</translation>
+    </message>
+    <message>
+        <source>%1, so the largest piece is %2 mm</source>
+        <translation>%1, damit misst das größte Teil %2 mm</translation>
+    </message>
+    <message>
+        <source>the file states no unit; the largest piece is %1 mm</source>
+        <translation>die Datei nennt keine Einheit; das größte Teil misst damit %1 mm</translation>
+    </message>
+    <message>
+        <source>check %1: it has %2, which cover %3 % of it; if they are pieces, remove the line around them from the drawing</source>
+        <translation>prüfen Sie %1: es hat %2, zusammen %3 % davon; wenn es Schnittteile sind, entfernen Sie die Linie um sie herum aus der Zeichnung</translation>
+    </message>
+    <message>
+        <source>left out because they are not closed: %1</source>
+        <translation>ausgelassen, da nicht geschlossen: %1</translation>
+    </message>
+    <message>
+        <source>left out because they are in no piece or not among the largest %2 outlines: %1</source>
+        <translation>ausgelassen, da in keinem Schnittteil oder nicht unter den %2 größten Umrissen: %1</translation>
+    </message>
+    <message>
+        <source>left out because they are on the printed sheet (paper space): %1</source>
+        <translation>ausgelassen, da auf dem Druckblatt (Papierbereich): %1</translation>
+    </message>
+    <message>
+        <source>%1: the mirror line is not on the outline, so the piece is not unfolded</source>
+        <translation>%1: die Spiegellinie liegt nicht auf dem Umriss, daher wird das Schnittteil nicht aufgeklappt</translation>
+    </message>
+    <message>
+        <source>left out because Toile does not read them: %1</source>
+        <translation>ausgelassen, da Toile sie nicht liest: %1</translation>
+    </message>
+    <message>
+        <source>left out because Toile does not use their layers: %1</source>
+        <translation>ausgelassen, da Toile ihre Ebenen nicht verwendet: %1</translation>
+    </message>
+    <message>
+        <source>left out because Toile reads each block once: %1</source>
+        <translation>ausgelassen, da Toile jeden Block einmal liest: %1</translation>
+    </message>
+    <message>
+        <source>left out because they belong to no piece: %1</source>
+        <translation>ausgelassen, da zu keinem Schnittteil gehörig: %1</translation>
+    </message>
+    <message>
+        <source>%1: left out because they are outside its outline: %2</source>
+        <translation>%1: ausgelassen, da außerhalb seines Umrisses: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 in its outlines that are not closed</source>
+        <translation>%1: %2 in seinen Umrissen, die nicht geschlossen sind</translation>
+    </message>
+    <message>
+        <source>it states no code page, so it is read as UTF-8; if names are wrong, save it with $DWGCODEPAGE</source>
+        <translation>die Datei nennt keine Codepage, daher ist sie als UTF-8 gelesen; wenn Namen falsch sind, speichern Sie sie mit $DWGCODEPAGE</translation>
+    </message>
+    <message>
+        <source>some characters are not in its code page %1; they are shown as �</source>
+        <translation>einige Zeichen gehören nicht zu ihrer Codepage %1; sie erscheinen als �</translation>
+    </message>
+    <message>
+        <source>the file states no unit; this format usually uses cm</source>
+        <translation>die Datei nennt keine Einheit; dieses Format verwendet meist cm</translation>
+    </message>
+    <message>
+        <source>a closed line that starts outside the hide is left out (layer &quot;%1&quot;)</source>
+        <translation>eine geschlossene Linie, die außerhalb der Haut beginnt, ist weggelassen (Ebene „%1“)</translation>
+    </message>
+    <message>
+        <source>its unit is assumed to be %1: %2</source>
+        <translation>als Einheit wird %1 angenommen: %2</translation>
+    </message>
+    <message>
+        <source>it states no page size, so 96 units are one inch</source>
+        <translation>die Größe der Seite fehlt, daher sind 96 Einheiten ein Zoll</translation>
+    </message>
+    <message>
+        <source>it contains %1, not %2 as its name says</source>
+        <translation>sie enthält %1, nicht %2, wie ihre Endung sagt</translation>
+    </message>
+    <message>
+        <source>it does not start like %1</source>
+        <translation>sie beginnt nicht wie %1</translation>
+    </message>
+    <message>
+        <source>reading it needs more than %1 s of processor time or %2 MB of memory, too much for %3 MB; it may be damaged, or repeat its meshes too often</source>
+        <translation>sie zu lesen braucht mehr als %1 s Rechenzeit oder %2 MB Speicher, zu viel für %3 MB; sie ist vielleicht beschädigt oder wiederholt ihre Netze zu oft</translation>
+    </message>
+    <message>
+        <source>it places %1 objects, too many for its size; export the garment alone, without instances</source>
+        <translation>sie setzt %1 Objekte, zu viele für ihre Größe; exportieren Sie das Kleidungsstück allein, ohne Instanzen</translation>
+    </message>
+    <message>
+        <source>it refers to &quot;%1&quot;, which is not in its folder; export it again with its files in the same folder, or as .glb</source>
+        <translation>sie verweist auf „%1“, das nicht in ihrem Ordner liegt; exportieren Sie sie neu, mit ihren Dateien daneben oder als .glb</translation>
+    </message>
+    <message>
+        <source>Toile cannot read 3MF files with meshes in separate parts, as slicers save them; export the mesh alone</source>
+        <translation>Toile kann 3MF-Dateien mit Netzen in eigenen Teilen, wie Slicer sie speichern, nicht lesen; exportieren Sie das Netz allein</translation>
+    </message>
+    <message>
+        <source>the joints of a skin cannot be found by name; export the mesh without its rig</source>
+        <translation>die Gelenke eines Skins sind an ihren Namen nicht zu finden; exportieren Sie das Netz ohne sein Rig</translation>
+    </message>
+    <message>
+        <source>the library that reads this format crashed on it</source>
+        <translation>die Bibliothek, die dieses Format liest, ist daran abgestürzt</translation>
+    </message>
+    <message>
+        <source>its buffer &quot;%1&quot; is a folder, pipe or device; put the file itself there</source>
+        <translation>ihr Puffer „%1“ ist ein Ordner, eine Pipe oder ein Gerät; legen Sie die Datei selbst dorthin</translation>
+    </message>
+    <message>
+        <source>its buffers up to &quot;%1&quot; are longer than 2 GiB; export fewer or coarser meshes</source>
+        <translation>ihre Puffer bis „%1“ sind länger als 2 GiB; exportieren Sie weniger oder gröbere Netze</translation>
+    </message>
+    <message>
+        <source>a comment in the file states a unit of %1, which Toile does not use; set it with --unit</source>
+        <translation>ein Kommentar der Datei nennt eine Einheit von %1, die Toile nicht verwendet; setzen Sie sie mit --unit</translation>
+    </message>
+    <message>
+        <source>it is a pattern, not a garment; use it with toile compare --pattern, or open it as the reference pattern</source>
+        <translation>es ist ein Schnitt, kein Kleidungsstück; verwenden Sie ihn mit toile compare --pattern, oder öffnen Sie ihn als Referenzschnitt</translation>
+    </message>
+    <message>
+        <source>%1 is binary USD; save it as .usda</source>
+        <translation>%1 ist binäres USD; speichern Sie die Datei als .usda</translation>
+    </message>
+    <message>
+        <source>split as a fan: too many corners</source>
+        <translation>als Fächer zerlegt: zu viele Ecken</translation>
+    </message>
+    <message>
+        <source>split as a fan: it crosses itself or has no area</source>
+        <translation>als Fächer zerlegt: sie kreuzt sich selbst oder hat keine Fläche</translation>
+    </message>
+    <message>
+        <source>it is not USD text</source>
+        <translation>es ist kein USD-Text</translation>
+    </message>
+    <message>
+        <source>it has a syntax error</source>
+        <translation>sie hat einen Syntaxfehler</translation>
+    </message>
+    <message>
+        <source>the USD file states a unit of %1 m</source>
+        <translation>die USD-Datei nennt eine Einheit von %1 m</translation>
+    </message>
+    <message>
+        <source>it contains %1 files; unpack it and open the mesh</source>
+        <translation>es enthält %1 Dateien; entpacken Sie es und öffnen Sie das Netz</translation>
+    </message>
+    <message>
+        <source>none of its %1 files ends in %2</source>
+        <translation>keine seiner %1 Dateien endet auf %2</translation>
+    </message>
+    <message>
+        <source>it is not a .zip archive: %1</source>
+        <translation>es ist kein .zip-Archiv: %1</translation>
+    </message>
+    <message>
+        <source>no seam in this marker is called %1</source>
+        <translation>keine Naht in diesem Schnittbild heißt %1</translation>
+    </message>
+    <message>
+        <source>the repeat does not match along %1: its sides are %2 mm off</source>
+        <translation>der Rapport passt entlang %1 nicht zusammen: die Seiten weichen um %2 mm ab</translation>
+    </message>
+    <message>
+        <source>the repeat matches at the start of %1, but is %2 mm off at its end</source>
+        <translation>der Rapport passt am Anfang von %1, weicht aber am Ende um %2 mm ab</translation>
+    </message>
+    <message>
+        <source>%1 is cut through both layers of the folded cloth, which gives %2 more than needed</source>
+        <translation>%1 wird durch beide Lagen des gefalteten Stoffs geschnitten, das sind %2 mehr als gebraucht</translation>
+    </message>
+    <message>
+        <source>%1 is not placed: it is %2 mm across, but the cloth only %3 mm; splice it at %4 mm</source>
+        <translation>%1 ist nicht ausgelegt: es ist %2 mm breit, der Stoff nur %3 mm; setzen Sie es bei %4 mm an</translation>
+    </message>
+    <message>
+        <source>%1 is not placed: no room is left; use more cloth</source>
+        <translation>%1 ist nicht ausgelegt: es ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
+    </message>
+    <message>
+        <source>%2 copies of %1 are not placed: no room is left; use more cloth</source>
+        <translation>%2 Stück von %1 sind nicht ausgelegt: es ist kein Platz mehr; nehmen Sie mehr Stoff</translation>
+    </message>
+    <message>
+        <source>%1 is not placed: it fits on no sheet or hide; divide it by a cut, or use larger ones</source>
+        <translation>%1 ist nicht ausgelegt: es passt auf keinen Bogen und keine Haut; teilen Sie es durch einen Einschnitt, oder nehmen Sie größere</translation>
+    </message>
+    <message>
+        <source>%1 is not placed: its outline crosses itself; divide it by a cut</source>
+        <translation>%1 ist nicht ausgelegt: sein Umriss kreuzt sich selbst; teilen Sie es durch einen Einschnitt</translation>
+    </message>
+    <message>
+        <source>kept because their neighbours are flat too</source>
+        <translation>behalten, da die Nachbarn auch flach sind</translation>
+    </message>
+    <message>
+        <source>removed at the boundary</source>
+        <translation>am Rand entfernt</translation>
+    </message>
+    <message>
+        <source>removed in pairs</source>
+        <translation>paarweise entfernt</translation>
+    </message>
+    <message>
+        <source>merged into the neighbour</source>
+        <translation>mit dem Nachbarn vereinigt</translation>
+    </message>
+    <message>
+        <source>removed with all around them</source>
+        <translation>mit allem ringsum entfernt</translation>
+    </message>
+    <message>
+        <source>flipped</source>
+        <translation>gewendet</translation>
+    </message>
+    <message>
+        <source>its outline is not a polygon</source>
+        <translation>sein Umriss ist kein Polygon</translation>
+    </message>
+    <message>
+        <source>its outline winds around twice, or a hole is outside it or overlaps another</source>
+        <translation>sein Umriss läuft zweimal herum, oder ein Loch liegt außerhalb oder überlappt ein anderes</translation>
+    </message>
+    <message>
+        <source>its copies or angles are not valid numbers</source>
+        <translation>seine Anzahl oder seine Winkel sind keine gültigen Zahlen</translation>
+    </message>
+    <message>
+        <source>no room is left for it on the cloth</source>
+        <translation>auf dem Stoff ist kein Platz mehr dafür</translation>
+    </message>
+    <message>
+        <source>it does not fit across a strip of %1 mm at any allowed angle</source>
+        <translation>es passt in keinem erlaubten Winkel in einen Streifen von %1 mm</translation>
+    </message>
+    <message>
+        <source>it is longer than the cloth at every allowed angle</source>
+        <translation>es ist in jedem erlaubten Winkel länger als der Stoff</translation>
+    </message>
+    <message>
+        <source>the gap and border leave no room on this width</source>
+        <translation>Abstand und Rand lassen auf dieser Breite keinen Platz</translation>
+    </message>
+    <message>
+        <source>a marker holds at most %1 copies; make several markers, or use fewer copies</source>
+        <translation>ein Schnittbild fasst höchstens %1 Stücke; machen Sie mehrere Schnittbilder, oder nehmen Sie weniger Stücke</translation>
+    </message>
+    <message>
+        <source>its fixed place is outside the cloth</source>
+        <translation>sein fester Platz liegt außerhalb des Stoffs</translation>
+    </message>
+    <message>
+        <source>its fixed place overlaps %1</source>
+        <translation>sein fester Platz überlappt %1</translation>
+    </message>
+    <message>
+        <source>an excluded band ends before it begins</source>
+        <translation>ein ausgeschlossener Abschnitt endet vor seinem Anfang</translation>
+    </message>
+    <message>
+        <source>half a garment needs rims in an upright plane with all cloth on one side, and there is no such plane; check which axis points up</source>
+        <translation>ein halbes Kleidungsstück braucht Ränder in einer senkrechten Ebene mit allem Stoff auf einer Seite, und eine solche Ebene gibt es nicht; prüfen Sie, welche Achse nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>half a garment: the mirror image of its %1 is added and joined along %2 mm in %3</source>
+        <translation>ein halbes Kleidungsstück: Zu %1 ist das Spiegelbild hinzugefügt und auf %2 mm in %3 verbunden</translation>
+    </message>
+    <message>
+        <source>the openings lie beside each other along x: y or z may be up</source>
+        <translation>die Öffnungen liegen entlang x nebeneinander: y oder z könnte nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>an open sheet does not show its right side, so the winding of its faces decides</source>
+        <translation>eine offene Lage zeigt ihre rechte Seite nicht, daher entscheidet der Umlaufsinn ihrer Flächen</translation>
+    </message>
+    <message>
+        <source>%1 % of the cloth around an inside points inwards</source>
+        <translation>%1 % des Stoffs um eine Innenseite zeigen nach innen</translation>
+    </message>
+    <message>
+        <source>%1 % of the cloth around an inside points outwards</source>
+        <translation>%1 % des Stoffs um eine Innenseite zeigen nach außen</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the outer surface is used; %2 of the inner one and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Die äußere Fläche wird verwendet; weggelassen: %2 der inneren, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the inner surface is used; %2 of the outer one and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Die innere Fläche wird verwendet; weggelassen: %2 der äußeren, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>a thick shell, %1: the middle between its surfaces is used; %2 of the inner surface and %3 of rims are left out</source>
+        <translation>eine dicke Schale, %1: Die Mitte zwischen den Flächen wird verwendet; weggelassen: %2 der inneren Fläche, %3 der Ränder</translation>
+    </message>
+    <message>
+        <source>there is no layer %1 among the %2 layers, so all are used</source>
+        <translation>es gibt keine Lage %1 unter den %2 Lagen, daher werden alle verwendet</translation>
+    </message>
+    <message>
+        <source>%1 layers of cloth, %2 mm apart: layer %3 from outside is used, with %4; %5 of the others are left out</source>
+        <translation>%1 Stofflagen, %2 mm auseinander: Die Lage %3 von außen wird verwendet, mit %4; weggelassen: %5 der anderen</translation>
+    </message>
+    <message>
+        <source>no connected part lies inside another; layers that share vertices are one part</source>
+        <translation>kein zusammenhängendes Stück liegt in einem anderen; Lagen mit gemeinsamen Eckpunkten sind ein Stück</translation>
+    </message>
+    <message>
+        <source>; %1 of %2 cm² removed</source>
+        <translation>; %1 mit %2 cm² entfernt</translation>
+    </message>
+    <message>
+        <source>; %1 closed with %2 cm²</source>
+        <translation>; %1 mit %2 cm² geschlossen</translation>
+    </message>
+    <message>
+        <source>; it is not a clean surface, so holes and noise are not treated</source>
+        <translation>; sie ist keine saubere Fläche, daher bleiben Löcher und Rauschen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>%1, not joined by a rim</source>
+        <translation>%1, die kein Rand verbindet</translation>
+    </message>
+    <message>
+        <source>it is far from the garment; check its unit and its axes</source>
+        <translation>er liegt weit vom Kleidungsstück entfernt; prüfen Sie seine Einheit und seine Achsen</translation>
+    </message>
+    <message>
+        <source>the cloth ended %1 mm from the design on average, on a design of %2 mm; check that pattern and unit belong to this garment</source>
+        <translation>der Stoff liegt am Ende im Mittel %1 mm vom Entwurf entfernt, der %2 mm groß ist; prüfen Sie, ob Schnitt und Einheit zu diesem Kleidungsstück gehören</translation>
+    </message>
+    <message>
+        <source>its outlines, read in %1, are %2 times as long as those of the garment; set its unit, or that of the garment</source>
+        <translation>seine Umrisse, in %1 gelesen, sind %2-mal so lang wie die des Kleidungsstücks; geben Sie seine Einheit oder die des Kleidungsstücks an</translation>
+    </message>
+    <message>
+        <source>no piece of the pattern is a flat piece of the garment; use a pattern made from this garment</source>
+        <translation>kein Teil des Schnitts ist ein flaches Schnittteil des Kleidungsstücks; nehmen Sie einen Schnitt, der aus diesem Kleidungsstück gemacht ist</translation>
+    </message>
+    <message>
+        <source>its pattern is too small to be written to a file; set the unit of the garment</source>
+        <translation>sein Schnitt ist zu klein, um in eine Datei geschrieben zu werden; geben Sie die Einheit des Kleidungsstücks an</translation>
+    </message>
+    <message>
+        <source>edges of %1 mm make %2 triangles, too many to sew; use edges of %3 mm or more</source>
+        <translation>Kanten von %1 mm ergeben %2 Dreiecke, zu viele zum Nähen; nehmen Sie Kanten von %3 mm oder mehr</translation>
+    </message>
+    <message>
+        <source>the outline of %1 crosses itself in the pattern, so the piece is left out</source>
+        <translation>der Umriss von %1 kreuzt sich im Schnitt selbst, daher ist das Teil ausgelassen</translation>
+    </message>
+    <message>
+        <source>the sides of %1 are sewn to each other, so nothing of it is left</source>
+        <translation>die Seiten von %1 sind aneinandergenäht, sodass nichts davon bleibt</translation>
+    </message>
+    <message>
+        <source>the garment has no piece for %1 of the pattern</source>
+        <translation>das Kleidungsstück hat kein Schnittteil zu %1 im Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 is mirrored in the pattern and is turned over for sewing</source>
+        <translation>%1 ist im Schnitt gespiegelt und wird zum Nähen gewendet</translation>
+    </message>
+    <message>
+        <source>%1 of the pattern does not fit %2, but %3</source>
+        <translation>%1 im Schnitt passt nicht zu %2, sondern zu %3</translation>
+    </message>
+    <message>
+        <source>%1: the side of %2 is %3 mm longer than the other side</source>
+        <translation>%1: die Seite von %2 ist %3 mm länger als die andere Seite</translation>
+    </message>
+    <message>
+        <source>. Tightest seam: %1, %2 %, more than the fabric allows</source>
+        <translation>. Straffste Naht: %1, %2 %, mehr als der Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>. Tightest piece: %1, %2 %, more than the fabric allows</source>
+        <translation>. Straffstes Schnittteil: %1, %2 %, mehr als der Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>. Tightest seam: %1, %2 %, which the fabric allows</source>
+        <translation>. Straffste Naht: %1, %2 %, was der Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>. Tightest piece: %1, %2 %, which the fabric allows</source>
+        <translation>. Straffstes Schnittteil: %1, %2 %, was der Stoff erlaubt</translation>
+    </message>
+    <message>
+        <source>. Tightest seam: %1, %2 %</source>
+        <translation>. Straffste Naht: %1, %2 %</translation>
+    </message>
+    <message>
+        <source>. Tightest piece: %1, %2 %</source>
+        <translation>. Straffstes Schnittteil: %1, %2 %</translation>
+    </message>
+    <message>
+        <source>. Loosest piece: %1, %2 % slack</source>
+        <translation>. Lockerstes Schnittteil: %1, %2 % Zuviel</translation>
+    </message>
+    <message>
+        <source>The sewn pattern is %1 mm from the design on average, 95 % within %2 mm</source>
+        <translation>Der genähte Schnitt liegt im Mittel %1 mm vom Entwurf entfernt, zu 95 % innerhalb von %2 mm</translation>
+    </message>
+    <message>
+        <source>. %1 % hangs free</source>
+        <translation>. %1 % hängen frei</translation>
+    </message>
+    <message>
+        <source>. %1 of %2 pieces are missing</source>
+        <translation>. %1 von %2 Teilen fehlen</translation>
+    </message>
+    <message>
+        <source>, %1 mm between layers</source>
+        <translation>, %1 mm zwischen den Lagen</translation>
+    </message>
+    <message>
+        <source>, scaled by %1</source>
+        <translation>, um %1 skaliert</translation>
+    </message>
+    <message>
+        <source>, own stiffness values</source>
+        <translation>, eigene Steifigkeitswerte</translation>
+    </message>
+    <message>
+        <source>the seams file sets its ease</source>
+        <translation>die Nahtdatei setzt ihre Einhalteweite</translation>
+    </message>
+    <message>
+        <source>a border in the file&apos;s UV map or parts</source>
+        <translation>eine Grenze in der UV-Karte oder den Teilen der Datei</translation>
+    </message>
+    <message>
+        <source>from the shape</source>
+        <translation>nach der Form</translation>
+    </message>
+    <message>
+        <source>along a ridge of the shape</source>
+        <translation>entlang einer Kante der Form</translation>
+    </message>
+    <message>
+        <source>the shortest cut that lets the piece lie flat</source>
+        <translation>der kürzeste Einschnitt, mit dem das Teil flach liegt</translation>
+    </message>
+    <message>
+        <source>splitting by %1 gives %2 pieces, more than the limit of %3; split it by something else, or join its parts in the modelling program</source>
+        <translation>die Teilung nach „%1“ ergibt %2 Schnittteile, mehr als die Grenze von %3; teilen Sie sie nach etwas anderem, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
     </message>
     <message>
         <source>Either way up</source>

@@ -171,7 +171,7 @@ private slots:
     void saysWhatTheFileWillLack() {
         auto& notes = *dialog()->findChild<QLabel*>("exportNotes");
         QTRY_VERIFY(notes.isVisible());
-        QVERIFY(!notes.text().contains("On each other on the sheet"));
+        QVERIFY(!notes.text().contains("overlap on the sheet"));
         dialog()->reject();
         Document& document = fixture_.document();
         const Placement under = placementOf(document, 0);
@@ -185,7 +185,7 @@ private slots:
         QTRY_VERIFY(dialog());
         QTRY_VERIFY(dialog()->findChild<QLabel*>("exportNotes")->isVisible());
         const QString said = dialog()->findChild<QLabel*>("exportNotes")->text();
-        QVERIFY2(said.contains("On each other on the sheet"), qPrintable(said));
+        QVERIFY2(said.contains("overlap on the sheet"), qPrintable(said));
         QVERIFY(!said.contains('\n'));  // the grain is stated now
     }
 

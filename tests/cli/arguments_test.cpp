@@ -376,7 +376,7 @@ TEST(Arguments, NoNumberIsNanOrInfinite) {
     }
     EXPECT_GT(tried, 4 * 60);
     EXPECT_EQ(refused({"flatten", "a.obj", "--allowance", "nan"}).message,
-              "toile: --allowance: takes a number from 0 to " + std::to_string(int(kMaxAllowance)) +
+              "toile: --allowance: needs a number from 0 to " + std::to_string(int(kMaxAllowance)) +
                   ", not \"nan\"; see toile flatten --help.\n");
     EXPECT_EQ(refused({"flatten", "a.obj", "--fair", "nan"}).status, kExitUsage);
     EXPECT_EQ(refused({"flatten", "a.obj", "--unit", "nanmm"}).status, kExitUsage);

@@ -329,7 +329,7 @@ TEST(Contract, StrictRefusesWhatIsRepairedOtherwise) {
                                     "f 1 2 3\nf 2 3 4\n");
     const auto repaired = test::toileRun({"flatten", input.string(), "--unit", "mm"});
     EXPECT_EQ(repaired.status, 0);
-    EXPECT_NE(repaired.err.find("turned"), std::string::npos) << repaired.err;
+    EXPECT_NE(repaired.err.find("flipped"), std::string::npos) << repaired.err;
     const auto refused = test::toileRun({"flatten", input.string(), "--unit", "mm", "--strict"});
     EXPECT_EQ(refused.status, 1) << refused.err;  // the piece stays as it is and is named
     EXPECT_FALSE(refused.err.empty());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether what is foretold of cuts comes true when the cloth is flattened, and what tailors' cuts
-// cost and save next to the shortest; the tables in docs/tailor.md.
+// Whether the predicted effect of cuts comes true when the cloth is flattened, and what tailors'
+// cuts cost and save next to the shortest; the tables in docs/tailor.md.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -204,7 +204,7 @@ TEST(CutAdviceTruthSlow, TailorsCutsStrainLessAndAreLittleLonger) {
             }
         }
         table += "| " + std::filesystem::path(file).filename().string() +
-                 (enough ? ", `--enough 3`" : "") + " | " + std::to_string(tailor.pieces) + " | " +
+                 (enough ? ", `--max-strain 3`" : "") + " | " + std::to_string(tailor.pieces) + " | " +
                  fixed(tailor.length / 1000, 2) + " | " + percentOf(tailor.mean) + " | " +
                  std::to_string(shortest.pieces) + " | " + fixed(shortest.length / 1000, 2) +
                  " | " + percentOf(shortest.mean) + " |\n";

@@ -128,22 +128,20 @@ TEST(InputKinds, HalfAGarmentIsNamedAndCompleted) {
     const std::string half =
         folder.write("half.obj", test::objOf(test::halfOf(*whole, centre))).string();
     const test::ProgramRun named = test::toileRun({"info", half});
-    EXPECT_NE(named.out.find("--complete-half adds its other half"), std::string::npos)
-        << named.out;
+    EXPECT_NE(named.out.find("--complete-half"), std::string::npos) << named.out;
     const test::ProgramRun completed = test::toileRun({"info", half, "--complete-half"});
     EXPECT_NE(completed.out.find("mirror image added"), std::string::npos) << completed.out;
     EXPECT_NE(completed.err.find("half a garment: the mirror image"), std::string::npos)
         << completed.err;
     const test::ProgramRun refused =
         test::toileRun({"info", test::dataFile("samples/skirt.obj").string(), "--complete-half"});
-    EXPECT_NE(refused.err.find("half a garment has rims"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("half a garment needs"), std::string::npos) << refused.err;
 }
 
 TEST(InputKinds, ASolidIsToldHowItIsOpened) {
     const test::TemporaryFolder folder;
     const std::string ball = folder.write("ball.obj", test::kBall).string();
-    EXPECT_NE(test::toileRun({"info", ball}).out.find("--auto-cut cuts it open"),
-              std::string::npos);
+    EXPECT_NE(test::toileRun({"info", ball}).out.find("--auto-cut"), std::string::npos);
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ TEST_F(LayersOnTheCommandLine, OneIsTakenAlone) {
     EXPECT_EQ(lining.status, 0);
     EXPECT_NE(lining.out.find("sheet2"), std::string::npos) << lining.out;
     EXPECT_EQ(lining.out.find("sheet1"), std::string::npos) << lining.out;
-    EXPECT_NE(lining.err.find("layer 2 from outside is taken"), std::string::npos) << lining.err;
+    EXPECT_NE(lining.err.find("layer 2 from outside is used"), std::string::npos) << lining.err;
     const auto fifth = run("info", coat_, {"--as", "layers", "--layer", "5"});
     EXPECT_EQ(fifth.status, 0);
-    EXPECT_NE(fifth.err.find("there are 2"), std::string::npos) << fifth.err;
+    EXPECT_NE(fifth.err.find("the 2 layers"), std::string::npos) << fifth.err;
     EXPECT_EQ(run("info", coat_, {"--as", "sheet", "--layer", "2"}).status, 2);
 }
 

@@ -174,9 +174,9 @@ TEST(MarkerCommand, LaysOnHides) {
 TEST(MarkerCommand, NamesWhatItCannotLay) {
     const auto run = layShirt({"--width", "500", "--repeat", "80x60@5,5", "--match", "nothing"});
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.err.find("front is not laid: it is"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("front is not placed: it is"), std::string::npos) << run.err;
     EXPECT_NE(run.err.find("splice it at 490 mm"), std::string::npos) << run.err;
-    EXPECT_NE(run.err.find("no seam that is laid here is called nothing"), std::string::npos);
+    EXPECT_NE(run.err.find("is called nothing"), std::string::npos);
 }
 
 TEST(MarkerCommand, RefusesWhatDoesNotGoTogether) {
@@ -184,28 +184,28 @@ TEST(MarkerCommand, RefusesWhatDoesNotGoTogether) {
     const auto shapes = folder.write("halves.json", kNested).string();
     const std::string garment = test::sourceFile("resources/samples/tshirt.obj").string();
     const std::pair<std::vector<std::string>, const char*> kRefused[] = {
-        {{shapes, "--width", "900"}, "--width: goes with a garment"},
-        {{shapes, "--hide", "h.svg"}, "--hide: goes with a garment"},
+        {{shapes, "--width", "900"}, "--width: works only with a garment"},
+        {{shapes, "--hide", "h.svg"}, "--hide: works only with a garment"},
         {{shapes, garment}, "only input"},
-        {{shapes, "-o", "nest.pdf"}, "is drawn as .svg"},
-        {{garment, "-o", "m.obj"}, "no marker is drawn in"},
-        {{garment, "-o", "m.json"}, "no marker is drawn in"},
+        {{shapes, "-o", "nest.pdf"}, "must be .svg"},
+        {{garment, "-o", "m.obj"}, "markers do not support"},
+        {{garment, "-o", "m.json"}, "markers do not support"},
         {{garment, "--report", "m.txt"}, "must end in .json"},
-        {{garment, "--sheet", "305"}, "--sheet: takes"},
-        {{garment, "--sheet", "0x610"}, "--sheet: takes"},
-        {{garment, "--width", "900", "--sheet", "305x610"}, "give one of them"},
-        {{garment, "--folded", "--sheet", "305x610"}, "--folded goes with a roll"},
-        {{garment, "--repeat", "80"}, "--repeat: takes"},
-        {{garment, "--repeat", "80x60@5"}, "--repeat: takes"},
-        {{garment, "--repeat", "80x60@5,1e9"}, "--repeat: takes"},
-        {{garment, "--grade", "front=2abc"}, "--grade: takes"},
-        {{garment, "--match", "side"}, "give their --repeat"},
-        {{garment, "--grade", "front"}, "--grade: takes"},
-        {{garment, "--grade", "front=2"}, "goes with --hide"},
+        {{garment, "--sheet", "305"}, "--sheet: needs"},
+        {{garment, "--sheet", "0x610"}, "--sheet: needs"},
+        {{garment, "--width", "900", "--sheet", "305x610"}, "use one of them"},
+        {{garment, "--folded", "--sheet", "305x610"}, "--folded needs a roll"},
+        {{garment, "--repeat", "80"}, "--repeat: needs"},
+        {{garment, "--repeat", "80x60@5"}, "--repeat: needs"},
+        {{garment, "--repeat", "80x60@5,1e9"}, "--repeat: needs"},
+        {{garment, "--grade", "front=2abc"}, "--grade: needs"},
+        {{garment, "--match", "side"}, "add --repeat"},
+        {{garment, "--grade", "front"}, "--grade: needs"},
+        {{garment, "--grade", "front=2"}, "--grade needs --hide"},
         {{garment, "--one-way", "--free-grain"}, "excludes"},
         {{garment, "--turn", "200"}, "200"},
         {{garment, "--garments", "0"}, "0"},
-        {{garment, "--material", "silk", "--rounds", "0"}, "nothing is cut from \"silk\""}};
+        {{garment, "--material", "silk", "--rounds", "0"}, "no piece is cut from \"silk\""}};
     for (const auto& [words, said] : kRefused) {
         std::vector<std::string> all{"marker"};
         all.insert(all.end(), words.begin(), words.end());

@@ -128,7 +128,7 @@ std::string row(const std::filesystem::path& file) {
         said += (said.empty() ? "" : "<br>") + sentence;
     }
     return "| `" + file.filename().string() + "` | " + piecesCell(plain) + " | " + piecesCell(cut) +
-           " | " + (said.empty() ? "nothing to say" : said) + " |\n";
+           " | " + (said.empty() ? "no messages" : said) + " |\n";
 }
 
 /// Files of the table in the manual: one for each kind of fault.
@@ -147,7 +147,7 @@ TEST(NastyInputSlow, UpdatesTheTableInDocs) {
     std::sort(files.begin(), files.end());
     ASSERT_GE(files.size(), 28U);
     std::string table =
-        "| File | Pieces (exit status) | with `--auto-cut` | What Toile says |\n"
+        "| File | Pieces (exit status) | with `--auto-cut` | Messages |\n"
         "|---|---|---|---|\n";
     for (const auto& file : files) {
         SCOPED_TRACE(file.filename());

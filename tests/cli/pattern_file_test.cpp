@@ -79,7 +79,7 @@ TEST(ComparePattern, NamesWhatHasNoPartner) {
         test::run(TOILE_PROGRAM, {"compare", test::dataFile("samples/tshirt.obj").string(),
                                   "--unit", "mm", "--pattern", file});
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.out.find("without a partner: "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("pieces without a match: "), std::string::npos) << run.out;
 }
 
 TEST(ComparePattern, WantsAPatternForAPicture) {

@@ -23,8 +23,8 @@ TEST(ProveImprove, SaysWhatEachRoundGainsAndWritesThePattern) {
     const auto run = improveCap({"--gravity", "--pressure", "0.5", "--stretch", "30", "--rounds",
                                  "1", "--prove-improve", "-o", file.string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_TRUE(run.out.starts_with("as it was: ")) << run.out;
-    for (const char* said : {"\nround 1: ", "mproved", "\nSewn back it sits ", "\nwrote "}) {
+    EXPECT_TRUE(run.out.starts_with("before: ")) << run.out;
+    for (const char* said : {"\nround 1: ", "mproved", "\nThe sewn pattern is ", "\nwrote "}) {
         EXPECT_NE(run.out.find(said), std::string::npos) << said << '\n' << run.out;
     }
     EXPECT_TRUE(readPatternFile(file, {}));

@@ -586,8 +586,8 @@ TEST_F(UntrustedFiles, AFileOfVeryManyGroupsIsRefused) {
     const std::string path = given("groups.obj", obj);
     expectCheap(path, true);
     const std::string err = costOf(path).err;
-    EXPECT_NE(err.find("divided by groups it falls into 288000 pieces"), std::string::npos) << err;
-    EXPECT_NE(err.find("divide it otherwise"), std::string::npos) << err;
+    EXPECT_NE(err.find("splitting by groups gives 288000 pieces"), std::string::npos) << err;
+    EXPECT_NE(err.find("split it by something else"), std::string::npos) << err;
     const auto joined = test::toileRun({"info", path, "--split", "components", "--unit", "mm"});
     EXPECT_EQ(joined.status, 0) << joined.err;
 }

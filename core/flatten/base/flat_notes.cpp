@@ -67,9 +67,9 @@ std::optional<Error> crossingNote(const Piece& piece, const Points2& Q,
                                       place(onPiece(piece, Q, first.second, first.place))};
     Wording detail =
         count > 1
-            ? worded("%1, the first at %2 mm of the pattern, where %3 and %4 mm of the piece meet",
+            ? worded("%1, the first at %2 mm in the pattern, where %3 and %4 mm on the piece meet",
                      places)
-            : worded("%1 at %2 mm of the pattern, where %3 and %4 mm of the piece meet", places);
+            : worded("%1 at %2 mm in the pattern, where %3 and %4 mm on the piece meet", places);
     return Error{ErrorCode::OutlineCrosses, subjectOf(piece), detail};
 }
 
@@ -112,8 +112,9 @@ std::optional<Error> shortEdgesNote(const Piece& piece, const Points2& Q,
         countWording(count, "edge"), length < 1e-3 ? scientific(length, 1) : figure(length, 3),
         place(piece.mesh.V.row(piece.boundary[worst])), scientific(most, 1)};
     return Error{ErrorCode::EdgesTooShort, subjectOf(piece),
-                 count > 1 ? worded("%1, the worst of %2 mm at %3 mm, off by %4 of it", words)
-                           : worded("%1 of %2 mm at %3 mm, off by %4 of it", words)};
+                 count > 1
+                     ? worded("%1, the worst %2 mm long at %3 mm, off by %4 of its length", words)
+                     : worded("%1 of %2 mm at %3 mm, off by %4 of its length", words)};
 }
 
 Error uncrossedNote(const Piece& piece, int crossings) {
@@ -134,7 +135,7 @@ std::optional<Error> degenerateNote(const Piece& piece) {
             named += named.empty() ? ": " : ", ";
             const Wording at = place(middleOf(piece.mesh, f));
             named += face >= 0 ? worded("face %1 at %2 mm", {std::to_string(face), at})
-                               : worded("a filled-in face at %1 mm", {at});
+                               : worded("an added face at %1 mm", {at});
         }
     }
     if (count == 0) {

@@ -40,8 +40,9 @@ Eigen::VectorXd outlineLengths(const Piece& piece, const OutlineTargets& targets
 std::optional<Error> faultOf(const Piece& piece, const OutlineTargets& targets) {
     for (const double length : targets.lengths) {
         if (!(length > 0 && std::isfinite(length))) {
-            return Error{ErrorCode::NotFinite, subjectOf(piece),
-                         worded("an edge of the outline is to have %1 mm", {shortest(length)})};
+            return Error{
+                ErrorCode::NotFinite, subjectOf(piece),
+                worded("an outline edge has a target length of %1 mm", {shortest(length)})};
         }
     }
     return std::nullopt;

@@ -130,7 +130,7 @@ Result<FlatBoundary> solveBoundarySlcp(const BoundaryProblem& problem, const Pro
     return Error{
         ErrorCode::BoundaryNotConverged,
         {},
-        worded("not within %1 steps, gradient %2", {figure(kMaxPrograms), shortest(size)})};
+        worded("no solution after %1 steps, gradient %2", {figure(kMaxPrograms), shortest(size)})};
 }
 
 namespace {
@@ -168,7 +168,7 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
     if (!(longest < 0.5 * perimeter)) {
         return Error{ErrorCode::NoClosedOutline,
                      {},
-                     worded("the edge has %1, the others together %2",
+                     worded("the edge is %1 long, the others together %2",
                             {shortest(longest), shortest(perimeter - longest)})};
     }
     // Lengths relative to the perimeter: one set of tolerances fits every scale.
@@ -191,7 +191,8 @@ Result<FlatBoundary> solveBoundary(const BoundaryProblem& problem, BoundarySolve
     if (!isClosed(*solved)) {
         return Error{ErrorCode::BoundaryNotConverged,
                      {},
-                     worded("closing gap %1 of the perimeter", {shortest(solved->closureGap)})};
+                     worded("the outline stays open by %1 of its perimeter",
+                            {shortest(solved->closureGap)})};
     }
     solved->points *= perimeter;
     return solved;
@@ -476,7 +477,7 @@ Result<Points2> circleOutline(const Eigen::VectorXd& lengths) {
         return Error{
             ErrorCode::NoClosedOutline,
             {},
-            "the edge has " + shortest(most) + ", the others together " + shortest(others)};
+            "the edge is " + shortest(most) + " long, the others together " + shortest(others)};
     }
     const Eigen::VectorXd relative = lengths / most;
     // Excess of the other edges over closing. With the centre inside, all halves sum to half a

@@ -233,8 +233,8 @@ Result<FlatPiece> descendFromConformal(const Piece& piece, const OutlineTargets&
     if (!lowest && lowest.error().code == ErrorCode::NotFinite && flat) {
         // If a piece is much deeper than its rim is long, even the circle's triangles vanish in
         // rounding. Return the conformal result; its flips are counted.
-        flat->notes.push_back(
-            endedEarlyNote(piece, worded("no start without flipped triangles was found")));
+        flat->notes.push_back(endedEarlyNote(
+            piece, worded("Toile found no starting shape without flipped triangles")));
         return flat;
     }
     if (!lowest) {

@@ -58,7 +58,7 @@ Wording objection(const Piece& piece, const isometric::EnergyModel& model, const
     }
     const double energy = model.make(piece.mesh, piece.table)->energy(before);
     return isometric::isNear(kept.distortion, energy) ? Wording()
-                                                      : worded("it would take too much strain");
+                                                      : worded("the strain would be too high");
 }
 
 }  // namespace

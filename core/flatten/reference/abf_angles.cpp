@@ -257,7 +257,7 @@ Result<FlatPiece> flattenAbf(const Piece& piece, const FlattenOptions& /*options
         flat->interiorIterations = planar->iterations;
         if (planar->residual > kUnmet) {
             flat->notes.push_back(endedEarlyNote(
-                piece, worded("angles that fit in the plane are met to %1 radians only",
+                piece, worded("the angles fit in the plane only to within %1 radians",
                               {shortest(planar->residual)})));
         }
     }

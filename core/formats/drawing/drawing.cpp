@@ -355,7 +355,7 @@ std::vector<Wording> overlapNotes(const Pattern& pattern, const Drawing& drawing
     if (names.empty()) {
         return {};
     }
-    return {worded("On each other on the sheet: %1. Move them apart, or lay all out again.",
+    return {worded("Pieces overlap on the sheet: %1. Move them apart, or lay out all pieces again.",
                    {quotedList(names, kNamed)})};
 }
 
@@ -371,8 +371,8 @@ std::vector<Wording> grainNotes(const Pattern& pattern, const Drawing& drawing) 
         return {};
     }
     return {
-        worded("Without a grain line, as their grain is not stated: %1. Turn the arrow, or "
-               "choose a grain.",
+        worded("Pieces without a grain line because no grain is set: %1. Turn the arrow, or choose "
+               "a grain.",
                {quotedList(names, kNamed)})};
 }
 

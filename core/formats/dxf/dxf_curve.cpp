@@ -336,8 +336,8 @@ std::optional<Error> refusalOfCurves(const DxfDocument& document, double unit) {
     }
     return Error{ErrorCode::MalformedFile,
                  {},
-                 worded("drawn to %1 mm its curves take more than %2 points; check its unit, and "
-                        "take what belongs to no piece out of the drawing",
+                 worded("at a tolerance of %1 mm its curves need more than %2 points; check the "
+                        "unit, and remove lines that belong to no piece",
                         {figure(kDxfChordTolerance, 3), figure(1.0 * kMaxCurvePoints)})};
 }
 

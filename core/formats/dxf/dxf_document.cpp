@@ -352,7 +352,7 @@ bool DxfBlockInserter::isFull() const {
 Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     constexpr std::string_view kBinary = "AutoCAD Binary DXF";
     if (bytes.starts_with(kBinary)) {
-        return malformedDxf("it is a binary DXF file; save it as ASCII");
+        return malformedDxf("it is binary DXF; save it as ASCII");
     }
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (bytes.starts_with(kByteOrderMark)) {
@@ -372,7 +372,7 @@ Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     }
     if (groups.fault() || !hasSections) {
         return malformedDxf("line " + std::to_string(groups.lineNumber()) +
-                            (groups.fault() ? " is no group code" : ": it has no sections"));
+                            (groups.fault() ? " is not a group code" : ": it has no sections"));
     }
     DxfDocument document = builder.taken();
     document.notes = std::move(notes);
@@ -416,7 +416,7 @@ DxfUnit judged(LengthUnit stated, const Wording& source, double extent) {
         if (isUsual(stated, extent)) {
             return {stated, source};
         }
-        return {stated, worded("%1; the largest piece is %2 mm then", {source, length(stated)}),
+        return {stated, worded("%1, so the largest piece is %2 mm", {source, length(stated)}),
                 true};
     }
     const LengthUnit other = bySize(extent);
@@ -461,7 +461,7 @@ DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double ex
     }
     const LengthUnit unit = bySize(extent);
     return {unit,
-            worded("the file says none; the largest piece is %1 mm then",
+            worded("the file states no unit; the largest piece is %1 mm",
                    {figure(extent * millimetresPer(unit))}),
             true};
 }

@@ -206,8 +206,8 @@ void doubtHoles(const std::vector<FilePiece>& pieces, std::vector<Wording>& note
         if (held > kMaxHoles * outer.area ||
             (outer.isRectangle() && largest > kMinDoubt * outer.area)) {
             notes.push_back(
-                worded("in doubt: %1 has %2, which take %3 % of it; if they are pieces, take the "
-                       "line around them out of the drawing",
+                worded("check %1: it has %2, which cover %3 % of it; if they are pieces, remove "
+                       "the line around them from the drawing",
                        {Wording(piece.name),
                         countWording(static_cast<long long>(piece.holes.size()), "hole"),
                         figure(100 * held / outer.area, 1)}));
@@ -302,12 +302,12 @@ private:
             }
         }
         if (open > 0) {
-            notes_.push_back(toile::worded("left out, since they do not close: %1",
+            notes_.push_back(toile::worded("left out because they are not closed: %1",
                                            {countWording(open, "line")}));
         }
         if (beside > 0) {
             notes_.push_back(toile::worded(
-                "left out, since they are in no piece or beyond the largest %2 outlines: %1",
+                "left out because they are in no piece or not among the largest %2 outlines: %1",
                 {countWording(beside, "closed line"), figure(1.0 * kMaxOutlines)}));
         }
     }
@@ -475,7 +475,7 @@ std::vector<FilePiece> piecesOf(const DxfDocument& document, double unit,
         pieces = DrawingPieces(entities, place, own).taken();
     }
     if (const auto paper = document.entities.size() - page.size(); paper > 0) {
-        own.push_back(worded("left out, since they lie on the printed sheet (paper space): %1",
+        own.push_back(worded("left out because they are on the printed sheet (paper space): %1",
                              {std::to_string(paper)}));
     }
     std::ranges::move(own, std::back_inserter(notes));

@@ -307,8 +307,9 @@ void unfold(FilePiece& piece, const std::vector<char>& isKept, std::vector<Wordi
     if (piece.isUnfolded) {
         mirrorInside(piece, near, isKept);
     } else {
-        notes.push_back(worded("%1: its mirror line is no part of its outline; it stays as it is",
-                               {Wording(piece.name)}));
+        notes.push_back(
+            worded("%1: the mirror line is not on the outline, so the piece is not unfolded",
+                   {Wording(piece.name)}));
     }
 }
 
@@ -420,12 +421,12 @@ void DxfLeftOut::tell(std::vector<Wording>& notes) const {
         }
         notes.push_back(
             reason == KindNotRead
-                ? toile::worded("left out, since Toile does not read them: %1", {list})
+                ? toile::worded("left out because Toile does not read them: %1", {list})
             : reason == LayerNotRead
-                ? toile::worded("left out, since Toile does not use their layers: %1", {list})
+                ? toile::worded("left out because Toile does not use their layers: %1", {list})
             : reason == InsertedAgain
-                ? toile::worded("left out, since each block is read once: %1", {list})
-                : toile::worded("left out, since they belong to no piece: %1", {list}));
+                ? toile::worded("left out because Toile reads each block once: %1", {list})
+                : toile::worded("left out because they belong to no piece: %1", {list}));
     }
 }
 
@@ -450,7 +451,7 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
                          return geometry::isInside(piece.cut, line.colwise().mean().transpose());
                      });
         if (const auto beside = cut.closed.size() - 1 - piece.holes.size(); beside > 0) {
-            notes.push_back(worded("%1: left out, since they lie outside of its outline: %2",
+            notes.push_back(worded("%1: left out because they are outside its outline: %2",
                                    {Wording(piece.name),
                                     countWording(static_cast<long long>(beside), "closed line")}));
         }
@@ -464,7 +465,7 @@ FilePiece dxfPiece(const std::vector<DxfEntity>& entities, const DxfPlace& place
     }
     if (const std::size_t open = cut.open + sew.open + holes.open; open > 0) {
         notes.push_back(
-            worded("%1: %2 of its outlines that do not close",
+            worded("%1: %2 in its outlines that are not closed",
                    {Wording(piece.name), countWording(static_cast<long long>(open), "line")}));
     }
     piece.internals = dxfLines(entities, DxfRole::Internal, place);

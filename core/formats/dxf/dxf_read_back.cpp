@@ -166,7 +166,7 @@ public:
             if (isAstm_ && !(exact->points.rows() > 0 && key->points.rows() > 0 &&
                              exact->points.row(0) == key->points.row(0) &&
                              hasEveryPoint(exact->points, drawn, own))) {
-                return notReadBack(drawn.id, "its validation curve is another line");
+                return notReadBack(drawn.id, "its validation curve differs");
             }
             places.insert(own.begin(), own.end());
             keys.lines.push_back({roles.kind, drawn.id, key->points, key->closed, true,
@@ -174,14 +174,14 @@ public:
             dense.lines.push_back({roles.kind, drawn.id, exact->points, exact->closed});
         }
         if (others_ != lines_.size() * (isAstm_ ? 2 : 1)) {
-            return notReadBack(block_.name, "it has other lines too");
+            return notReadBack(block_.name, "it has additional lines");
         }
         const bool isNamed =
             !isNamedTwice_ && named_.size() == places.size() &&
             std::ranges::all_of(places, [&](const auto& at) { return named_.contains(at); });
         return isNamed ? std::nullopt
                        : std::optional(notReadBack(
-                             block_.name, "turn and curve points are not those of its lines"));
+                             block_.name, "its turn and curve points differ from its lines"));
     }
 
     /// Checks texts, grain and mirror line, notches and drill holes.
@@ -189,7 +189,7 @@ public:
         const DxfFields fields = dxfFields(block_.entities);
         const auto name = fields.find("piece name");
         if (name == fields.end() || name->second != block_.name) {
-            return notReadBack(block_.name, "no piece name");
+            return notReadBack(block_.name, "the piece name is missing");
         }
         for (const char* key : {"quantity", "annotation", "category", "material", "size"}) {
             if (!fields.contains(key)) {
@@ -202,10 +202,10 @@ public:
             return found == straight_.end() ? 0 : found->second;
         };
         if (count(DxfRole::Grain) != 1 || count(DxfRole::Fold) != (isOnFold ? 1 : 0)) {
-            return notReadBack(block_.name, "grain or mirror line");
+            return notReadBack(block_.name, "the grain or mirror line is missing");
         }
         if (!read_.grain || !isGrain(*read_.grain) || !isMirrorOnCut()) {
-            return notReadBack(block_.name, "grain or mirror line is elsewhere");
+            return notReadBack(block_.name, "the grain or mirror line is in another place");
         }
         if (auto fault = notchFault()) {
             return fault;
@@ -301,7 +301,7 @@ private:
             const double moved = std::min(kMovedNotch, off + kBentNotch);
             if (!(onMark <= kReadBackCoordinates ||
                   (onMark <= moved && fromCut(notch.point) <= kReadBackCoordinates))) {
-                return notReadBack(block_.name, "a notch is not where it is drawn");
+                return notReadBack(block_.name, "a notch is in another place");
             }
         }
         return {};
@@ -319,13 +319,13 @@ private:
             if (next >= read_.drills.size() || !read_.drills[next].diameter ||
                 !isNear(read_.drills[next].point.transpose(), middle.transpose()) ||
                 !(std::abs(*read_.drills[next].diameter - kDrillDiameter) <= kReadBackLengths)) {
-                return notReadBack(path.id, "no drill hole");
+                return notReadBack(path.id, "a drill hole is missing");
             }
             ++next;
         }
         return next == read_.drills.size()
                    ? std::nullopt
-                   : std::optional(notReadBack(block_.name, "it has other drill holes too"));
+                   : std::optional(notReadBack(block_.name, "it has additional drill holes"));
     }
 
     const DxfBlock& block_;
@@ -355,16 +355,16 @@ std::optional<Error> insertFault(const DxfDocument& document) {
     for (std::size_t k = 0; k < document.blocks.size(); ++k) {
         const DxfBlock& block = document.blocks[k];
         if (block.name.empty() || block.name.size() > 20 || !names.insert(block.name).second) {
-            return notReadBack(block.name, "no name for a piece");
+            return notReadBack(block.name, "a piece has no name");
         }
         if (k >= inserts.size() || inserts[k]->text(2) != block.name ||
             insertionOf(block, *inserts[k]).matrix() != Eigen::Matrix3d::Identity()) {
-            return notReadBack(block.name, "it is not where it lies");
+            return notReadBack(block.name, "it is in another place");
         }
     }
     return inserts.size() == document.blocks.size()
                ? std::nullopt
-               : std::optional(notReadBack("inserts", "more than blocks"));
+               : std::optional(notReadBack("inserts", "it has more than blocks"));
 }
 
 std::optional<Error> controlFault(const DxfBlock& block, const DxfPlace& place, bool isAstm,
@@ -383,7 +383,7 @@ std::optional<Error> controlFault(const DxfBlock& block, const DxfPlace& place, 
                                             hasEveryPoint(line.points, path, {});
                                  });
             if (!isRight) {
-                return notReadBack(kControlName, "it is no square of 100 mm");
+                return notReadBack(kControlName, "it is not a square of 100 mm");
             }
         }
     }
@@ -463,7 +463,7 @@ Result<ReadBack> readPlainBack(const DxfDocument& document, double unit, const D
     for (const DrawnPath& path : drawing.paths) {
         const std::size_t at = next[path.layer]++;
         if (at < byLayer[path.layer].size() && !hasEveryPoint(byLayer[path.layer][at], path, {})) {
-            return notReadBack({}, path.id + ": points are missing or elsewhere");
+            return notReadBack({}, path.id + ": points are missing or in another place");
         }
         holes += path.layer == LayerKind::Cut ? 1 : 0;
     }
@@ -495,25 +495,25 @@ bool isRuleTable(std::string_view bytes, LengthUnit unit) {
 
 Result<ReadBack> readDxfBack(const ExportedFiles& files, const ExportSource& source) {
     if (files.empty()) {
-        return notReadBack({}, "no file");
+        return notReadBack({}, "there is no file");
     }
     const auto document = readDxfDocument(files.front().bytes);
     if (!document) {
         return notReadBack({}, document.error().detail);
     }
     if (!document->hasEnd) {
-        return notReadBack({}, "it has no end");
+        return notReadBack({}, "its end is missing");
     }
     const DxfOptions& options = source.options().dxf;
     if (options.profile == DxfProfile::Plain) {
         if (headerUnit(*document) != options.unit) {
-            return notReadBack({}, "its unit is another");
+            return notReadBack({}, "its unit differs");
         }
         return readPlainBack(*document, millimetresPer(options.unit), source.drawing());
     }
     for (const ExportedFile& file : files) {
         if (file.beside == ".rul" && !isRuleTable(file.bytes, options.unit)) {
-            return notReadBack({}, "the rule table is none");
+            return notReadBack({}, "the rule table is invalid");
         }
     }
     return readApparelBack(*document, source);

@@ -207,17 +207,16 @@ std::optional<std::string> decodedDxf(std::string_view bytes, std::vector<Wordin
             return std::move(wide->text);
         }
         if (mayBeOther && stated.empty() && hasRareLetters(bytes)) {
-            notes.push_back(worded(
-                "it states no code page and is read as UTF-8; if its names are wrong, save it with "
-                "$DWGCODEPAGE"));
+            notes.push_back(
+                worded("it states no code page, so it is read as UTF-8; if names are wrong, save "
+                       "it with $DWGCODEPAGE"));
         }
         return {};
     }
     auto made = page.empty() ? std::nullopt : toUtf8(bytes, page);
     if (made && made->lost > 0) {
         notes.push_back(
-            worded("some of its characters are none of its code page %1; they are "
-                   "shown as \xEF\xBF\xBD",
+            worded("some characters are not in its code page %1; they are shown as \xEF\xBF\xBD",
                    {stated}));
     }
     if (!made) {

@@ -124,7 +124,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         ++found.pieces;
     }
     if (static_cast<std::size_t>(found.pieces) != code->panels.size()) {
-        return notReadBack(pattern.name, "it has panels that are none of the pattern");
+        return notReadBack(pattern.name, "it has panels that are not in the pattern");
     }
     // The stretches that stitches cover on each side of a seam.
     std::map<std::pair<int, bool>, double> covered;
@@ -157,7 +157,7 @@ Result<ReadBack> readBackGarmentCode(const std::string& bytes, const Pattern& pa
         const auto& [meant, count] = sewn.at(side);
         if (!(std::abs(length - meant) <= kReadBackLengths * count)) {
             return notReadBack("seam " + std::to_string(side.first),
-                               "its stitches are off by " + fixed(length - meant, 3) + " mm");
+                               "its stitches differ by " + fixed(length - meant, 3) + " mm");
         }
         found.largest = std::max(found.largest, std::abs(length - meant));
     }

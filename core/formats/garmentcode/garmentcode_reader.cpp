@@ -66,7 +66,7 @@ std::vector<CubicCurve> arcCurves(const Eigen::Vector2d& from, const Eigen::Vect
 /// Outside of the reader class, because texts to translate are grouped by class.
 Wording reasonOfUnit(double perMetre) {
     return perMetre > 0 ? worded("units_in_meter %1", {Wording(shortest(perMetre))})
-                        : worded("the file says none; this format is usually in cm");
+                        : worded("the file states no unit; this format usually uses cm");
 }
 
 class GarmentCodeReader {
@@ -202,7 +202,7 @@ private:
         };
         if (!ends || !isVertex(ends->front()) || !isVertex(ends->back())) {
             if (!fields.failed()) {
-                fields.fail("endpoints", "must be two of the panel's vertices");
+                fields.fail("endpoints", "must be two vertices of the panel");
             }
             return;
         }

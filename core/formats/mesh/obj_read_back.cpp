@@ -148,7 +148,7 @@ Result<ReadBack> comparedWithObj(const std::string& obj, const ExportSource& sou
                 nearestVertex(positions.at(soup->corners[corner]), piece, meshes, at);
             if (!(nearest.distance <= kReadBackCoordinates)) {
                 return notReadBack(soup->groups[static_cast<std::size_t>(group)],
-                                   "a point of the pattern is elsewhere");
+                                   "a point of the pattern is in another place");
             }
             piece = nearest.at.piece;
             found.largest = std::max(found.largest, nearest.distance);

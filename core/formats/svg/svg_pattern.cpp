@@ -185,7 +185,7 @@ Result<PatternFile> readSvgPattern(std::string_view bytes, std::optional<FileUni
     } else if (svg->width > 0) {
         file.unitReason = worded("the size of its page");
     } else {
-        file.unitReason = worded("it says no size of its page: 96 units to the inch");
+        file.unitReason = worded("it states no page size, so 96 units are one inch");
         file.unitInDoubt = true;
     }
     return file;

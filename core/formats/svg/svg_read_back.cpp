@@ -57,7 +57,7 @@ Result<double> compareSeam(const SvgLine& line, const DrawnEdge& edge) {
         {.id = line.id, .points = line.points, .closed = line.closed},
         {.id = edge.id, .layer = LayerKind::Sew, .points = edge.points, .closed = false});
     if (line.closed || !(distance <= kReadBackCoordinates)) {
-        return notReadBack(edge.id, "it is out of its place");
+        return notReadBack(edge.id, "it is in another place");
     }
     return distance;
 }
@@ -67,7 +67,7 @@ Result<double> compareSeams(const ReadSvg& svg, const std::vector<DrawnEdge>& ed
     std::map<std::string_view, const SvgLine*> found;
     for (const SvgLine& line : svg.lines) {
         if (line.seam && !found.emplace(line.id, &line).second) {
-            return notReadBack(line.id, "it is there twice");
+            return notReadBack(line.id, "it occurs twice");
         }
     }
     double largest = 0;

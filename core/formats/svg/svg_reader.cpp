@@ -406,12 +406,12 @@ Result<ReadSvg> readSvg(std::string_view bytes) {
     if (!parsed) {
         return Error{ErrorCode::MalformedFile,
                      {},
-                     "byte " + std::to_string(parsed.offset) + ": it is no XML (" +
+                     "byte " + std::to_string(parsed.offset) + ": it is not XML (" +
                          parsed.description() + ")"};
     }
     const pugi::xml_node svg = document.document_element();
     if (localName(svg) != "svg") {
-        return Error{ErrorCode::MalformedFile, {}, "it is XML, but no SVG"};
+        return Error{ErrorCode::MalformedFile, {}, "it is XML, but not SVG"};
     }
     return SvgReader().read(svg);
 }

@@ -218,7 +218,7 @@ std::string nearerSentence(const Comparison& comparison) {
         return cell(traits(Criterion::ReferenceRms), method.figures);
     };
     const ComparedMethod& kept = comparison.methods[nearer->lengthKeeping];
-    std::string sentence = "nearer to the given panels than any method that keeps seam lengths: ";
+    std::string sentence = "closer to the given panels than any method that keeps seam lengths: ";
     for (const std::size_t k : nearer->freeOutline) {
         const ComparedMethod& method = comparison.methods[k];
         const bool isFirst = k == nearer->freeOutline.front();
@@ -234,7 +234,7 @@ std::string writeComparisonMarkdown(const Garment& garment, const Comparison& co
                                     bool perPiece) {
     std::string sentence = nearerSentence(comparison);
     if (!sentence.empty()) {
-        sentence.front() = 'N';
+        sentence.front() = 'C';
         sentence = "\n" + sentence + ".\n";
     }
     std::string out;

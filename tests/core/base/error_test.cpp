@@ -27,7 +27,7 @@ TEST(Error, EveryCodeHasItsOwnNameAndWords) {
 
 TEST(Error, ASentenceNamesPlacePieceAndNextStep) {
     EXPECT_EQ(sentence({ErrorCode::SeveralLoops, Subject::piece("sleeve"), "2 loops"}),
-              "sleeve: the piece has several boundary loops (2 loops); cut it from loop to loop, "
+              "sleeve: the piece has several boundary loops (2 loops). Cut it from loop to loop, "
               "or let Toile do it (--auto-cut).");
     EXPECT_EQ(sentence({ErrorCode::Cancelled}), "cancelled.");
 }

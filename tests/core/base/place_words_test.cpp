@@ -16,7 +16,7 @@ Error crossing(Wording detail) {
 }
 
 TEST(PlaceWords, AreThoseOfTheSentenceInTheirOrder) {
-    const Wording where = worded("%2 and %1 mm of the piece meet",
+    const Wording where = worded("%2 and %1 mm on the piece meet",
                                  {placeWording(1, 2, 3), placeWording(-0.04, 5e-3, 1234.56)});
     const auto places = placesIn(crossing(worded("%1, 2 mm; %2", {figure(2), where})));
     ASSERT_EQ(places.size(), 2U);

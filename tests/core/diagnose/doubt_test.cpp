@@ -59,7 +59,7 @@ TEST(Doubt, StrainBeyondClothIsOneWhereItIsOfMoreThanSingleTriangles) {
         EXPECT_EQ(doubts[0].kind, FindingKind::StrainBeyondCloth);
         EXPECT_EQ(doubts[0].pieces, std::vector<int>{0});
         EXPECT_NEAR(doubts[0].badness, 0.2, 1e-12);  // a fifth of the worn area
-        EXPECT_NE(sentence(doubts[0]).find("strip: strain is beyond 25 % on 20.0 %"),
+        EXPECT_NE(sentence(doubts[0]).find("strip: strain exceeds 25 % on 20.0 %"),
                   std::string::npos)
             << sentence(doubts[0]);
     }
@@ -89,7 +89,7 @@ TEST(Doubt, StrainIsAFaultByItsMeanOrWhereMuchOfItIsHigh) {
             << known.strain;
         EXPECT_EQ(hasFaults(flat.garment, flat.results, doubts), known.isFault);
         if (known.isDoubt) {
-            EXPECT_NE(sentence(doubts[0]).find("(--auto-cut --enough 5)"), std::string::npos);
+            EXPECT_NE(sentence(doubts[0]).find("(--auto-cut --max-strain 5)"), std::string::npos);
         }
     }
 }
@@ -140,9 +140,10 @@ TEST(Doubt, FilesAreInDoubtByTheirAxisAndTheirSide) {
     file->side = {ClothSide::Way::Inwards, "99 %"};
     const auto doubts = findDoubts(garment, {});
     ASSERT_EQ(doubts.size(), 2U);
-    EXPECT_EQ(sentence(doubts[0]),
-              "skirt.obj: the file does not say which axis points up (z may be up); state the "
-              "axis, or keep it if the garment stands upright (--up y or --up z).");
+    EXPECT_EQ(doubts[0].kind, FindingKind::UpAxisInDoubt);
+    EXPECT_EQ(doubts[0].subject.name, "skirt.obj");
+    EXPECT_NE(sentence(doubts[0]).find("(z may be up). "), std::string::npos);
+    EXPECT_TRUE(sentence(doubts[0]).ends_with(" (--up y or --up z)."));
     EXPECT_EQ(doubts[1].kind, FindingKind::InsideOut);
     EXPECT_NE(sentence(doubts[1]).find("(--turn-over)."), std::string::npos);
     EXPECT_FALSE(hasFaults(garment, {}, doubts));

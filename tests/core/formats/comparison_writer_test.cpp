@@ -104,7 +104,7 @@ TEST(ComparisonMarkdown, IsATablePerPieceAndASentence) {
     EXPECT_NE(text.find("| method | time ms | Pi_theta |"), std::string::npos) << text;
     EXPECT_NE(text.find("\n|---|--:|--:|"), std::string::npos);
     EXPECT_NE(text.find("\n| `natural` | "), std::string::npos);
-    EXPECT_NE(text.find("\nNearer to the given panels than any method that keeps seam lengths: "
+    EXPECT_NE(text.find("\nCloser to the given panels than any method that keeps seam lengths: "
                         "natural (2.10 mm against 2.40 of wang2005).\n"),
               std::string::npos)
         << text;

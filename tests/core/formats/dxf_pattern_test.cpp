@@ -509,7 +509,7 @@ TEST(DxfPattern, APieceWithHolesIsNoBorder) {
     const PatternFile doubtful =
         readAll(sheetFile({{"0", rectangleFrom(0, 0, 600, 500)}, {"0", kPanelOutline * 0.5}}));
     ASSERT_EQ(doubtful.pieces.size(), 1u);
-    EXPECT_TRUE(hasNote(doubtful, "in doubt: piece 1 has 1 hole"));
+    EXPECT_TRUE(hasNote(doubtful, "check piece 1: it has 1 hole"));
     // One so large may be the seam line in the line that is cut along, with a name in it.
     DxfBuilder text;
     text.section("ENTITIES").polyline("0", rectangleFrom(-20, -20, 440, 340), true);
@@ -529,7 +529,7 @@ TEST(DxfPattern, CountsWhatItLeavesOut) {
     EXPECT_TRUE(hasNote(file, "does not read them: 2 HATCH, 1 INSERT of a block that is not"));
     EXPECT_TRUE(hasNote(file, "does not use their layers: 1 LINE (layer SKETCH)"));
     EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
-    EXPECT_TRUE(hasNote(file, "do not close: 1 line"));
+    EXPECT_TRUE(hasNote(file, "not closed: 1 line"));
     EXPECT_TRUE(hasNote(file, "paper space): 1"));
 }
 
@@ -541,9 +541,8 @@ TEST(DxfPattern, SaysWhatLiesBesideItsBlocks) {
     const PatternFile file = readAll(text.text("Units: METRIC").end().take());
     ASSERT_EQ(file.pieces.size(), 1u);
     EXPECT_TRUE(file.pieces[0].holes.empty());
-    EXPECT_TRUE(
-        hasNote(file, "front: left out, since they lie outside of its outline: 1 closed line"));
-    EXPECT_TRUE(hasNote(file, "each block is read once: 1 INSERT of a"));
+    EXPECT_TRUE(hasNote(file, "outside its outline: 1 closed line"));
+    EXPECT_TRUE(hasNote(file, "each block once: 1 INSERT of a"));
     EXPECT_TRUE(hasNote(file, "belong to no piece: 1 LINE"));
     EXPECT_TRUE(hasNote(file, "1 LINE (layer 99)"));
 }
@@ -577,7 +576,7 @@ TEST(DxfPattern, HasOneNotePerKindHoweverManyThereAre) {
     const auto file = readPattern(text.end().take(), PatternFileKind::Dxf, "a.dxf");
     ASSERT_TRUE(file);
     EXPECT_EQ(file->pieces.size(), 1U);
-    EXPECT_TRUE(hasNote(*file, "each block is read once: 5000 INSERT of a"));
+    EXPECT_TRUE(hasNote(*file, "each block once: 5000 INSERT of a"));
     EXPECT_TRUE(hasNote(*file, "4990 more notes like: b10 is left out"));
     EXPECT_LT(file->notes.size(), 30U);
 }
@@ -595,7 +594,7 @@ TEST(DxfPattern, RefusesCurvesOfTooManyPoints) {
     const auto many = read(20000, 1e7);  // 10 km: 32 768 points each
     ASSERT_FALSE(many);
     const std::string why = sentence(many.error());
-    for (const char* part : {"circles.dxf", "more than 5000000 points", "check its unit"}) {
+    for (const char* part : {"circles.dxf", "more than 5000000 points", "check the unit"}) {
         EXPECT_NE(why.find(part), std::string::npos) << why;
     }
     EXPECT_TRUE(read(3, 1e7));

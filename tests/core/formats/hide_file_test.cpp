@@ -36,8 +36,7 @@ TEST(HideFile, TheLargestLineIsItsEdgeAndLayersNameGrades) {
     EXPECT_NEAR(geometry::signedAreaOf(hide.zones[0].outline), 20000, 1e-3);
     EXPECT_EQ(hide.zones[1].grade, 0);
     ASSERT_EQ(read->notes.size(), 1U);
-    EXPECT_EQ(read->notes[0],
-              "a closed line that begins outside of the hide is left out (layer \"hole\")");
+    EXPECT_NE(read->notes[0].find("(layer \"hole\")"), std::string::npos);
 }
 
 TEST(HideFile, IsReadFromDxfToo) {

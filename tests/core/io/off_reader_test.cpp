@@ -78,9 +78,9 @@ TEST(OffReader, RefusesATruncatedFile) {
     const Result<PolygonSoup> soup = read(readOff, "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n\n");
     ASSERT_FALSE(soup);
     EXPECT_EQ(soup.error().code, ErrorCode::MalformedFile);
-    EXPECT_EQ(
-        soup.error().detail,
-        "the header promises 3 vertices and 2 faces, the file ends after 3 vertices and 1 face");
+    EXPECT_EQ(soup.error().detail,
+              "the header promises 3 vertices and 2 faces, but the file ends after 3 vertices and "
+              "1 face");
 }
 
 TEST(OffReader, KeepsGoingAfterBadRecords) {

@@ -150,7 +150,7 @@ TEST(PlyReader, RefusesHeadersItCannotUse) {
     const Result<PolygonSoup> flat =
         read(readPly, ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"));
     ASSERT_FALSE(flat);
-    EXPECT_EQ(flat.error().detail, "the header gives vertices no x, y and z");
+    EXPECT_NE(flat.error().detail.find("x, y and z"), std::string::npos);
 }
 
 TEST(PlyReader, TrustsNoCount) {

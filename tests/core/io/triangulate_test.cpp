@@ -246,7 +246,7 @@ TEST(Triangulate, FansAndListsWhatCrossesItself) {
                       Eigen::RowVector3i(0, static_cast<int>(i) + 1, static_cast<int>(i) + 2));
         }
         EXPECT_EQ(detailOf(triangles.problems, ErrorCode::PolygonNotSimple),
-                  "1 face divided as a fan: it crosses itself or has no area, face 1");
+                  "1 face split as a fan: it crosses itself or has no area, face 1");
     }
 }
 

@@ -145,7 +145,8 @@ TEST(Repair, DividesTheNeighbourAtACap) {
                                    {{0, 1, 4}, {4, 1, 2}, {0, 4, 2}, {0, 2, 3}});
     const RepairResult result = repaired(mesh);
     EXPECT_EQ(test::kindsOf(result.repairs), "flat-faces-removed");
-    EXPECT_EQ(result.repairs[0].detail, "1 triangle given to the neighbour, at 2.0, 2.0, 0.0 mm");
+    EXPECT_EQ(result.repairs[0].detail,
+              "1 triangle merged into the neighbour, at 2.0, 2.0, 0.0 mm");
     EXPECT_EQ(result.part.mesh.V, mesh.V);
     EXPECT_EQ(result.part.mesh.F.rows(), 4);
     EXPECT_EQ(result.part.sourceFace, (std::vector<int>{0, 1, 3, 3}));
@@ -159,7 +160,7 @@ TEST(Repair, DropsACapOnTheBorder) {
     const MeshArrays mesh =
         meshOf({{0, 0, 0}, {8, 0, 0}, {4, 4, 0}, {3, 0, 0}}, {{0, 3, 2}, {3, 1, 2}, {0, 1, 3}});
     const RepairResult result = repaired(mesh);
-    EXPECT_EQ(result.repairs[0].detail, "1 triangle dropped at the border, at 3.0, 0.0, 0.0 mm");
+    EXPECT_EQ(result.repairs[0].detail, "1 triangle removed at the boundary, at 3.0, 0.0, 0.0 mm");
     EXPECT_EQ(result.part.sourceFace, (std::vector<int>{0, 1}));
     EXPECT_EQ(checkDisk(result.part.mesh, "sleeve").boundary.size(), 4U);  // 0 3 1 2
 }

@@ -256,7 +256,7 @@ TEST_F(ReadLayers, WhatIsNotThereIsSaid) {
     EXPECT_EQ(third.soup, soup_);
     ASSERT_EQ(third.problems.size(), 1U);
     EXPECT_EQ(third.problems[0].code, ErrorCode::CannotReadAs);
-    EXPECT_NE(third.problems[0].detail.find("there are 2"), std::string::npos);
+    EXPECT_NE(third.problems[0].detail.find("the 2 layers"), std::string::npos);
     soup_ = std::make_shared<const PolygonSoup>(test::inCentimetres(ring(50)));
     const PreparedFile tube = read({.as = FileKind::Layers});
     EXPECT_EQ(tube.reading.kind, FileKind::Sheet);

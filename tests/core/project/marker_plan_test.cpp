@@ -104,7 +104,7 @@ TEST(MarkerOfAProject, AFaultNamesItsPlace) {
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["hides"][0]["outline"].erase(2); }),
               R"("markers[0].hides[0].outline" must have three points at least)");
     EXPECT_EQ(faultOf([](JsonDocument& d) { d["markers"][0]["matched"] = {1}; }),
-              R"("markers[0].matched[0]" must be a text)");
+              R"("markers[0].matched[0]" must be a string)");
     EXPECT_EQ(faultOf([](JsonDocument& d) {
                   d["markers"][0]["grades"] = {{{"piece", "front"}, {"grade", 0}}};
               }),

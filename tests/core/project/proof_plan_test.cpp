@@ -98,7 +98,7 @@ TEST(ProofOfAProject, AFaultNamesItsPlace) {
        R"("proof.stiffness.bending" must be a number from 0 to 10)");
     is("body", "ada.obj", R"("proof.body" must be an object)");
     is("body", JsonDocument::object(), R"("proof.body.path" is missing)");
-    is("body", {{"path", std::string("a\0.obj", 6)}}, R"("proof.body.path" is no path)");
+    is("body", {{"path", std::string("a\0.obj", 6)}}, R"("proof.body.path" must be a path)");
     EXPECT_NE(faultOfProof([](JsonDocument& proof) {
                   proof["bodyUnit"] = "ell";
               }).find(R"("proof.bodyUnit")"),

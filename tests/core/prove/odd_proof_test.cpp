@@ -215,7 +215,7 @@ TEST(OddProof, EdgesThatMakeTooManyTrianglesAreRefused) {
     ASSERT_FALSE(proof);
     EXPECT_EQ(proof.error().code, ErrorCode::OutOfMemory);
     // 400 000 mm2 are 923 760 equal triangles.
-    EXPECT_NE(sentence(proof.error()).find("from 1.8 mm on"), std::string::npos)
+    EXPECT_NE(sentence(proof.error()).find("use edges of 1.8 mm or more"), std::string::npos)
         << sentence(proof.error());
 }
 

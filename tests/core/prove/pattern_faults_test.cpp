@@ -99,8 +99,7 @@ TEST(PatternFaults, NamesAPieceThatIsMirroredAndTurnsItOver) {
     ASSERT_EQ(fresh->faults.size(), 1u) << kindsOf(fresh->faults);
     EXPECT_EQ(fresh->faults[0].kind, FindingKind::Mirrored);
     EXPECT_EQ(fresh->faults[0].subject.name, "back_left");
-    EXPECT_EQ(fresh->faults[0].reason,
-              "back_left is mirrored in the pattern; it is turned over to be sewn");
+    EXPECT_TRUE(fresh->faults[0].reason.starts_with("back_left ")) << kindsOf(fresh->faults);
     for (const ProvenSeam& seam : fresh->seams) {
         EXPECT_LT(std::abs(seam.slip), 0.01);
     }
@@ -188,9 +187,11 @@ TEST(PatternFaults, NamesWhatIsMissingAndWhatIsTooMuch) {
     band.sew.resize(0, 2);
     band.holes.clear();
     const auto faults = faultsOf(file);
-    EXPECT_EQ(kindsOf(faults),
-              "not-there: the pattern has no piece waistband\n"
-              "not-needed: pocket of the pattern is no piece of the garment\n");
+    ASSERT_EQ(faults.size(), 2U) << kindsOf(faults);
+    EXPECT_EQ(faults[0].kind, FindingKind::NotThere);
+    EXPECT_EQ(faults[0].subject.name, "waistband");
+    EXPECT_EQ(faults[1].kind, FindingKind::NotNeeded);
+    EXPECT_NE(faults[1].reason.find(" pocket "), std::string::npos) << kindsOf(faults);
 }
 
 TEST(PatternFaults, OurOwnFacingsAreNotTooMuch) {
@@ -212,8 +213,11 @@ TEST(PatternFaults, OurOwnFacingsAreNotTooMuch) {
     EXPECT_EQ(kindsOf(ofOurs->faults), "");
     EXPECT_EQ(kindsOf(readBack->faults), "");
     // A garment that has none says so.
-    EXPECT_NE(kindsOf(faultsOf(*file)).find("not-needed: FACING_OF_THE_WAIST"), std::string::npos)
-        << kindsOf(faultsOf(*file));
+    const auto other = faultsOf(*file);
+    EXPECT_TRUE(std::ranges::any_of(other, [](const Finding& fault) {
+        return fault.kind == FindingKind::NotNeeded &&
+               fault.reason.find("FACING_OF_THE_WAIST") != std::string::npos;
+    })) << kindsOf(other);
 }
 
 TEST(PatternFaults, LeavesOutAPieceWhoseOutlineCrossesItself) {
@@ -226,11 +230,10 @@ TEST(PatternFaults, LeavesOutAPieceWhoseOutlineCrossesItself) {
     order.file = file;
     const auto fresh = freshCloth(trousers().source(), order, {});
     ASSERT_TRUE(fresh);
-    EXPECT_NE(kindsOf(fresh->faults)
-                  .find("not-there: the outline of waistband crosses itself in the pattern; it is "
-                        "left out"),
-              std::string::npos)
-        << kindsOf(fresh->faults);
+    EXPECT_TRUE(std::ranges::any_of(fresh->faults, [](const Finding& fault) {
+        return fault.kind == FindingKind::NotThere && fault.subject.name == "waistband" &&
+               fault.reason.find("crosses itself") != std::string::npos;
+    })) << kindsOf(fresh->faults);
     for (std::size_t p = 0; p < fresh->placeOf.size(); ++p) {
         EXPECT_EQ(fresh->placeOf[p].empty(), trousers().garment().pieces[p]->name == "waistband");
     }

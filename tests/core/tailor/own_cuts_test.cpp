@@ -28,7 +28,7 @@ CutProposer tailor(int& asked) {
         ProposedCuts made;
         if (const auto body = readBody(piece, progress)) {
             for (const TailorCut& cut : tailorCuts(*piece, *body, own, progress)) {
-                made.cuts.push_back({cut.cut, "by the form"});
+                made.cuts.push_back({cut.cut, "from the shape"});
             }
         }
         return made;

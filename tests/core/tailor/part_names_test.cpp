@@ -24,7 +24,7 @@ std::map<std::string, Eigen::Vector3d> partsByName(const Pieces& pieces,
             EXPECT_TRUE(body);
             const auto cuts = tailorCuts(*piece, *body, drawn, progress);
             for (const TailorCut& cut : cuts) {
-                proposed.cuts.push_back({cut.cut, "by the form"});
+                proposed.cuts.push_back({cut.cut, "from the shape"});
             }
             proposed.nameOf = [piece, body = *body, cuts](const Piece& part) {
                 return partName(*piece, body, cuts, part);

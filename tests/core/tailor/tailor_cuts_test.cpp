@@ -22,7 +22,7 @@ CutPieces cutByTailor(const std::shared_ptr<const Piece>& piece,
                      {[&proposed](const auto&, const auto&, const auto&) {
                          ProposedCuts made;
                          for (const TailorCut& cut : proposed) {
-                             made.cuts.push_back({cut.cut, "by the form"});
+                             made.cuts.push_back({cut.cut, "from the shape"});
                          }
                          return made;
                      }});
@@ -118,7 +118,7 @@ TEST(TailorCuts, WhatIsProposedOnceIsNotAskedForAgain) {
         ++asked;
         ProposedCuts made;
         for (const TailorCut& cut : tailorCuts(piece, progress)) {
-            made.cuts.push_back({cut.cut, "by the form"});
+            made.cuts.push_back({cut.cut, "from the shape"});
         }
         return made;
     }};
