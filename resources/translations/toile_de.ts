@@ -7061,45 +7061,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::CompareControls</name>
-    <message>
-        <source>&amp;Piece</source>
-        <translation>&amp;Schnittteil</translation>
-    </message>
-    <message>
-        <source>Follows what is selected in the main window</source>
-        <translation>Folgt der Auswahl im Hauptfenster</translation>
-    </message>
-    <message>
-        <source>Methods, up to four</source>
-        <translation>Verfahren, bis zu vier</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Fortschritt</translation>
-    </message>
-    <message>
-        <source>Four are compared already: take one away first</source>
-        <translation>Vier werden schon verglichen: nehmen Sie erst eines weg</translation>
-    </message>
-    <message>
-        <source>Comparing…</source>
-        <translation>Wird verglichen…</translation>
-    </message>
-    <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
-    </message>
-    <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
     <name>toile::app::CompareWindow</name>
     <message>
         <source>Compare methods</source>
@@ -7113,28 +7074,33 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are flattened by the same method for it. Drag a picture to move all of them, turn the wheel to zoom, double click to see everything.</source>
         <translation>★ bester Wert der Zeile. Naht-Δ ist der der schlechtesten Naht des Schnittteils; die angenähten Schnittteile werden dafür nach demselben Verfahren abgewickelt. Ein Bild zu ziehen bewegt alle, das Mausrad vergrößert, ein Doppelklick zeigt alles.</translation>
     </message>
-</context>
-<context>
-    <name>toile::app::ComparedColumn</name>
+    <message>
+        <source>Figures of the methods</source>
+        <translation>Zahlen der Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
     <message>
         <source>Use this method</source>
         <translation>Dieses Verfahren nehmen</translation>
-    </message>
-    <message>
-        <source>In use</source>
-        <translation>In Gebrauch</translation>
-    </message>
-    <message>
-        <source>The garment is flattened by this method</source>
-        <translation>Das Kleidungsstück wird nach diesem Verfahren abgewickelt</translation>
     </message>
     <message>
         <source>Flatten the garment by this method from now on</source>
         <translation>Das Kleidungsstück von nun an nach diesem Verfahren abwickeln</translation>
     </message>
     <message>
-        <source>%1, the flat piece</source>
-        <translation>%1, das flache Schnittteil</translation>
+        <source>%1, the best</source>
+        <translation>%1, der beste</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>In Gebrauch</translation>
     </message>
     <message>
         <source>Waiting…</source>
@@ -7145,8 +7111,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wird abgewickelt…</translation>
     </message>
     <message>
-        <source>Cancelled.</source>
-        <translation>Abgebrochen.</translation>
+        <source>%1, the flat piece</source>
+        <translation>%1, das flache Schnittteil</translation>
     </message>
 </context>
 <context>
@@ -7581,21 +7547,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>All strain is within the fabric&apos;s limits.</source>
         <translation>Alle Dehnungen liegen in den Grenzen des Stoffs.</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::FigureTable</name>
-    <message>
-        <source>Figures of the methods</source>
-        <translation>Zahlen der Verfahren</translation>
-    </message>
-    <message>
-        <source>&amp;Copy</source>
-        <translation>&amp;Kopieren</translation>
-    </message>
-    <message>
-        <source>%1, the best</source>
-        <translation>%1, der beste</translation>
     </message>
 </context>
 <context>
@@ -8245,13 +8196,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Seam lines may change</source>
         <translation>Nahtlinien dürfen sich ändern</translation>
-    </message>
-</context>
-<context>
-    <name>toile::app::MethodComparison</name>
-    <message>
-        <source>Comparing methods</source>
-        <translation>Verfahren werden verglichen</translation>
     </message>
 </context>
 <context>
