@@ -16,6 +16,7 @@
 #include "app/document/project_state.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
+#include "app/render/scene_renderer.h"
 #include "core/layout/free_place.h"
 #include "core/project/project_file.h"
 #include "core/symmetry/symmetry.h"

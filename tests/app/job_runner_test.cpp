@@ -42,7 +42,7 @@ public:
     void finalize() override { done(); }
 };
 
-class Canvas : public QWidget {
+class PaintedWidget : public QWidget {
 public:
     bool mayBePainted = true, wasPaintedTooSoon = false;
 
@@ -84,17 +84,17 @@ private slots:
     void aJobThatStartsDoesNotPaint() {
         JobRunner runner;
         QWidget window;
-        auto* canvas = new Canvas;
-        canvas->setMinimumSize(50, 50);
-        connect(&runner, &JobRunner::started, canvas, [canvas] {
-            canvas->mayBePainted = false;
-            canvas->update();
+        auto* painted = new PaintedWidget;
+        painted->setMinimumSize(50, 50);
+        connect(&runner, &JobRunner::started, painted, [painted] {
+            painted->mayBePainted = false;
+            painted->update();
         });
         QAction cancel;
         auto* row = new QHBoxLayout(&window);
-        row->addWidget(canvas);
+        row->addWidget(painted);
         row->addWidget(new WorkDisplay({&runner}, cancel));
-        connect(&runner, &JobRunner::started, canvas, [canvas] { canvas->mayBePainted = true; });
+        connect(&runner, &JobRunner::started, painted, [painted] { painted->mayBePainted = true; });
         window.show();
         std::atomic<bool> seen = false;
         auto first = std::make_unique<TestJob>();
@@ -115,7 +115,7 @@ private slots:
         seen = true;
         QTRY_COMPARE_WITH_TIMEOUT(bar->value(), 0, test::kPatience);
         QVERIFY(bar->isVisible());
-        QVERIFY(!canvas->wasPaintedTooSoon);
+        QVERIFY(!painted->wasPaintedTooSoon);
     }
 
     void reportsProgressWhileTheWorkerWorks() {
