@@ -208,7 +208,7 @@ private slots:
         runner.start(std::move(job));
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
         const QString said = failed.first().at(1).toString();
-        QVERIFY2(said.contains("not enough memory") && said.contains("close other programs"),
+        QVERIFY2(said.contains("not enough memory") && said.contains("Close other programs"),
                  qPrintable(said));
         QVERIFY2(!said.contains("report"), qPrintable(said));
     }

@@ -196,7 +196,7 @@ class WithTheProgram(unittest.TestCase):
             self.assertFalse(outcome.is_cut)
             self.assertEqual([bool(at) for at in outcome.pattern.places], [True, True, False])
             self.assertEqual(outcome.pattern.lost, 1)
-            self.assertIn("lie twice on the same vertices", "".join(outcome.sentences))
+            self.assertIn("duplicate faces are removed", "".join(outcome.sentences))
             self.assertIn("(0.1000, 0.0000, 0.0000)", "".join(outcome.sentences))
         self.assertIn("1 face is left out", left_out(1))
         self.assertIn("2 faces are left out", left_out(2))
