@@ -187,9 +187,9 @@ struct SceneCloth {
     /// can be compared and a turned grain changes none. Where a fabric has limits these come first.
     std::array<OverlayScale, kOverlayCount> scales;
     Eigen::AlignedBox3d box;  ///< relative to origin
-    /// What it was made of.
-    std::vector<std::shared_ptr<const Piece>> madeOf;
-    PieceResults results;
+    /// What it was made of; it does not keep a closed garment in memory.
+    std::vector<std::weak_ptr<const Piece>> madeOf;
+    std::vector<std::weak_ptr<const PieceResult>> results;
 };
 
 /// The cloth, and the lines that are drawn over it.

@@ -187,8 +187,8 @@ namespace {
 std::shared_ptr<const SceneCloth> makeCloth(const Garment& garment, const PieceResults& results,
                                             Progress& progress) {
     auto cloth = sharedForDisposal(std::make_unique<SceneCloth>());
-    cloth->madeOf = garment.pieces;
-    cloth->results = results;
+    cloth->madeOf.assign(garment.pieces.begin(), garment.pieces.end());
+    cloth->results.assign(results.begin(), results.end());
     for (const auto& piece : garment.pieces) {
         cloth->box.extend(boundsOf(piece->mesh.V));
     }
@@ -221,13 +221,22 @@ std::shared_ptr<const SceneCloth> makeCloth(const Garment& garment, const PieceR
     return cloth;
 }
 
+/// Compares owners, so that an object that is gone differs from none.
+template <class Value>
+bool isMadeOf(const std::vector<std::weak_ptr<const Value>>& made,
+              const std::vector<std::shared_ptr<const Value>>& now) {
+    return std::ranges::equal(made, now, [](const auto& a, const auto& b) {
+        return !a.owner_before(b) && !b.owner_before(a);
+    });
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> buildScene(const Garment& garment, const PieceResults& results,
                                         Progress& progress, const Pattern* pattern,
                                         const Scene* before) {
-    const bool isSame =
-        before && before->cloth->madeOf == garment.pieces && before->cloth->results == results;
+    const bool isSame = before && isMadeOf(before->cloth->madeOf, garment.pieces) &&
+                        isMadeOf(before->cloth->results, results);
     const auto cloth = isSame ? before->cloth : makeCloth(garment, results, progress);
     if (!cloth) {
         return std::make_shared<const Scene>();

@@ -106,7 +106,8 @@ void SceneRenderer::release() {
     faces_.release();
     pieces_.release();
     glyphs_.release();
-    facesOf_ = glyphsOf_ = nullptr;
+    facesOf_.reset();
+    glyphsOf_.reset();
     glDeleteVertexArrays(1, &emptyArray_);
     for (GLuint* texture : {&divergingMap_, &sequentialMap_}) {
         glDeleteTextures(1, texture);
@@ -191,7 +192,7 @@ void SceneRenderer::bindColourMap(Overlay overlay) {
 }
 
 bool SceneRenderer::hasFaceTable() {
-    if (facesOf_ != content_.scene->cloth) {
+    if (facesOf_.lock() != content_.scene->cloth) {
         glActiveTexture(GL_TEXTURE0 + kFaceTableUnit);
         facesFit_ = faces_.upload(faceValues(*content_.scene));
         facesOf_ = content_.scene->cloth;
@@ -228,7 +229,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     if (frame.view.overlay != Overlay::Principal) {
         return;
     }
-    if (glyphsOf_ != content_.scene->cloth) {
+    if (glyphsOf_.lock() != content_.scene->cloth) {
         glyphs_.upload(content_.scene->glyphs);
         glyphsOf_ = content_.scene->cloth;
     }

@@ -146,8 +146,8 @@ private:
 
     TableTexture faces_{counts_}, pieces_{counts_};
     GpuGlyphs glyphs_{counts_};
-    /// Of which cloth the GPU has triangles' values and glyphs.
-    std::shared_ptr<const SceneCloth> facesOf_, glyphsOf_;
+    /// The cloth whose triangle values and glyphs are on the GPU; does not keep its garment alive.
+    std::weak_ptr<const SceneCloth> facesOf_, glyphsOf_;
     bool facesFit_ = false;
     GpuLines overLines_{counts_}, fileLines_{counts_};
     bool sceneChanged_ = false, clothChanged_ = false, tableChanged_ = false,

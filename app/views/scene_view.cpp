@@ -228,7 +228,7 @@ void SceneView::showSpot(const WorstSpot& spot) {
 }
 
 bool SceneView::isUpToDate() const {
-    return !problem().isEmpty() || (painted_ && painted_ == document_.scene());
+    return !problem().isEmpty() || (document_.scene() && painted_.lock() == document_.scene());
 }
 
 void SceneView::paintGL() {

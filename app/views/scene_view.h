@@ -140,7 +140,7 @@ private:
     FlaggedSpots spots_;
     std::optional<WorstSpot> shown_;
     std::optional<SeamDot> dot_;
-    std::shared_ptr<const Scene> painted_;
+    std::weak_ptr<const Scene> painted_;
     QPointF pressed_;
     Press press_ = Press::None;
     Qt::MouseButton button_ = Qt::NoButton;  ///< that is down
