@@ -37,7 +37,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kSettingsPart = 3, kPiecesPart = 7, kMisfitsPart = 4;
-/// Sides of a seam that differ by less fit, mm.
+/// Sides of a seam fit if they differ by less, mm.
 constexpr double kWorthSlip = 0.5;
 constexpr int kProofSteps = 1000;
 
@@ -48,7 +48,7 @@ QString largeFirst(QString text) {
     return text;
 }
 
-/// Does what the action does, whenever that can be done, under a text of its own.
+/// The button triggers the action and follows its enabled state, with its own text.
 void standsFor(QAbstractButton& button, QAction& action) {
     QObject::connect(&button, &QAbstractButton::clicked, &action, &QAction::trigger);
     const auto follow = [&button, &action] { button.setEnabled(action.isEnabled()); };
