@@ -20,7 +20,7 @@ class Document;
 class SheetMap;
 struct RenderStyle;
 
-/// The aligned lines of the open reference pattern. Null: no file is open, and the scene's own lines
+/// The aligned lines of the open reference file. Null: no file is open, and the scene's own lines
 /// are used.
 std::shared_ptr<const ReferenceLines> referenceLinesOf(const Document& document);
 
