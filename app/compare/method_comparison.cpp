@@ -176,7 +176,7 @@ void MethodComparison::next() {
         });
 }
 
-/// Outdated results are always cancelled, so this one is for the entry in work.
+/// Outdated jobs are always cancelled, so this result is for the entry in work.
 void MethodComparison::take(Attempt<ComparedPiece> made, bool isCancelled) {
     Entry* entry = firstIn(Stage::Working);
     if (entry && isCancelled) {

@@ -66,7 +66,7 @@ std::vector<int> misplacedAmong(const Pattern& pattern, const ClothMarker& marke
     return misplaced;
 }
 
-/// Omits the file, because the problem is in the user's settings.
+/// Omits the text about a malformed file: the problem is in the settings.
 QString searchProblem(const Error& problem) {
     return problem.code == ErrorCode::MalformedFile
                ? QString("%1: %2.").arg(QString::fromStdString(problem.subject.name),

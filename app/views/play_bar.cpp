@@ -103,7 +103,7 @@ void PlayBar::setStops(const std::vector<double>& shares) {
 }
 
 void PlayBar::stopOnTheWay(int action) {
-    animation_->stop();  // keys move the slider, too
+    animation_->stop();  // a key press overrides it
     const int from = slider_->value(), to = slider_->sliderPosition();
     if (action == QAbstractSlider::SliderToMinimum || action == QAbstractSlider::SliderToMaximum) {
         return;

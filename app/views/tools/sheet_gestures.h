@@ -111,7 +111,7 @@ private:
     Eigen::Vector2d centre_;
     double from_;  ///< pointer direction at the press, radians
     double turn_ = 0;
-    /// Turns modulo 90 degrees that align the grain or an edge of a single piece with the sheet.
+    /// Turns modulo 180 degrees that align the grain or an edge of a single piece with the sheet.
     std::vector<double> good_;
 };
 
