@@ -64,8 +64,8 @@ struct BatchArguments {
     double limitSeconds = 600;                        ///< wall clock, per garment; 0: none
     int memoryMib = 0;                                ///< per garment; 0: no limit
     int threads = 1;                                  ///< per garment
-    /// The typed reading and flattening options with values, in the order of the help, so that
-    /// their order on the command line does not matter.
+    /// The typed reading and flattening options with values. They are sorted as in the help: the
+    /// typed order does not matter.
     Words words{};
 };
 

@@ -14,8 +14,8 @@ namespace {
 
 /// Logical pixels, including the space of the scale bar in the other corner.
 constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 212;
-/// If less than this is left beside the scale bar, the legend moves above it and uses the whole
-/// width minus the margins, which a ruler may occupy.
+/// If less than this is left beside the scale bar, the legend moves above it. There it uses the
+/// whole width minus the margins for a ruler.
 constexpr int kMinWidth = 260, kAtSides = 40, kAboveCorner = 52;
 constexpr int kMinGround = 238;  ///< of 255: hides the drawing below, so that the words are legible
 

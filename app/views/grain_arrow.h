@@ -28,8 +28,8 @@ struct GrainArrow {
 };
 
 /// Uses the grain line of files (`MarkPlaces`). If that is too short to see, the arrow goes to the
-/// roomiest place on the cloth, at a length that can be grabbed even on a narrow piece. Nullopt if
-/// the piece is not flat.
+/// roomiest place on the cloth. Its length can be grabbed even on a narrow piece. Nullopt if the
+/// piece is not flat.
 /// @param pixelsPerMillimetre  of the target screen
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
                                      double pixelsPerMillimetre);
