@@ -202,7 +202,7 @@ if [ "$status" -le 1 ] && [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
                 reading+=("$1" "$2") ;;
             --unit=* | --up=* | --split=* | --seams=* | --as=* | --surface=* | --layer=* | \
                 --cut-style=* | --max-strain=* | --enough=* | --close-holes=* | --smooth=* | --remesh=* | \
-                --weld-within=* | --keep-debris | --auto-cut | --swap-front | --weld | --strict | --close-slits | --complete-half)
+                --weld-within=* | --turn-over | --keep-debris | --auto-cut | --swap-front | --weld | --strict | --close-slits | --complete-half)
                 reading+=("$1") ;;
         esac
         shift

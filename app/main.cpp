@@ -14,12 +14,12 @@
 
 namespace {
 
-/// Ends the command line at once. OpenBLAS starts workers when it is loaded, and its own end waits
-/// for them: for ever, where they found no memory. What has been printed is out by then.
+/// Exits at once. OpenBLAS starts worker threads when loaded and waits for them at exit, forever if
+/// they found no memory. Flushes the output first.
 int end(int status) {
     std::cout.flush();
     std::cerr.flush();
-    if (!toile::isSanitized()) {  // these report at the end
+    if (!toile::isSanitized()) {  // sanitizers report at exit
         std::_Exit(status);
     }
     return status;

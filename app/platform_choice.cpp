@@ -31,12 +31,12 @@ void quietenQt() {
 
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class PlatformWords {
     Q_DECLARE_TR_FUNCTIONS(PlatformChoice)
 };
 
-/// Of the library that Qt itself asks; where it is missing, so is Qt's part for X.
+/// Loads libxcb, like Qt's xcb plugin; without it, that plugin cannot work either.
 template <class Function>
 Function* ofXcb(const char* name) {
     static QLibrary xcb("xcb", 1);
@@ -44,7 +44,7 @@ Function* ofXcb(const char* name) {
 }
 
 bool canLoadPlatform(const QString& name) {
-    const QStringList folders = QCoreApplication::libraryPaths();  // QT_PLUGIN_PATH among them
+    const QStringList folders = QCoreApplication::libraryPaths();  // includes QT_PLUGIN_PATH
     return std::ranges::any_of(folders, [&](const QString& folder) {
         return QPluginLoader(folder + "/platforms/libq" + name).load();
     });
@@ -71,7 +71,7 @@ DisplayProbe::~DisplayProbe() {
 }
 
 QString windowProblem(const DisplayProbe& display) {
-    // Whoever names a platform, or has Wayland, is taken at his word.
+    // Respect an explicit platform, and Wayland.
     if (!qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY")) {
         return {};
     }
@@ -98,7 +98,7 @@ QString choosePicturePlatform(const DisplayProbe& display) {
             "installed; xvfb-run lends a display");
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    // Qt's part would look for a display again, and complain.
+    // Otherwise Qt's plugin would look for a display and print warnings.
     qunsetenv("DISPLAY");
     return {};
 }

@@ -5,19 +5,18 @@
 
 namespace toile::app {
 
-/// Makes shaders and icons known: a static library's resources are left out by the linker unless
-/// asked for. To be called before the first window is made; again does no harm.
+/// Registers shaders and icons: the linker drops unused resources of a static library. Call before
+/// creating the first window; repeated calls are harmless.
 void loadResources();
 
-/// For the command line: of what Qt says of its surroundings only what is critical is worth a
-/// person's attention there.
+/// For the command line: suppresses all Qt messages that are not critical.
 void quietenQt();
 
-/// Before the application is made: Qt ends the program with a signal where it finds no display, or
-/// its part for it is not installed.
+/// Call these before creating the application. Qt aborts if it finds no display or lacks the plugin
+/// for it.
 
-/// Asks whether an X display answers. The connection stays open as long as this lives: until Qt has
-/// its own, since a display that the last one leaves may begin anew, and answers nobody meanwhile.
+/// Tests whether an X display answers. Keep it alive until Qt is connected: an X server may reset
+/// when its last client disconnects, and is unreachable meanwhile.
 class DisplayProbe {
 public:
     DisplayProbe();
@@ -32,13 +31,12 @@ private:
     bool answers_ = false;
 };
 
-/// Why no window can be opened, as far as that can be told before; empty where nothing is known
-/// against it.
+/// Why no window can be opened, if that can be detected in advance; otherwise empty.
 QString windowProblem(const DisplayProbe& display);
 
-/// Chooses Qt's platform for drawing pictures: that of the X display where one answers, else one
-/// without a screen. Elsewhere than on Linux it is left as it is.
-/// @return a sentence where there is neither; else empty
+/// Chooses Qt's platform for drawing pictures: the X display if one answers, else one without a
+/// screen. Does nothing on systems other than Linux.
+/// @return a message if neither is available; else empty
 QString choosePicturePlatform(const DisplayProbe& display);
 
 }  // namespace toile::app

@@ -32,7 +32,7 @@ constexpr PictureOf kPictures[] = {
     {Overlay::Strain, "Strain: what the cloth must do to lie on the garment"},
 };
 
-/// Letters need an application of Qt's, which the command line has not.
+/// Qt needs an application to draw text; the command line has none.
 void makeApplication() {
     if (QCoreApplication::instance()) {
         return;
@@ -47,7 +47,7 @@ void makeApplication() {
     Q_UNUSED(application);
 }
 
-/// As a window that has just opened it.
+/// Opens the source like a new window.
 void openIn(Document& document, const ExportSource& source) {
     Derived derived;
     derived.garment = {std::shared_ptr<const Garment>(), &source.garment()};
@@ -70,7 +70,7 @@ void openIn(Document& document, const ExportSource& source) {
     document.open(std::move(state), std::move(derived));
 }
 
-/// Empty where it cannot be drawn.
+/// Returns an empty array if drawing fails.
 QByteArray drawnAsPng(const Document& document, const PictureOptions& options) {
     QString problem;
     const QImage picture = drawViews(document, options, problem);
@@ -80,7 +80,7 @@ QByteArray drawnAsPng(const Document& document, const PictureOptions& options) {
     return !picture.isNull() && picture.save(&buffer, "PNG") ? png : QByteArray();
 }
 
-/// Draws what can be seen of a source; does nothing where nothing can be drawn.
+/// Calls `draw` with the source's document; does nothing without OpenGL.
 void drawWith(const ExportSource& source, const std::function<void(Document&)>& draw) {
     makeApplication();
     const auto context = makeEglContext();

@@ -15,25 +15,25 @@ struct Proof;
 
 namespace toile::app {
 
-/// What the HTML report shows beside the drawing: the garment and its pattern as the views have
-/// them, with the checkerboard and with the strain. None where there is no OpenGL without a window.
-/// Any thread without a context of its own, one at a time; before there is an application, the main
-/// thread: it makes one then, without a screen, that stays to the end of the program. Cost: that of
-/// the scene, and tenths of a second where the processor draws.
+/// Pictures for the HTML report: garment and pattern as in the views, with checkerboard and with
+/// strain. Empty if there is no OpenGL without a window. Call from one thread at a time, without a
+/// current context of its own. Without an application, call from the main thread: this creates one
+/// without a screen, which lives until exit. Cost: that of the scene, plus tenths of a second in
+/// software rendering.
 std::vector<ReportPicture> reportPictures(const ExportSource& source);
 
-/// What a picture of a proof shows.
+/// Options for a picture of a proof.
 struct ProofPicture {
     Overlay overlay = Overlay::Gap;
-    double sewn = 1;  ///< the garment from as designed, 0, to as sewn, 1
+    double sewn = 1;  ///< position between designed (0) and sewn (1) garment
     int width = 1600, height = 800;
     ViewsShown views = ViewsShown::Both;
-    std::optional<ViewDirection> direction{};  ///< none: as the window begins
+    std::optional<ViewDirection> direction{};  ///< nullopt: the initial view
     bool dark = false;
 };
 
-/// A pattern that was sewn back together, as the views have it with the legend below, as a PNG
-/// file's bytes; empty where there is no OpenGL without a window. As `reportPictures` else.
+/// A proved pattern as in the views with the legend below, as bytes of a PNG file. Empty without
+/// OpenGL. Threads and application: see `reportPictures`.
 /// @param proof  of the source's garment, not null
 std::string proofPicture(const ExportSource& source, const std::shared_ptr<const Proof>& proof,
                          const ProofPicture& wanted = {});

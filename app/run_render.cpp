@@ -31,13 +31,13 @@ int refused(const QString& sentence, Messages& messages) {
     return kExitUnreadable;
 }
 
-/// As the window has it on a desktop that says nothing of fonts.
+/// The window's font on a desktop without font settings.
 QFont pictureFont() {
     return QGuiApplication::platformName() == "offscreen" ? QFont("Sans Serif", 9)
                                                           : QGuiApplication::font();
 }
 
-/// Reads the reference pattern of a project. What cannot be read is left out, and said.
+/// Reads the reference pattern of a project. Reports and omits an unreadable one.
 void addReference(DocumentState& state, Messages& messages) {
     if (state.reference.path.empty()) {
         return;
@@ -49,7 +49,7 @@ void addReference(DocumentState& state, Messages& messages) {
     }
 }
 
-/// Within a second or so, by the quickest method.
+/// Whether the fastest method needs about a second at most.
 bool isSoonFlat(const Garment& garment) {
     constexpr std::size_t kMaxShownTriangles = 50'000;
     std::size_t triangles = 0;
@@ -59,7 +59,7 @@ bool isSoonFlat(const Garment& garment) {
     return triangles <= kMaxShownTriangles;
 }
 
-/// Opens what the window shows once everything is flat. @return whether some piece is not
+/// Opens the document as in the window after flattening. @return whether some piece is not flat
 bool openFlattened(Document& document, const Arguments& arguments, Garment read,
                    Messages& messages) {
     Progress progress;
@@ -77,7 +77,7 @@ bool openFlattened(Document& document, const Arguments& arguments, Garment read,
     state.options = arguments.options;
     state.lines = arguments.lines;
     const bool isThumbnail = arguments.picture.thumbnail > 0;
-    if (isThumbnail) {  // nobody sees more of what is flat than that it has a colour
+    if (isThumbnail) {  // a thumbnail shows no more than the colour of flat pieces
         state.options.method = Method::Lscm;
         state.lines = {};
     }
@@ -108,8 +108,8 @@ void applyView(Document& document, const Arguments& arguments) {
     document.setView(view);
 }
 
-/// Sews the pattern back together as the window does. What stands against that is said, and the
-/// picture shows none of it. @return whether it could be sewn
+/// Sews the pattern back together like the window. Reports an obstacle; the picture then shows no
+/// sewn cloth. @return whether it could be sewn
 bool prove(Document& document, Messages& messages) {
     Progress progress;
     const auto job = proofJob(
@@ -141,7 +141,7 @@ PictureOptions pictureOptions(const PictureArguments& asked, Overlay overlay) {
     return options;
 }
 
-/// A thumbnail goes into the very file that the file manager has made and keeps open.
+/// Writes a thumbnail into the existing file, which the file manager keeps open.
 Result<void> writePicture(const Arguments& arguments, const QByteArray& png) {
     const std::filesystem::path& path = arguments.outputs.front();
     if (arguments.picture.thumbnail == 0) {
@@ -155,8 +155,8 @@ Result<void> writePicture(const Arguments& arguments, const QByteArray& png) {
     return {};
 }
 
-/// A file manager's sandbox has one folder, for the thumbnail alone. Qt would make another in it,
-/// for what programs of a session share.
+/// In a file manager's sandbox, only the thumbnail's folder is writable. Otherwise Qt would create
+/// a runtime folder there.
 void leaveNothingBeside(const std::filesystem::path& thumbnail) {
     if (!qEnvironmentVariableIsSet("XDG_RUNTIME_DIR")) {
         const auto folder = std::filesystem::absolute(thumbnail).parent_path();
@@ -209,7 +209,7 @@ int render(int argc, char** argv, const Arguments& arguments, Messages& messages
         return kExitUnreadable;
     }
     if (arguments.picture.thumbnail > 0) {
-        return kExitDone;  // of pieces that cannot lie flat too
+        return kExitDone;  // also with pieces that are not flat
     }
     return failed ? kExitSomeFailed : kExitDone;
 }
@@ -222,7 +222,7 @@ int runRender(int argc, char** argv, const Arguments& typed) {
         const auto arguments = withProject(typed, messages);
         return arguments ? render(argc, argv, *arguments, messages)
                          : refuse(arguments.refusal(), messages);
-    } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
+    } catch (const std::exception& fault) {  // out of memory, or a bug: still report one sentence
         messages.add(std::string("stopped by an unexpected fault (") + fault.what() + ").");
         return kExitUnreadable;
     }

@@ -26,8 +26,8 @@ namespace toile::app {
 namespace {
 
 constexpr int kPollMilliseconds = 50;
-constexpr int kQuietRounds = 6, kMaxRounds = 100;  // a cursor may blink for ever
-/// Exit status, as the command line's: a file cannot be read or written.
+constexpr int kQuietRounds = 6, kMaxRounds = 100;  // a blinking cursor never settles
+/// Exit status as in the command line: a file could not be read or written.
 constexpr int kUnreadable = 3;
 
 QStringList toStrings(const std::vector<std::filesystem::path>& paths) {
@@ -42,7 +42,7 @@ void complain(const QString& sentence) {
     std::fputs(qPrintable("toile: " + sentence + '\n'), stderr);
 }
 
-/// Waits until the views show the result, then writes the picture and leaves the event loop.
+/// Waits until the views show the result, writes the picture and quits the event loop.
 class Photographer : public QObject {
 public:
     Photographer(MainWindow& window, QString path) : window_(window), path_(std::move(path)) {
@@ -70,7 +70,7 @@ private:
         if (!empty && !(window_.views().isUpToDate() && window_.checker().isUpToDate())) {
             return;
         }
-        // Layouts, figures and legends come a little later, each in its time.
+        // Layouts, figures and legends are updated later: wait for a stable picture.
         const QImage picture = window_.grab().toImage();
         const Document& document = workspace.document();
         const bool isLaid = !document.state().reference.file || document.reference();
@@ -90,13 +90,13 @@ private:
     MainWindow& window_;
     QString path_;
     QTimer timer_;
-    QString said_;  ///< on stderr already
+    QString said_;  ///< already printed
     QImage last_;
-    int quietRounds_ = 0;  ///< in which nothing has changed
+    int quietRounds_ = 0;  ///< rounds without changes
     int rounds_ = 0;
 };
 
-/// The lists come in with the first garment.
+/// Shows the panel when the first garment opens, since that is when the lists appear.
 void showOnceOpen(MainWindow& window, Panel panel) {
     QObject::connect(
         &window.workspace().document(), &Document::changed, &window,
@@ -107,7 +107,7 @@ void showOnceOpen(MainWindow& window, Panel panel) {
         });
 }
 
-/// What is typed goes before what the first project says, which is heard once it is open.
+/// Makes the given overlay override that of the first project, which is applied after opening.
 void keepOverlay(Document& document, Overlay overlay) {
     document.setOverlay(overlay);
     QObject::connect(
@@ -120,7 +120,7 @@ void keepOverlay(Document& document, Overlay overlay) {
         Qt::QueuedConnection);
 }
 
-/// Sews the first garment's pattern as soon as it is flat.
+/// Proves the first garment's pattern as soon as it is flat.
 void proveOnceFlat(Workspace& workspace) {
     QObject::connect(&workspace.jobs(), &JobRunner::idle, &workspace.proof(),
                      [&workspace, begun = false]() mutable {
@@ -148,7 +148,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     QApplication::setWindowIcon(QIcon(":/icons/toile.svg"));
 
     const bool photograph = !options.screenshot.empty();
-    // A picture must not depend on, nor change, what a person has set.
+    // A screenshot must neither depend on the user's settings nor change them.
     Preferences unsaved{QString()};
     Preferences own;
     Preferences& preferences = photograph ? unsaved : own;
@@ -157,7 +157,7 @@ int runWindow(int argc, char** argv, const WindowOptions& options) {
     MainWindow window(preferences);
     if (photograph) {
         window.resize(options.width, options.height);
-        // Nor on where the pointer rests, nor on which window the desktop has made the active one.
+        // It must not depend on the pointer's position or the active window either.
         window.setWindowFlags(window.windowFlags() | Qt::WindowTransparentForInput |
                               Qt::WindowDoesNotAcceptFocus);
         window.setAttribute(Qt::WA_ShowWithoutActivating);

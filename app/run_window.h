@@ -12,19 +12,19 @@ namespace toile::app {
 
 struct WindowOptions {
     std::vector<std::filesystem::path> files;  ///< opened as one garment
-    LoadOptions load;                          ///< how files are read, divided and cut
+    LoadOptions load;                          ///< options for reading, dividing and cutting
     std::filesystem::path seams;               ///< a file of cuts and ease; may be empty
-    /// Where set: load, flatten, wait for the views, write a picture of the whole window, leave.
+    /// If set: load, flatten, wait for the views, write a picture of the whole window and exit.
     std::filesystem::path screenshot;
-    std::optional<Overlay> overlay;  ///< instead of what the window or a project begins with
+    std::optional<Overlay> overlay;  ///< overrides the default or the project's overlay
     FlattenOptions flattening;
-    std::optional<Panel> panel;       ///< the list in front; none: as it was left
+    std::optional<Panel> panel;       ///< the list in front; nullopt: as last used
     int width = 1600, height = 1000;  ///< of the screenshot, logical pixels
 };
 
 /// Runs the window until it is closed. Needs a display.
-/// @return exit status: 0; 3 where there is no display; with `screenshot` also 3 where the garment
-///         could not be read and 1 where the picture could not be written
+/// @return exit status: 0; 3 if there is no display; with `screenshot` also 3 if the garment could
+///         not be read or the picture not written
 int runWindow(int argc, char** argv, const WindowOptions& options);
 
 }  // namespace toile::app

@@ -96,7 +96,7 @@ void ActionRegistry::setPlain(bool plain) {
 void ActionRegistry::showWanted() const {
     const bool isOtherSolver = actions_.at(ActionId::SolverSlcp)->isChecked();
     for (const auto& [id, action] : actions_) {
-        // The usual solver is listed only as the way back from another one.
+        // The default solver is listed only as the way back from another one.
         const bool isInUse = id == ActionId::SolverNewton ? isOtherSolver : action->isChecked();
         action->setVisible(!plain_ || !isForSpecialists(id) || isInUse);
     }

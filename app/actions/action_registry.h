@@ -9,11 +9,11 @@
 
 namespace toile::app {
 
-/// A menu's text without the mark of its mnemonic: "Save && &close" is "Save & close".
+/// A menu's text without its mnemonic marks: "Save && &close" becomes "Save & close".
 QString withoutMnemonic(const QString& text);
 
-/// The actions of the table, behind menus, toolbar, shortcuts, command palette and help. Which menu
-/// an action is in says menu_table.h.
+/// The actions of the table, as used by menus, toolbar, shortcuts, command palette and help.
+/// menu_table.h assigns actions to menus.
 class ActionRegistry : public QObject {
     Q_OBJECT
 
@@ -21,25 +21,25 @@ public:
     explicit ActionRegistry(QObject* parent = nullptr);
 
     QAction& operator[](ActionId id) const { return *actions_.at(id); }
-    /// In the order of the table.
+    /// In table order.
     QList<QAction*> all() const { return findChildren<QAction*>(); }
-    /// Does this whenever the action is triggered, for as long as the receiver lives.
+    /// Calls the slot whenever the action is triggered, while the receiver lives.
     template <class Receiver, class Slot>
     void on(ActionId id, const Receiver* receiver, Slot slot) const {
         connect(&(*this)[id], &QAction::triggered, receiver, std::move(slot));
     }
-    /// From now on does what the table says, for as long as `garment` lives.
+    /// Connects all actions to their work in the table, while `garment` lives.
     void connectTo(GarmentActions& garment) const;
-    /// Asks the table which actions can be done now, of those that read what has changed.
+    /// Updates which actions are enabled. Evaluates only conditions that read a changed part.
     void followEnabled(Workspace& workspace, DocumentChanges what = ~DocumentChanges()) const;
-    /// How many conditions were evaluated so far.
+    /// Number of conditions evaluated so far.
     int evaluations() const { return evaluations_; }
-    /// And which are chosen, or switched on.
+    /// Updates which actions are checked.
     void followChecked(Workspace& workspace) const;
-    /// Whether actions for specialists are left out of menus and lists, but for those in use.
+    /// Hides actions for specialists from menus and lists, except those in use.
     void setPlain(bool plain);
-    /// What the table calls it, for help and lists: without mnemonic, and without what the present
-    /// state adds to the menu's text.
+    /// The action's text from the table, for help and lists: without mnemonic, and without what the
+    /// current state adds to the menu's text.
     QString title(ActionId id) const;
 
 private:

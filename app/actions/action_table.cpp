@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This file is long because it is one table, read from top to bottom, after the few helpers for
-// work and conditions that its entries share.
+// This file is long because it is one table, preceded by the few helpers that its entries share.
 #include "app/actions/action_table.h"
 
 #include <QCoreApplication>
@@ -29,7 +28,7 @@ using PieceIndices = std::vector<int>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// Flags of a document that is opened come with that of the garment.
+/// A document that is opened has the changes of a new garment, too.
 constexpr DocumentChanges kOpens = DocumentChange::Opened | DocumentChange::Garment;
 constexpr DocumentChanges kDraws = kOpens | DocumentChange::Results;
 
@@ -124,7 +123,7 @@ bool isOneFlatPiece(Workspace& on) {
     return isOnePiece(on) && !selectedFlat(on.document()).empty();
 }
 
-/// Of the selected pieces those that cuts may open.
+/// The selected pieces that cuts can open.
 PieceIndices selectedOpenable(Workspace& on) {
     PieceIndices found;
     for (const int piece : on.document().selection()) {
@@ -139,7 +138,7 @@ bool canExportThese(Workspace& on) {
     return on.canExport() && !selectedFlat(on.document()).empty();
 }
 
-/// The key that renames the selected piece states the ease of the selected seam.
+/// F2 renames the selected piece, or else sets the ease of the selected seam.
 bool isSeamMeant(Workspace& on) {
     return isSewnSeam(on) && !isOnePiece(on);
 }
@@ -175,7 +174,7 @@ bool isAnyGrainSet(Workspace& on) {
     });
 }
 
-/// Its doing is connected where it is done.
+/// For actions that other code connects.
 ActionWork whenOpen(ActionGroup group = ActionGroup::None) {
     return {.enabledWhen = isOpen, .group = group};
 }
@@ -203,7 +202,7 @@ ActionWork overlays(Overlay overlay) {
             ActionGroup::Overlay};
 }
 
-/// Of sewn cloth: where none is, what sews it comes to the front.
+/// Overlay of the proof. Without a current proof, also brings the proof panel to the front.
 ActionWork overlaysOfProof(Overlay overlay) {
     ActionWork work = overlays(overlay);
     work.run = [overlay](GarmentActions& on, bool) {
@@ -247,7 +246,7 @@ ActionWork flattens(Quality quality) {
             ActionGroup::Quality};
 }
 
-/// A free outline has no boundary problem to solve.
+/// Disabled for free-boundary methods, which solve no boundary problem.
 ActionWork flattens(BoundarySolver solver) {
     return {[solver](GarmentActions& on, bool) { on.workspace().setBoundarySolver(solver); },
             [](Workspace& on) { return traits(on.document().options().method).solvesBoundary; },
@@ -262,7 +261,7 @@ ActionWork reads(ActionGroup group, Value LoadOptions::*field, void (Workspace::
             [=](Workspace& on) { return on.loading().*field == value; }, group};
 }
 
-/// Other settings of the file stay.
+/// Keeps the other settings of the file.
 ActionWork readsAs(std::optional<FileKind> kind, ShellSurface surface = ShellSurface::Outer,
                    int onlyLayer = 0) {
     return {[=](GarmentActions& on, bool) {
@@ -310,7 +309,7 @@ ActionWork reads(bool LoadOptions::*field, void (Workspace::*set)(bool)) {
             ActionGroup::Toggle};
 }
 
-/// Does something to the selected pieces that are flat, of which there have to be so many.
+/// Applies `change` to the selected flat pieces; needs at least `least` of them.
 ActionWork onSelected(std::size_t least,
                       std::function<void(Document&, const PieceIndices&)> change) {
     return {[change = std::move(change)](GarmentActions& on, bool) {
@@ -322,7 +321,7 @@ ActionWork onSelected(std::size_t least,
             [least](Workspace& on) { return selectedFlat(on.document()).size() >= least; }};
 }
 
-/// Does something to the selected pieces, flat or not.
+/// Applies `change` to the selected pieces, flat or not.
 ActionWork onPieces(std::function<void(Document&, const PieceIndices&)> change, When when) {
     return {[change = std::move(change)](GarmentActions& on, bool) {
                 Document& document = on.workspace().document();
@@ -352,7 +351,7 @@ ActionWork arranges(void (*arrange)(Document&, const PieceIndices&, Where), Wher
     });
 }
 
-/// To the selected pieces, or to all where none is.
+/// Applies `change` to the selected flat pieces, or to all without a selection.
 ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
     return {[change](GarmentActions& on, bool) {
                 change(on.workspace().document(), selectedOrAllFlat(on.workspace().document()));
@@ -360,7 +359,7 @@ ActionWork onChosen(void (*change)(Document&, const PieceIndices&)) {
             isAnyFlat};
 }
 
-// lupdate knows this name, and takes the namespace for the context.
+// lupdate finds the texts by this macro and uses the namespace as their context.
 #define TR(text) text
 
 std::vector<ActionSpec> makeActions() {

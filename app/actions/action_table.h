@@ -15,7 +15,7 @@ namespace toile::app {
 class GarmentActions;
 class Workspace;
 
-/// Everything a person can do, by name.
+/// Every action of the user, by name.
 enum class ActionId {
     Open,
     Save,
@@ -195,7 +195,7 @@ enum class ActionId {
 /// The action that chooses a method.
 ActionId actionOf(Method method);
 
-/// Actions of one group exclude each other; those of Toggle stand alone.
+/// Actions of one group exclude each other, except in Toggle.
 enum class ActionGroup {
     None,
     Toggle,
@@ -210,11 +210,11 @@ enum class ActionGroup {
     Split
 };
 
-/// What has to hold so that an action can be done, and what of the document that reads.
+/// Condition under which an action is enabled, and which document changes affect it.
 struct When {
     using Holds = std::function<bool(Workspace&)>;
 
-    /// What the pointer is on decides about no action.
+    /// No condition depends on the object under the pointer.
     static constexpr DocumentChanges kAnything = ~DocumentChanges(DocumentChange::Hover);
 
     When() = default;
@@ -224,27 +224,27 @@ struct When {
         Function function, DocumentChanges what = kAnything)
         : holds(std::move(function)), reads(what) {}
 
-    Holds holds{};  ///< none: always
+    Holds holds{};  ///< none: always true
     DocumentChanges reads = kAnything;
 
     bool operator()(Workspace& on) const { return holds(on); }
     explicit operator bool() const { return holds != nullptr; }
 };
 
-/// What an action does, and when. What is done by views, panels and the window is connected where
-/// these are (`ActionRegistry::on`).
+/// What an action does, and when it is enabled. Work of views, panels and the window is connected
+/// there (`ActionRegistry::on`).
 struct ActionWork {
-    /// @param checked  as the action is now
+    /// @param checked  the action's new state
     std::function<void(GarmentActions& on, bool checked)> run{};
-    When enabledWhen{};                             ///< none: always
-    std::function<bool(Workspace&)> checkedWhen{};  ///< none: set by the code that does it
+    When enabledWhen{};                             ///< none: always enabled
+    std::function<bool(Workspace&)> checkedWhen{};  ///< none: set by its owner
     ActionGroup group = ActionGroup::None;
 };
 
 struct ActionSpec {
     ActionId id;
     const char* name;      ///< object name, for tests and settings
-    const char* text;      ///< to be translated, as are the tip and the short text
+    const char* text;      ///< translated when used, like tip and shortText
     const char* shortcut;  ///< portable text; empty for none
     const char* tip;
     ActionWork work{};

@@ -85,8 +85,8 @@ bool askToReplace(QWidget* parent, const QString& path) {
                                      .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
 }
 
-/// The name of a file to write, with the ending of the suggestion. Whoever gets a name may write
-/// to it: what is there already has been asked about by its full name.
+/// Asks for a file to write and appends the suggestion's extension. The user has confirmed to
+/// overwrite the returned path if it exists.
 QString askForTarget(QWidget* parent, const QString& title, const QString& suggestion,
                      const QString& filter) {
     const QString suffix = QFileInfo(suggestion).suffix();
@@ -99,7 +99,7 @@ QString askForTarget(QWidget* parent, const QString& title, const QString& sugge
         if (path.endsWith('.' + suffix, Qt::CaseInsensitive)) {
             return path;
         }
-        // "dress.v2" has an ending, though not this one.
+        // Qt's default suffix is not appended to a name like "dress.v2", which has a suffix.
         path += '.' + suffix;
         if (!QFileInfo::exists(path) || askToReplace(parent, path)) {
             return path;

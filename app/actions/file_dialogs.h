@@ -10,58 +10,58 @@ class QWidget;
 
 namespace toile::app {
 
-/// What becomes of unsaved changes.
+/// What to do with unsaved changes.
 enum class SaveAnswer { Save, Discard, Cancel };
 
-/// What becomes of a file that another program has changed.
+/// What to do with a file that another program has changed.
 enum class OverwriteAnswer { SaveAnyway, SaveAs, Cancel };
 
-/// Asking for files and printers. Replaceable, so that tests answer without a dialog on the screen.
+/// Asks for files and printers. Replaceable, so that tests answer without a dialog on the screen.
+/// Without further note, a function returns an empty value if the user cancels.
 struct FileDialogs {
     Q_DECLARE_TR_FUNCTIONS(FileDialogs)
 
 public:
-    /// Files to open as one garment; empty where the person thought better of it.
+    /// Files of a garment to open.
     std::function<QStringList(QWidget* parent, const QString& folder)> open;
-    /// A seams file to read; empty where the person thought better of it.
+    /// A seams file to read.
     std::function<QString(QWidget* parent, const QString& folder)> openSeams;
-    /// A pattern to compare with; empty where the person thought better of it.
+    /// A pattern to compare with.
     std::function<QString(QWidget* parent, const QString& folder)> openPattern;
-    /// A mesh to wear a pattern on; empty where the person thought better of it.
+    /// A mesh to wear a pattern on.
     std::function<QString(QWidget* parent, const QString& folder)> openBody;
-    /// Drawings of hides to lay a pattern on; empty where the person thought better of it.
+    /// Drawings of hides to lay a pattern on.
     std::function<QStringList(QWidget* parent, const QString& folder)> openHides;
-    /// File to write; empty where the person thought better of it. The suggestion is a full path
-    /// whose ending is the format's.
+    /// A file to write. The suggestion is a full path with the format's extension.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
     /// A report to write, likewise.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)>
         saveReport;
-    /// Whether a file that is there may be replaced.
+    /// Whether an existing file may be replaced.
     std::function<bool(QWidget* parent, const QString& path)> mayReplace;
-    /// Shows a folder as the desktop shows folders.
+    /// Shows a folder in the desktop's file manager.
     std::function<void(const QString& folder)> showFolder;
-    /// Project file to write; empty where the person thought better of it.
+    /// A project file to write.
     std::function<QString(QWidget* parent, const QString& suggestion)> saveProject;
-    /// Where a mesh of a project is, that is not where it was; empty where that is not known.
+    /// A mesh of a project that is no longer at its stored path.
     std::function<QString(QWidget* parent, const QString& folder, const QString& name)> findMesh;
-    /// Whether the changes to the project of this name are to be saved before it is closed; where
-    /// it is none yet, the pattern that was made from the garment of this name.
+    /// Whether to save the changes before closing. `name` is that of the project, or of the garment
+    /// if there is no project file yet.
     std::function<SaveAnswer(QWidget* parent, const QString& name)> askToSave;
 
-    /// Whether the project of this name is to be saved over what another program has put there.
+    /// Whether to overwrite changes by another program in the project of this name.
     std::function<OverwriteAnswer(QWidget* parent, const QString& name)> askToOverwrite;
 
-    /// Whether there is a printer to choose.
+    /// Whether any printer is available.
     std::function<bool()> hasPrinter;
-    /// Which printer, which pages of so many, and how; false where the person thought better of it.
+    /// Sets up the printer for so many pages; false if the user cancels.
     std::function<bool(QWidget* parent, QPrinter& printer, int pages)> choosePrinter;
 
-    /// The desktop's own dialogs.
+    /// The desktop's native dialogs.
     static FileDialogs native();
 };
 
-/// Endings of mesh and project files that can be opened, lower case with the dot.
+/// Extensions of mesh and project files that can be opened, in lower case with the dot.
 QStringList openableSuffixes();
 bool isOpenable(const QString& path);
 

@@ -47,7 +47,7 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
     connect(&workspace_.jobs(), &JobRunner::cancelled, this, [this](const QString&, bool replaced) {
         if (grain_ != 0 && !workspace_.jobs().isUnderWay(grain_)) {
             grain_ = 0;
-            if (replaced) {  // by an edit; who cancels it knows
+            if (replaced) {  // by an edit; the user knows of other cancellations
                 sayOutdated();
             }
         }
@@ -63,7 +63,7 @@ void GarmentActions::connectState() {
         connect(jobs, &JobRunner::started, this, askWhich);
         connect(jobs, &JobRunner::idle, this, askWhich);
     }
-    // Their moves by hand are taken back as steps are.
+    // Undo also reverts moves of proposed cuts.
     for (const auto signal : {&CutProposals::changed, &CutProposals::closed}) {
         connect(&workspace_.proposals(), signal, this, &GarmentActions::updateHistory);
     }
@@ -71,7 +71,7 @@ void GarmentActions::connectState() {
         actions_.followChecked(workspace_);
         askWhich();
     });
-    // The document may not know of a step yet: only texts of the history are used.
+    // indexChanged may precede the document's update, so only texts of the history are used.
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
     updateHistory();
@@ -182,7 +182,7 @@ void GarmentActions::askForBody() {
         Document& document = workspace_.document();
         ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
-        plan.bodyUnit.reset();  // that of another file
+        plan.bodyUnit.reset();  // it was that of another file
         document.setProofPlan(std::move(plan), tr("Proof on a body"));
     }
 }
@@ -222,7 +222,7 @@ void GarmentActions::askAndExportAs(const QString& format, bool onlySelected) {
     const QString folder = remembered.isEmpty() ? folderToWriteTo() : remembered;
     // "-pattern" keeps an OBJ export from proposing to replace the garment itself.
     const QString name = tr("%1-pattern").arg(first.completeBaseName());
-    // Asked when it is pressed: tests answer otherwise by then.
+    // Look up dialogs_ at the time of the question, because tests replace it.
     const ExportQuestions questions{
         [this](QWidget* parent, const QString& suggestion, const QString& filter) {
             return dialogs_.save(parent, suggestion, filter);
@@ -280,7 +280,7 @@ void GarmentActions::askAndExportAs(const QString& format, bool onlySelected) {
 }
 
 void GarmentActions::showOnceWritten(const QString& path) {
-    auto* wait = new QObject(this);  // until it is written, or something else is
+    auto* wait = new QObject(this);  // until this or another file is written
     connect(&workspace_, &Workspace::exported, wait, [this, path, wait](const QString& written) {
         if (written == path) {
             dialogs_.showFolder(QFileInfo(path).absolutePath());

@@ -18,13 +18,13 @@ class PatternPrinting;
 class ProjectActions;
 class Workspace;
 
-/// What the actions of the table work with: the workspace, and what has to ask or to wait before it
-/// hands requests to it. Keeps the actions' state (can be done, on, chosen) as the document is.
+/// Implements the actions of the table that need a dialog or a job before they call the workspace.
+/// Keeps the actions' state (enabled, checked) in step with the document.
 class GarmentActions : public QObject {
     Q_OBJECT
 
 public:
-    /// @param window parent of the dialogs. All must outlive this object.
+    /// @param window  parent of the dialogs. All must outlive this object.
     GarmentActions(ActionRegistry& actions, Workspace& workspace, Preferences& preferences,
                    QWidget& window);
 
@@ -33,40 +33,40 @@ public:
     Workspace& workspace() { return workspace_; }
     /// Saving and projects.
     ProjectActions& project() { return *project_; }
-    /// What the selected pieces are cut from.
+    /// Menu entries for the material of the selected pieces.
     MaterialMenu& materials() { return *materials_; }
-    /// Opens what the person has chosen or dropped, a project or meshes, and remembers the folder.
-    /// Asks first where changes would be lost.
+    /// Opens a project or meshes that the user chose or dropped, and remembers the folder. Asks
+    /// first if unsaved changes would be lost.
     void openFiles(const QStringList& files);
     void askAndOpen();
     void askAndExport();
-    /// The selected pieces alone.
+    /// Exports the selected pieces only.
     void askAndExportThese();
     void askAndOpenReference();
-    /// Opens a pattern to compare with, that the person has chosen or dropped.
+    /// Opens a pattern to compare with, which the user chose or dropped.
     void openReference(const QString& file);
     void askAndPrint();
     void askAndReadSeams();
     void askAndWriteSeams();
-    /// What sewing the pattern has shown, as a report. Requires a proof of the present pattern.
+    /// Saves a report of the proof. Requires a proof of the current pattern.
     void askAndSaveProof();
-    /// For the mesh that the pattern is to be worn on when it is proved.
+    /// Asks for the mesh on which the proof puts the pattern.
     void askForBody();
     void selectAll();
     void selectNone();
     void askForMaterial();
-    /// The ease of the selected seam is that of the garment again.
+    /// Resets the ease of the selected seam to that of the garment.
     void resetEase();
-    /// For the selected pieces that are flat, or for all.
+    /// These act on the selected flat pieces, or on all.
     void findVerticalGrain() { findGrain(GrainRule::Vertical); }
     void findReferenceGrain() { findGrain(GrainRule::Reference); }
     void findBestGrain() { findGrain(GrainRule::LeastStrain); }
     void resetGrain();
 
 signals:
-    /// A request was refused, and why.
+    /// A request was refused; `sentence` explains why.
     void failed(const QString& sentence);
-    /// A request was met, which nothing else in the window shows.
+    /// A request succeeded, and nothing else in the window shows it.
     void done(const QString& sentence);
 
 private:
@@ -74,14 +74,14 @@ private:
     void updateHistory();
     void onChanged(DocumentChanges what);
     void openNow(const QStringList& files);
-    /// @param format  suggested, by its ending  @param onlySelected  suggested, too
+    /// @param format  suggested extension  @param onlySelected  suggested, too
     void askAndExportAs(const QString& format, bool onlySelected = false);
-    /// The folder of a file that is being written, on the desktop.
+    /// Shows the folder of a file in the file manager when the file is written.
     void showOnceWritten(const QString& path);
     QString folderToWriteTo() const;
     void findGrain(GrainRule rule);
     void sayOutdated();
-    /// Of the best grain, in the figure that is shown beside the fabric.
+    /// Reports what the best grain improves, with the same figure as the fabric panel.
     void sayWhatIsWon(const GrainShares& shares);
 
     ActionRegistry& actions_;

@@ -16,15 +16,15 @@ namespace {
 
 /// What the mouse does, for the help page; keys are in the table of actions.
 struct Gesture {
-    const char* group;  ///< to be translated, as the others
+    const char* group;  ///< translated when used, like the others
     const char* keys;
     const char* does;
 };
 
-// lupdate knows this name, and takes the namespace for the context.
+// lupdate finds the texts by this macro and uses the namespace as their context.
 #define TR(text) text
 
-/// Those of one group follow each other.
+/// Gestures of one group must be adjacent.
 const std::vector<Gesture>& gestures() {
     static constexpr auto kGarment = TR("In the garment view"),
                           kHabits = TR("In the garment view, as Preferences choose"),
@@ -51,6 +51,8 @@ const std::vector<Gesture>& gestures() {
         {kHabits, TR("Rhino"), TR("Right drag: turn; with Shift: move; with Ctrl: zoom")},
         {kPattern, TR("Space+drag, middle drag"), TR("Move the sheet")},
         {kBoth, TR("Wheel"), TR("Zoom towards the pointer")},
+        {kBoth, TR("Plus, minus"), TR("Zoom")},
+        {kBoth, TR("Arrow keys"), TR("Move the view, where the tool does not take them")},
         {kBoth, TR("Right click, menu key, Shift+F10"),
          TR("Show what can be done with the piece, the seam or the selection")},
         {kSelect, TR("Click"),
@@ -162,7 +164,7 @@ std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
 
 namespace {
 
-/// "▸" between a menu and its submenu.
+/// Separator "▸" between a menu and its submenu.
 const QString kInto = QStringLiteral(" \u25b8 ");
 
 Command commandOf(QAction& action, const QString& place) {
@@ -190,7 +192,7 @@ std::vector<Command> commandList(const ActionRegistry& actions, const Document& 
         methodWords[actionOf(method.method)] = QString::fromUtf8(method.name);
     }
     std::vector<Command> commands;
-    std::set<ActionId> placed{ActionId::CommandPalette};  // it is open
+    std::set<ActionId> placed{ActionId::CommandPalette};  // it is already open
     for (const PlacedAction& entry : placedActions()) {
         if (placed.insert(entry.id).second) {
             commands.push_back(commandOf(actions[entry.id], entry.menus.join(kInto)));

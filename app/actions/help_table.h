@@ -12,7 +12,7 @@ namespace toile::app {
 
 class ActionRegistry;
 
-/// The help on keyboard and mouse, made of the tables of actions, menus and gestures.
+/// The help on keyboard and mouse, built from the tables of actions, menus and gestures.
 
 struct HelpRow {
     QString keys;  ///< "Ctrl+Shift+Z, Ctrl+Y", "Drag"
@@ -25,16 +25,16 @@ struct HelpGroup {
     std::vector<HelpRow> rows;  ///< never empty
 };
 
-/// Actions that have a key, by menu and in its order, then what the mouse does.
+/// Actions with a shortcut in menu order, then mouse gestures.
 std::vector<HelpGroup> helpGroups(const ActionRegistry& actions,
                                   QKeySequence::SequenceFormat format);
 
 class ActionRegistry;
 class Document;
 
-/// What the command palette offers at this time: every action, as it is enabled now; once something
-/// is typed also the garment's pieces and seams.
-/// @param showPiece, showSeam  what is done with one that is chosen
+/// Commands of the palette: every action with its current state. Pieces and seams of the garment
+/// are listed only when the user types.
+/// @param showPiece, showSeam  called for a chosen piece or seam
 std::vector<Command> commandList(const ActionRegistry& actions, const Document& document,
                                  const std::function<void(int)>& showPiece,
                                  const std::function<void(int)>& showSeam);

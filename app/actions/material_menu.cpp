@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Of entries that are made again.
+/// Object name of the entries that refill() replaces.
 constexpr auto kEntry = "materialEntry";
 
 std::vector<int> selectedPieces(const Document& document) {

@@ -10,18 +10,18 @@ namespace toile::app {
 
 class Document;
 
-/// What the selected pieces are cut from, as entries of menus: the garment's fabric and its other
+/// Menu entries for the material of the selected pieces: the garment's fabric and its other
 /// materials.
 class MaterialMenu : public QObject {
     Q_OBJECT
 
 public:
-    /// @param window  parent of the question. Both must outlive this.
+    /// @param window  parent of the dialog. Both must outlive this object.
     MaterialMenu(Document& document, QWidget& window, QObject* parent = nullptr);
 
-    /// Puts the entries before the menu's last separator, now and whenever it is about to be shown.
+    /// Puts the entries before the menu's last separator, now and before the menu is shown.
     void fill(QMenu& menu);
-    /// Asks for the name of another material for the selected pieces.
+    /// Asks for the name of a new material for the selected pieces.
     void askForNew();
 
 private:

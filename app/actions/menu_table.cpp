@@ -11,13 +11,13 @@ namespace toile::app {
 
 namespace {
 
-// lupdate knows this name, and takes the namespace for the context.
+// lupdate finds the texts by this macro and uses the namespace as their context.
 #define TR(text) text
 
 constexpr MenuSeparator kLine{};
 constexpr MenuPlace kBelow = MenuPlace::Submenu, kContext = MenuPlace::Context;
 
-/// Methods come from their own table, under what they promise.
+/// Flattening methods from their own table, grouped by whether they keep seam lengths.
 std::vector<MenuItem> flattenItems() {
     std::vector<MenuItem> items;
     for (const bool keepsLengths : {true, false}) {

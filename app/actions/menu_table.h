@@ -9,11 +9,11 @@
 
 namespace toile::app {
 
-/// Which menu holds which actions: the table beside that of the actions, for the menu bar, for the
-/// paths in the command palette and for the groups of the help page.
+/// The actions of every menu. The table defines the menu bar, the paths in the command palette and
+/// the groups of the help page.
 
 struct MenuSeparator {};
-/// A line of text over what follows.
+/// A line of text above the following items.
 struct MenuHeading {
     const char* text;  ///< to be translated
 };
@@ -21,13 +21,13 @@ struct MenuHeading {
 struct Submenu {
     const char* name;
 };
-/// What the window fills in: the lists that can be shown.
+/// Placeholder that the window fills with the dock toggles.
 struct ListsPlace {};
 
-/// What the window fills in: the files that were opened last.
+/// Placeholder that the window fills with recent files.
 struct RecentPlace {};
 
-/// What the window fills in: what pieces of the garment are cut from.
+/// Placeholder that the window fills with the materials of the garment.
 struct MaterialsPlace {};
 
 using MenuItem = std::variant<ActionId, MenuSeparator, MenuHeading, Submenu, ListsPlace,
@@ -37,7 +37,7 @@ enum class MenuPlace { Bar, Submenu, Context };
 
 struct MenuSpec {
     const char* name;   ///< object name
-    const char* title;  ///< to be translated; of a context menu none is seen
+    const char* title;  ///< to be translated; not shown for context menus
     std::vector<MenuItem> items;
     MenuPlace place = MenuPlace::Bar;
 };
@@ -47,17 +47,17 @@ const std::vector<MenuSpec>& menuTable();
 /// Titles and headings in the user's language, with mnemonic.
 QString menuText(const char* text);
 
-/// Where an action is found.
+/// The menu path of an action.
 struct PlacedAction {
     ActionId id;
     QStringList menus;  ///< from the menu bar down, without mnemonics: "File", "Export pattern"
 };
 
-/// What a pattern maker can do without: ways to flatten that change seam lines or are there to be
-/// compared with, overlays of the mathematics, and what is about the mesh.
+/// True for actions that a pattern maker does not need: mesh repairs, mathematical overlays, and
+/// methods that change seam lines or serve for comparison.
 bool isForSpecialists(ActionId id);
 
-/// Every action of the menus in their order.
+/// All menu actions in menu order.
 std::vector<PlacedAction> placedActions();
 
 }  // namespace toile::app

@@ -10,7 +10,7 @@ namespace toile::app {
 
 namespace {
 
-/// Where an installation has them; a build tree has links there.
+/// Shared files of an installation; a build tree has links there.
 QDir shared(const char* path) {
     return QDir(QCoreApplication::applicationDirPath() + "/../share/" + path);
 }

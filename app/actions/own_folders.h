@@ -6,15 +6,14 @@
 
 namespace toile::app {
 
-/// The sample garments that come with the program; none where they are not installed.
+/// The installed sample garments; empty if they are not installed.
 QStringList samplePaths();
 
-/// A page of the documentation that comes with the program, "first-steps.md"; empty where it is not
-/// installed.
+/// Path of an installed documentation page, such as "first-steps.md"; empty if it is not installed.
 QString documentationPage(const QString& name);
 
-/// The folder where a person is likely to want what is made of a garment: beside the project, else
-/// beside the garment; of a sample, or where nothing can be written, the documents.
+/// Default folder for files made from a garment: that of the project, else that of the garment. For
+/// samples and folders without write permission it is the documents folder.
 /// @param garment  its first file  @param project  its file, or empty
 QString writingFolder(const QString& garment, const QString& project);
 

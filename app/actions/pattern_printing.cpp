@@ -70,7 +70,7 @@ void PatternPrinting::ask() {
     dialog->open();
 }
 
-/// Once it is drawn, and painted, which takes its time too.
+/// Draws and paints the pattern in jobs, because both take time, and then shows it.
 void PatternPrinting::showPattern(PrintDialog& dialog, const std::set<int>& only) {
     using Made = std::shared_ptr<const InkedPattern>;
     const QPointer asked(&dialog);
@@ -97,13 +97,13 @@ void PatternPrinting::printFrom(PrintDialog& dialog) {
     printer->setDocName(sheets->title());
     printer->setDuplex(QPrinter::DuplexNone);  // tiles are joined side by side
     printer->setFullPage(true);
-    if (dialog.options().pdf.paper != Paper::Shared) {  // that is in the middle of the printer's
+    if (dialog.options().pdf.paper != Paper::Shared) {  // Shared is centred on the printer's paper
         choosePaper(*printer, sheets->paper(sheets->count() - 1));
     }
     if (!dialogs_.choosePrinter(&dialog, *printer, sheets->count())) {
         return;
     }
-    printer->setFullPage(true);  // what its dialog says of margins is not for us
+    printer->setFullPage(true);  // ignore margins from the printer dialog
     if (const auto lack = roomLacking(*printer, *sheets)) {
         dialog.say(lackText(*lack));
         return;

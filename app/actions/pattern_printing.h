@@ -15,8 +15,7 @@ class PrintDialog;
 class Workspace;
 struct FileDialogs;
 
-/// Prints the pattern: asks for the paper, then for the printer, and leaves the work to a job that
-/// can be cancelled.
+/// Prints the pattern: asks for paper and printer, then prints in a job that can be cancelled.
 class PatternPrinting : public QObject {
     Q_OBJECT
 
@@ -31,7 +30,7 @@ public:
 signals:
     void printed(const QString& sentence);
     void failed(const QString& sentence);
-    /// A PDF file is wanted instead, with the options that are remembered.
+    /// The user wants a PDF file instead, with the stored options.
     void fileWanted(bool onlySelected);
 
 private:
@@ -42,7 +41,7 @@ private:
     Preferences& preferences_;
     const FileDialogs& dialogs_;
     QWidget& window_;
-    JobRunner::Ticket drawing_ = 0;  ///< of the pattern, for the dialog
+    JobRunner::Ticket drawing_ = 0;  ///< job that draws the pattern for the dialog
 };
 
 }  // namespace toile::app

@@ -28,7 +28,7 @@ QString entryText(const QStringList& files) {
         name = RecentFiles::tr("%1 and %n more", nullptr, static_cast<int>(files.size()) - 1)
                    .arg(name);
     }
-    // An ampersand in a name is no shortcut.
+    // Escape ampersands, which would mark a mnemonic.
     return RecentFiles::tr("%1 in %2")
         .arg(name, QDir::toNativeSeparators(first.absolutePath()))
         .replace('&', "&&");
@@ -123,7 +123,7 @@ void ProjectActions::leaveThen(std::function<void()> next) {
     }
     switch (dialogs_.askToSave(&window_, session_.title())) {
         case SaveAnswer::Save:
-            // What is edited while the file is being written is asked about too.
+            // Asks again if the user edited while the file was being written.
             save([this, next = std::move(next)] { leaveThen(next); });
             break;
         case SaveAnswer::Discard:
@@ -182,7 +182,7 @@ void ProjectActions::askForMeshes(const std::filesystem::path& project,
     FoundMeshes found;
     QString folder = QFileInfo(textOf(project)).absolutePath();
     for (const auto& mesh : missing) {
-        // Files that were moved together are found together.
+        // Look next to a mesh that was already found: files are often moved together.
         const QString beside = folder + '/' + textOf(mesh.filename());
         QString path = !found.empty() && QFileInfo::exists(beside)
                            ? beside

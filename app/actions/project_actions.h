@@ -15,17 +15,17 @@ namespace toile::app {
 class Preferences;
 class Workspace;
 
-/// The menu of what was opened last, the latest first. What is not there any more is greyed.
+/// Menu of recent files, latest first. Missing files are disabled.
 class RecentFiles : public QObject {
     Q_OBJECT
 
 public:
-    /// `preferences` must outlive this.
+    /// `preferences` must outlive this object.
     explicit RecentFiles(Preferences& preferences, QObject* parent = nullptr);
 
-    /// The files of one garment, or a project file; they come to the top.
+    /// Moves the files of one garment, or a project file, to the top.
     void add(const QStringList& files);
-    /// Fills the menu, now and whenever it is about to be shown.
+    /// Fills the menu, now and before it is shown.
     void fill(QMenu& menu);
 
 signals:
@@ -37,12 +37,12 @@ private:
     Preferences& preferences_;
 };
 
-/// Saving, opening projects, what was opened last, and the question before changes are lost.
+/// Saves and opens projects, keeps recent files, and asks before changes are lost.
 class ProjectActions : public QObject {
     Q_OBJECT
 
 public:
-    /// @param dialogs  asked whenever something is to be asked
+    /// @param dialogs  used for every question
     /// @param window   parent of the dialogs. All must outlive this object.
     ProjectActions(Workspace& workspace, Preferences& preferences, const FileDialogs& dialogs,
                    QWidget& window, QObject* parent);
@@ -50,17 +50,17 @@ public:
     ProjectSession& session() { return session_; }
     RecentFiles& recent() { return recent_; }
     void open(const QString& project);
-    /// In its file, or where the person says when it has none yet.
-    /// @param then  once it is saved
+    /// Saves to the project's file, or asks for one if it has none yet.
+    /// @param then  called after saving
     void save(std::function<void()> then = {});
-    /// Where the person says.
+    /// Asks where to save.
     void saveAs(std::function<void()> then = {});
-    /// Goes on at once where nothing would be lost; else asks, and goes on where the person says
-    /// so, after saving where that is wanted.
+    /// Calls `next` at once if nothing would be lost. Otherwise asks first; the user can save,
+    /// discard or cancel.
     void leaveThen(std::function<void()> next);
 
 signals:
-    /// What was asked for cannot be done, and why.
+    /// A request failed; `sentence` explains why.
     void failed(const QString& sentence);
 
 private:

@@ -8,8 +8,8 @@
 
 namespace toile::app {
 
-/// A text in the program's language, for functions that belong to no Qt class; such texts share
-/// one context, and those that the library gives have another.
+/// Translates a text in functions outside Qt classes. These share one context; the library's texts
+/// have another.
 inline QString tr(const char* text, const char* comment = nullptr, int count = -1) {
     const QString known = QCoreApplication::translate("toile::app", text, comment, count);
     return known == QString::fromUtf8(text)
@@ -17,8 +17,8 @@ inline QString tr(const char* text, const char* comment = nullptr, int count = -
                : known;
 }
 
-/// A path as Qt and people read it. Any name of a file has a text: what is no UTF-8 in it becomes
-/// question marks, where `std::filesystem::path::u16string` would throw.
+/// Converts a path for display. Bytes that are not UTF-8 become question marks; here
+/// `std::filesystem::path::u16string` would throw.
 inline QString textOf(const std::filesystem::path& path) {
     return QFile::decodeName(QByteArray::fromStdString(path.native()));
 }

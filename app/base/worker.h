@@ -15,8 +15,8 @@
 
 namespace toile::app {
 
-/// What came of a piece of work on another thread: an answer, or what it threw instead. No
-/// exception may leave a thread of Qt's: it would be thrown again in the event loop.
+/// Outcome of work on another thread: an answer, or the exception thrown. Exceptions must not leave
+/// a QtConcurrent thread: Qt would rethrow them in the event loop.
 template <class Answer>
 struct Attempt {
     std::optional<Answer> answer{};
@@ -32,51 +32,51 @@ auto attempt(const Work& work) -> Attempt<decltype(work())> {
     }
 }
 
-/// Does one piece of work at a time on a thread of its own, and hands over on the window's what
-/// came of it. GUI thread only.
+/// Does one piece of work at a time on its own thread and delivers the outcome on the GUI thread.
+/// GUI thread only.
 template <class Answer>
 class Worker {
 public:
-    /// What came of the work; it may have been cancelled (`Progress::isCancelled`) and incomplete.
+    /// Gets the outcome, incomplete if the work was cancelled (`Progress::isCancelled`).
     using Done = std::function<void(Attempt<Answer>, const Progress&)>;
 
     Worker() {
         pool_.setMaxThreadCount(1);
         QObject::connect(&watcher_, &QFutureWatcherBase::finished, &watcher_, [this] {
-            // The worker is free before anybody hears of it: they may have more to do.
+            // Become idle before calling `done`, which may start more work.
             const std::unique_ptr<Running> done = std::move(running_);
             done->done(std::move(done->outcome), done->progress);
         });
     }
-    /// Cancels and waits; nobody hears of it.
+    /// Cancels and waits without calling `done`.
     ~Worker() { stop(); }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
 
     bool isBusy() const { return running_ != nullptr; }
-    /// Of the work in progress; null where there is none.
+    /// Progress of the current work; null if idle.
     const Progress* progress() const { return running_ ? &running_->progress : nullptr; }
 
     /// Precondition: not busy.
-    /// @param work  Answer(Progress&), on the other thread: what it holds is the snapshot
+    /// @param work  Answer(Progress&), run on the other thread on captured snapshots
     template <class Work>
     void start(Work work, Done done) {
         running_ = std::make_unique<Running>();
         running_->done = std::move(done);
-        Running* running = running_.get();  // outlives the work, which is waited for
+        Running* running = running_.get();  // outlives the work: `stop` waits
         watcher_.setFuture(QtConcurrent::run(&pool_, [running, work = std::move(work)]() mutable {
             running->outcome = attempt([&] { return work(running->progress); });
         }));
     }
 
-    /// The work is to end soon; `done` is called then.
+    /// Asks the work to end; `done` is called then.
     void cancel() {
         if (running_) {
             running_->progress.cancel();
         }
     }
 
-    /// For good: cancels, if that is wanted, and waits; `done` is not called.
+    /// Waits, optionally after cancelling; `done` is never called.
     void stop(bool cancelling = true) {
         watcher_.disconnect();
         if (cancelling) {
@@ -93,21 +93,21 @@ private:
         Done done;
     };
 
-    QThreadPool pool_;  ///< of one thread
+    QThreadPool pool_;  ///< with one thread
     QFutureWatcher<void> watcher_;
     std::unique_ptr<Running> running_;
 };
 
-/// Answers questions on another thread, the last one asked first: those that come while one is
-/// worked on replace each other. `isSameQuestion` says which have one answer. GUI thread only.
+/// Answers questions on another thread, latest first: a new question replaces a waiting one.
+/// `isSameQuestion` tells which have the same answer. GUI thread only.
 template <class Question, class Answer>
 class Answerer {
 public:
     using Work = std::function<Answer(const Question&)>;
-    /// @param isLast  nothing else has been asked since
+    /// @param isLast  no other question is waiting
     using Take = std::function<void(Attempt<Answer>, const Question&, bool isLast)>;
 
-    /// @param isSmall  whether a question is answered at once, where nothing is worked on
+    /// @param isSmall  whether to answer at once, if idle
     Answerer(Work work, std::function<bool(const Question&)> isSmall, Take take)
         : work_(std::move(work)), isSmall_(std::move(isSmall)), take_(std::move(take)) {}
 
@@ -115,7 +115,7 @@ public:
 
     void ask(Question question) {
         if (asked_ && isSameQuestion(question, *asked_)) {
-            next_.reset();  // what is worked on counts again
+            next_.reset();  // the work in progress answers it
         } else if (isBusy()) {
             next_ = std::move(question);
         } else {
@@ -134,7 +134,7 @@ private:
         worker_.start([work = work_, question](Progress&) { return work(question); },
                       [this, question](Attempt<Answer> made, const Progress&) {
                           take_(std::move(made), question, !next_);
-                          if (next_ && !isBusy()) {  // taking it may have asked something newer
+                          if (next_ && !isBusy()) {  // `take_` may have asked a newer question
                               ask(*std::exchange(next_, std::nullopt));
                           }
                       });

@@ -20,23 +20,23 @@
 
 namespace toile::app {
 
-/// Options of `toile prove` beside the pattern's file.
+/// Options of `toile prove` apart from the pattern file.
 struct ProveArguments {
-    std::optional<FileUnit> patternUnit{};  ///< of the pattern's file
-    ProofPlan plan{};                       ///< with a project: as it says, and what was typed
+    std::optional<FileUnit> patternUnit{};  ///< of the pattern file
+    ProofPlan plan{};                       ///< the project's, then typed options
     double scale = 1;                       ///< of the pattern
-    double sewn = 1;                        ///< of pictures: the garment as designed, 0, or sewn, 1
-    int rounds = 0;                         ///< in which the pattern is improved; 0: it is not
+    double sewn = 1;                        ///< of pictures: 0 as designed, 1 as sewn
+    int rounds = 0;                         ///< rounds of improving the pattern; 0: none
 };
 
 /// The content of a picture, for `toile render` and `toile prove`.
 struct PictureArguments {
     int width = 1600, height = 800;  ///< pixels, within kMinPicture and kMaxPicture
     ViewsShown views = ViewsShown::Both;
-    std::optional<ViewDirection> direction{};  ///< none: as the window begins
+    std::optional<ViewDirection> direction{};  ///< nullopt: the initial view
     double morph = 0;                          ///< 0 to 1
     bool wireframe = false, xray = false, seams = true;
-    std::optional<bool> bar{};  ///< none: if the overlay is measured
+    std::optional<bool> bar{};  ///< nullopt: if the overlay is measured
     bool dark = false;
     /// Width in pixels of a square picture of the garment for file managers, used instead of the
     /// size. 0: no thumbnail.
@@ -48,11 +48,11 @@ inline constexpr int kMinPicture = 16, kMaxPicture = 8192;
 /// Options of `toile marker`.
 struct MarkerArguments {
     std::optional<int> rounds;      ///< after which the search ends
-    std::optional<double> seconds;  ///< after which it ends, at the end of a round
+    std::optional<double> seconds;  ///< search time, rounded up to the end of a round
     int threads = 0;                ///< 0: all cores
-    MarkerSettings settings{};      ///< without the hides, which the command reads
+    MarkerSettings settings{};      ///< without hides, which the command reads
     std::vector<std::filesystem::path> hides;
-    std::optional<std::string> material;  ///< the only one to lay; empty: the garment's own fabric
+    std::optional<std::string> material;  ///< the only one to lay; "": the garment's fabric
     std::optional<double> minutesPerMetre;
 };
 
@@ -60,16 +60,16 @@ struct MarkerArguments {
 struct BatchArguments {
     std::filesystem::path list{};                     ///< a garment per line; "-": standard input
     std::filesystem::path folder{};                   ///< for all results
-    std::vector<std::string> formats{"json", "svg"};  ///< endings without their dot
+    std::vector<std::string> formats{"json", "svg"};  ///< file extensions without dot
     double limitSeconds = 600;                        ///< wall clock, per garment; 0: none
     int memoryMib = 0;                                ///< per garment; 0: no limit
     int threads = 1;                                  ///< per garment
-    /// The options for reading and flattening with their values, in the order of the help, so that
-    /// another order of the same options gives the same words.
+    /// The typed reading and flattening options with values. They are sorted as in the help: the
+    /// typed order does not matter.
     Words words{};
 };
 
-/// Threads for one garment; OpenBLAS has memory for no more.
+/// Threads for one garment; OpenBLAS has no memory for more.
 inline constexpr int kMaxThreads = 64;
 
 /// A parsed and checked command line.
@@ -91,7 +91,7 @@ struct Arguments {
 
     Command command = Command::Window;
     std::string message;  ///< help or version
-    TypedWords typed;     ///< everything else follows from it, and from a project
+    TypedWords typed;     ///< determines everything else, together with a project
 
     std::vector<std::filesystem::path> inputs;
     std::vector<std::filesystem::path> outputs;
@@ -102,17 +102,17 @@ struct Arguments {
     bool json = false;                 ///< info, compare, check, walk, prove: as JSON
     bool markdown = false;             ///< compare: as Markdown
     bool perPiece = false;             ///< compare: a table per piece too
-    bool isProving = false;            ///< compare, check: sew the patterns back together too
+    bool isProving = false;            ///< compare, check: also sew the patterns back together
     std::filesystem::path pattern{};   ///< compare: the other pattern; prove: the one to sew
     std::filesystem::path report{};    ///< marker, prove: JSON to write
     bool ledger = false;               ///< flatten: print the seams
-    bool failOnDoubt = false;          ///< flatten, check: exit status 1 if there is a doubt
+    bool failOnDoubt = false;          ///< flatten, check: exit status 1 if there is a warning
     ExportOptions exporting{};         ///< of the files to write
     FlattenOptions options;            ///< how pieces are flattened
     LineSettings lines{};              ///< how outlines are drawn
     bool byHalf = false;               ///< draw symmetric pieces by half, in files
-    std::vector<Method> methods;       ///< compare: each once, in the order typed
-    std::filesystem::path screenshot;  ///< window: save a picture of itself and end
+    std::vector<Method> methods;       ///< compare: without duplicates, in the order typed
+    std::filesystem::path screenshot;  ///< window: save a screenshot and exit
     std::optional<Overlay> overlay;    ///< window, render, prove: the overlay on the cloth
     std::optional<Panel> panel;        ///< window: the panel in front
     PictureArguments picture;          ///< render, prove
@@ -126,11 +126,11 @@ struct Arguments {
     bool isTyped(std::string_view key) const { return typed.contains(key); }
 };
 
-/// A command of the program. The window is one without a word.
+/// A command of the program. The window has no command word.
 struct CommandRow {
     Arguments::Command command;
     const char* word;
-    const char* help;     ///< what it does, without the last full stop
+    const char* help;     ///< description without the last full stop
     const char* notes;    ///< below the options; may be empty
     const char* example;  ///< a complete line
     void (*describe)(OptionArchive& at, Arguments& arguments);
@@ -139,36 +139,36 @@ struct CommandRow {
 /// The window, and all commands in the order of the help.
 std::span<const CommandRow> commandRows();
 
-/// The same settings with everything that was typed, read again on top of them: settings of a
-/// project keep their values unless an option of the command was typed. Precondition: parsed.
+/// Applies the typed options on top of these settings: a project's settings keep their values
+/// unless an option of the command was typed. Precondition: parsed.
 Arguments withTyped(Arguments base);
-/// With the project's settings for flattening, drawing and proving, and what was typed on top.
-/// Stiffness that a project sets belongs to its own fabric: another typed fabric drops it.
+/// Applies the project's settings for flattening, drawing and proving, then the typed options. A
+/// project's stiffness belongs to its own fabric, so another typed fabric drops it.
 Arguments withSettingsOf(const Project& project, Arguments arguments);
 
 /// Whether an option of these groups was typed.
 bool isAnyTyped(const Arguments& arguments, unsigned groups);
 
 /// Parses the command line. Never exits and never throws. Refused: kWrongUsage. Cost: negligible.
-/// @param taken  of `OptionGroup`: options of other groups are wrong usage
+/// @param taken  accepted `OptionGroup`s: options of other groups are wrong usage
 Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned taken = kEveryOption);
 
-/// The same for programs that pass a command, files and options as words: `toile serve`,
-/// `toile batch`, Python. A file that begins with a dash is no option.
+/// The same for callers that pass command, files and options as words: `toile serve`, `toile
+/// batch`, Python. A file name that starts with a dash is not taken for an option.
 Answer<Arguments> typedWords(const char* command, const std::vector<std::string>& files,
                              const Words& words, unsigned taken);
 
-/// What is wrong with valid options together: options that need others, outputs that cannot be
-/// written or would overwrite an input. Looks at the disk. @return nothing if all is well
+/// Checks valid options together: options that need others, outputs that cannot be written or would
+/// overwrite an input. Accesses the disk. @return the problem; empty if there is none
 std::string wrongIn(const Arguments& arguments);
 
-/// What is wrong with typed marker options and the settings that hold for a material, which may be
-/// a project's. @param settings  with their hides
+/// Checks typed marker options together with the settings of a material, which may come from a
+/// project. @param settings  including their hides
 std::string wrongTogether(const Arguments& arguments, const MarkerSettings& settings);
 
-/// Whether a file is a picture by its ending: "x.png".
+/// Whether a file is a picture by its extension: "x.png".
 bool isPicture(const std::filesystem::path& file);
-/// Whether a file holds an instance of the nesting problem, by its ending.
+/// Whether a file is an instance of the nesting problem by its extension.
 bool isNestInstance(const std::filesystem::path& file);
 
 }  // namespace toile::app

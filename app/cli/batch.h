@@ -19,13 +19,13 @@ namespace toile::app {
 
 /// A garment of a list, with everything that determines its result.
 struct BatchEntry {
-    std::string path;                ///< as the list has it
-    std::vector<std::string> words;  ///< options of flatten: those of the batch, then its own
+    std::string path;                ///< as in the list
+    std::vector<std::string> words;  ///< options of flatten: of the batch, then of its line
     Answer<Arguments> arguments{Arguments{}};  ///< parsed
     std::string inputHash{};                   ///< `hashOfContent`
     std::string name{};  ///< of its folder: the file's stem, and a hash of content and options
-    /// Of content, options, formats and version of the program: a finished garment with the same
-    /// key is skipped.
+    /// Depends on content, options, formats and the program's version. A finished garment with the
+    /// same key is skipped.
     std::string key{};
 };
 
@@ -36,16 +36,16 @@ using BatchLines = std::vector<std::pair<std::string, std::vector<std::string>>>
 /// skipped. Errors: FileUnreadable, of the list.
 Result<BatchLines> readBatchList(const std::filesystem::path& list);
 
-/// Whether a garment was given instead of a list: by its ending, or because no line is a file or
-/// looks like a garment. Cost: one look at the disk per line, up to the first file.
+/// Whether a garment was given instead of a list: by its extension, or because no line is a file or
+/// resembles a garment. Cost: one file test per line, up to the first file.
 bool isNoBatchList(const std::filesystem::path& list, const BatchLines& lines);
 
-/// The garment of a line; its files are not read, and it has neither hash nor name yet.
+/// Makes the entry of a line. Reads no files and sets neither hash nor name.
 BatchEntry batchEntry(const BatchArguments& batch, const std::string& path,
                       const std::vector<std::string>& ownWords);
 
-/// Hash of the bytes of its files, its project's meshes and its seams; empty if one cannot be read.
-/// Reading may take long or fail: call it in a process of its own.
+/// Hash of its files, its project's meshes and its seams; empty if one cannot be read. Call it in a
+/// separate process, because reading may take long or crash.
 std::string hashOfContent(const BatchEntry& entry);
 
 /// Sets hash, name and key. @param hash  of its content
@@ -55,22 +55,22 @@ void identify(BatchEntry& entry, const BatchArguments& batch, const std::string&
 inline constexpr const char* kBatchDone = "done";  ///< every piece, every file
 inline constexpr const char* kBatchSomeFailed =
     "some-failed";  ///< pieces failed, or cloth cut by the pattern would be wasted (`hasFaults`)
-inline constexpr const char* kBatchFailed = "failed";  ///< there is nothing
+inline constexpr const char* kBatchFailed = "failed";  ///< no result
 
-/// Cost of a garment: the only part of a record that differs between runs.
+/// Cost of a garment: the only part of a record that varies between runs.
 struct BatchCost {
     double wallSeconds = 0, processorSeconds = 0, peakMib = 0;
 };
 
 /// The figures of a garment without a result.
 OrderedJson failedFigures(const Refusal& why);
-/// The figures of a flattened garment; its error is that of the first failed piece. Status done or
+/// The figures of a flattened garment, with the error of the first failed piece. Status done or
 /// some-failed; no outputs yet.
-/// @param fabrics  as `findDoubts` takes them
+/// @param fabrics  as for `findDoubts`
 OrderedJson figuresOf(const Garment& garment, const PieceResults& results,
                       const std::vector<Fabric>& fabrics);
 
-/// The whole record, one line with its end.
+/// The complete record: one line with its line break.
 std::string recordLine(const BatchEntry& entry, const OrderedJson& figures, const BatchCost& cost);
 /// The record of a garment with the same content, for another line of the list.
 std::string recordLineOf(std::string_view input, std::string_view line);
@@ -86,9 +86,9 @@ RecordHead headOf(std::string_view line);
 /// The record in a garment's folder; it is written last.
 inline constexpr const char* kBatchRecord = "garment.json";
 
-/// The folder of one garment while it is written: first as NAME.part, then renamed, so that NAME is
-/// always complete, whenever a process is killed. Of several processes, on one machine or on a
-/// shared file system, one writes it and the others wait. The file system must support locks.
+/// The folder of one garment during writing: first NAME.part, then renamed, so NAME is always
+/// complete, even if a process is killed. One process writes it while others wait, also across
+/// machines on a shared file system. The file system must support locks.
 class BatchFolder {
 public:
     BatchFolder(const std::filesystem::path& parent, const std::string& name);
@@ -96,15 +96,15 @@ public:
     BatchFolder(const BatchFolder&) = delete;
     BatchFolder& operator=(const BatchFolder&) = delete;
 
-    /// The record if the garment is finished; empty if it is not, or if another try may help.
+    /// The record of a finished garment; empty if it is not finished, or if a retry may help.
     std::string finished(const std::string& key) const;
 
-    /// Waits until this process may write the folder. @param isEnough  asked ten times a second;
+    /// Waits until this process may write the folder. @param isEnough  polled ten times a second;
     /// true: give up  @return whether it may. Errors: FileUnwritable, also without locks.
     Result<bool> claim(const std::function<bool()>& isEnough);
     /// Empties it. Precondition: claimed.
     Result<void> clear() const;
-    /// Writes the record and puts the folder in its place. Precondition: claimed.
+    /// Writes the record and renames the folder to its final name. Precondition: claimed.
     Result<void> finish(const std::string& record);
 
     const std::filesystem::path& part() const { return part_; }
@@ -116,8 +116,8 @@ private:
     int lock_ = -1;
 };
 
-/// While one exists, Ctrl-C, SIGTERM and SIGHUP are noted and do not end the program. Signals that
-/// it was started to ignore stay ignored. One at a time.
+/// While one exists, Ctrl-C, SIGTERM and SIGHUP are recorded instead of ending the program. Signals
+/// ignored at startup stay ignored. One at a time.
 class BatchSignals {
 public:
     BatchSignals();
@@ -125,28 +125,28 @@ public:
     BatchSignals(const BatchSignals&) = delete;
     BatchSignals& operator=(const BatchSignals&) = delete;
 
-    /// The signal that came; 0: none.
+    /// The received signal; 0: none.
     static int received();
-    /// Until a signal comes, a process ends, or the seconds are over; negative: no limit.
+    /// Returns on a signal, at a process's end, or after the seconds; negative: no limit.
     static void wait(double seconds);
 };
 
 /// How a process ended.
 struct ProcessEnd {
-    int status = 0;                                  ///< exit status; where `signal` is 0
-    int signal = 0;                                  ///< that ended it
-    bool isTimedOut = false, isInterrupted = false;  ///< `signal` is ours then
+    int status = 0;                                  ///< exit status if `signal` is 0
+    int signal = 0;                                  ///< that ended the process
+    bool isTimedOut = false, isInterrupted = false;  ///< `signal` was sent by us
     BatchCost cost{};
 };
 
 /// Limits of a process; 0: none.
 struct ProcessLimits {
     double seconds = 0;
-    int memoryMib = 0;  ///< as `limitMemory`
-    int threads = 1;    ///< that work in it; for its memory
+    int memoryMib = 0;  ///< see `limitMemory`
+    int threads = 1;    ///< working threads, for its memory
 };
 
-/// Does the work in a child process and waits for it. The child ends with this process.
+/// Runs the work in a child process and waits for it. The child is killed with this process.
 /// Precondition: BatchSignals exist; no other thread works.
 /// @param work  returns the exit status  @return signal -1 if no process can be started
 ProcessEnd inOwnProcess(const std::function<int()>& work, const ProcessLimits& limits);
@@ -155,12 +155,12 @@ ProcessEnd inOwnProcess(const std::function<int()>& work, const ProcessLimits& l
 ProcessEnd textOfOwnProcess(const std::function<std::string()>& work, const ProcessLimits& limits,
                             std::string& text);
 
-/// Limits further memory of this process. The stacks of its threads and the working memory of the
-/// BLAS, most of which is never touched, do not count. No effect on systems without such limits.
-/// @param mib  > 0  @param threads  that work at the same time
+/// Limits further memory of this process. Excludes its threads' stacks and the BLAS's work buffers,
+/// most of which are never touched. No effect on systems without such limits.
+/// @param mib  > 0  @param threads  that work simultaneously
 void limitMemory(int mib, int threads);
 
-/// Ends the limit.
+/// Removes the limit.
 void liftMemoryLimit();
 
 }  // namespace toile::app

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 constexpr const char* kEndingOfNote = ".of";
 constexpr std::string_view kMarkOfNote = "# toile batch: the records beside this are of the list\n";
 
-/// Whether a file is in a folder or below it; both canonical.
+/// Whether a file is in or below a folder; both paths are canonical.
 bool liesIn(const fs::path& file, const fs::path& folder) {
     return std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first ==
            folder.end();
@@ -41,15 +41,15 @@ std::string shownRecords(const fs::path& path) {
     return shownText(pathText(path));
 }
 
-/// The records of a list: shirts.jsonl for shirts.txt; stdin.jsonl.
+/// The records file of a list: shirts.jsonl for shirts.txt; stdin.jsonl.
 fs::path recordsOf(const BatchArguments& batch) {
     const std::string stem = batch.list == "-" ? "stdin" : pathText(batch.list.stem());
     return batch.folder / (stem + ".jsonl");
 }
 
-/// Refuses records that would replace the list itself, or the records of another list of the same
-/// name that still exists. The name of the list is stored beside them, in shirts.jsonl.of, unless
-/// it is standard input; a file of that name that Toile did not write is refused. Writes the note.
+/// Refuses records that would replace the list itself, or the records of another existing list of
+/// the same name. To detect that, writes the list's name to shirts.jsonl.of, except for standard
+/// input. Refuses to overwrite such a file if Toile did not write it.
 /// Precondition: the folder exists if it can be created.
 std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
     std::error_code ignored;  // of missing files
@@ -84,7 +84,7 @@ std::optional<Refusal> refusalOfRecords(const BatchArguments& batch) {
                                 "; rename this list, or choose another folder with -o");
         }
     }
-    // Relative to the folder, so that both may move together.
+    // Relative to the folder, so that both can be moved together.
     const fs::path shown = liesIn(list, folder) ? list.lexically_relative(folder) : list;
     const auto put = writeFile(note, std::string(kMarkOfNote) + shown.string() + '\n');
     return put ? std::nullopt : std::optional(Refusal(put.error()));
@@ -150,7 +150,7 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
     try {
         return flattenedAndWritten(entry, formats, folder);
     } catch (const std::bad_alloc&) {
-        liftMemoryLimit();  // to say so takes some
+        liftMemoryLimit();  // the error message needs memory
         return failedFigures(Error{ErrorCode::OutOfMemory, Subject::file(entry.path)});
     } catch (const std::exception& fault) {
         return failedFigures(
@@ -158,7 +158,7 @@ OrderedJson flattenForBatch(const BatchEntry& entry, const std::vector<std::stri
     }
 }
 
-/// Tries per garment if another process kills its own, as the system does when memory is short.
+/// Tries per garment if its process is killed, as the system does when memory is short.
 constexpr int kTries = 3;
 constexpr int kStatusOfSignals = 128;
 /// Written by the garment's process for this one.
@@ -187,7 +187,7 @@ bool wasKilled(const ProcessEnd& end) {
            (end.signal == SIGKILL || end.signal == SIGTERM);
 }
 
-/// A line of the list, and how the process ended that read its content.
+/// A line of the list, and the end of the process that read its content.
 struct IdentifiedEntry {
     BatchEntry entry;
     ProcessEnd end{};
@@ -250,7 +250,7 @@ Result<std::string> made(const IdentifiedEntry& identified, const BatchArguments
 struct BatchTally {
     int done = 0, someFailed = 0, failed = 0, before = 0;
     std::string records;  ///< a line each, in the list's order
-    /// By the garment's folder: start and size of its record in `records`, whether from before.
+    /// By the garment's folder: offset and size of its record in `records`, and whether it is old.
     std::map<std::string, std::tuple<std::size_t, std::size_t, bool>> known;
     int lines = 0;
 
@@ -266,10 +266,10 @@ struct BatchTally {
         if (!head.code.empty()) {
             out << " (" << head.code << ": " << shownText(head.message) << ')';
         }
-        out << std::endl;  // seen while the next one is under way
+        out << std::endl;  // flush while the next garment is running
     }
 
-    /// Adds a garment that an earlier line named too. @return whether it is one
+    /// Adds a garment if it repeats an earlier line. @return whether it does
     bool addKnown(const BatchEntry& entry, std::ostream& out) {
         const auto found = known.find(entry.name);
         if (found == known.end()) {
@@ -282,7 +282,7 @@ struct BatchTally {
     }
 };
 
-/// Finishes one garment. @return false: interrupted
+/// Finishes one garment. @return false if interrupted
 Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArguments& batch,
                            const ProcessLimits& limits, BatchTally& tally, std::ostream& out) {
     const BatchEntry& entry = identified.entry;
@@ -299,7 +299,7 @@ Result<bool> finishGarment(const IdentifiedEntry& identified, const BatchArgumen
     if (!*claimed && record.empty()) {
         return false;
     }
-    // Another process may have finished it before the claim.
+    // Another process may have finished it before this one got the lock.
     record = *claimed ? folder.finished(entry.key) : record;
     const bool isBefore = !record.empty();
     if (!isBefore) {
@@ -338,7 +338,7 @@ int runBatch(const Arguments& arguments, std::ostream& out, Messages& messages) 
                          "or use toile flatten for a single garment"),
             messages);
     }
-    std::error_code ignored;  // said where something is written
+    std::error_code ignored;  // writing reports the error later
     std::filesystem::create_directories(batch.folder, ignored);
     const BatchSignals signals;
     if (const auto refusal = refusalOfRecords(batch)) {

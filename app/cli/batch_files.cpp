@@ -72,7 +72,7 @@ std::string plainStem(const std::string& path) {
     return stem;
 }
 
-/// Every field in its order, empty.
+/// Every field in order, empty.
 OrderedJson noFigures(const char* status) {
     OrderedJson figures;
     figures["status"] = status;
@@ -87,7 +87,7 @@ OrderedJson noFigures(const char* status) {
     return figures;
 }
 
-/// Mean (by area) and largest strain, parts of 1, and counts of faults.
+/// Mean (by area) and largest strain as fractions, and counts of faults.
 void addStrain(OrderedJson& figures, const PieceResults& results) {
     double area = 0, strain = 0, most = 0;
     int flipped = 0, crossings = 0;
@@ -111,7 +111,7 @@ void addStrain(OrderedJson& figures, const PieceResults& results) {
     }
 }
 
-/// Of all flat points, to compare two runs without their files.
+/// A hash of all flat points, to compare two runs without their files.
 std::string fingerprintOf(const PieceResults& results) {
     std::string each;
     for (const auto& result : results) {
@@ -128,7 +128,7 @@ Error cannotWrite(const fs::path& folder, const std::error_code& why) {
     return {ErrorCode::FileUnwritable, Subject::file(pathText(folder)), why.message()};
 }
 
-/// Whether the open folder still has that name.
+/// Whether the folder's name still refers to the open folder.
 bool isStill(int open, const fs::path& folder) {
     struct stat held {};
     struct stat named {};
@@ -193,11 +193,11 @@ BatchEntry batchEntry(const BatchArguments& batch, const std::string& path,
 }
 
 std::string hashOfContent(const BatchEntry& entry) {
-    Messages ignored;  // reported when it is flattened
+    Messages ignored;  // reported when the garment is flattened
     const auto arguments =
         entry.arguments ? withProject(*entry.arguments, ignored) : entry.arguments;
     std::vector<std::filesystem::path> files;
-    if (!arguments || arguments->project) {  // whose inputs are its meshes
+    if (!arguments || arguments->project) {  // its inputs are its meshes
         files.emplace_back(entry.path);
     }
     if (arguments) {
@@ -211,7 +211,7 @@ std::string hashOfContent(const BatchEntry& entry) {
 
 void identify(BatchEntry& entry, const BatchArguments& batch, const std::string& hash) {
     entry.inputHash = hash;
-    // The path stands for content that cannot be read.
+    // Use the path if the content cannot be read.
     const std::string content =
         (hash.empty() ? entry.path : hash) + '\n' + joinedWords(entry.words);
     entry.name = plainStem(entry.path) + '-' + hashText(contentHash(content)).substr(6);
@@ -365,7 +365,7 @@ Result<bool> BatchFolder::claim(const std::function<bool()>& isEnough) {
         }
         lock_ = open(part_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (lock_ < 0 && errno == ENOENT) {
-            continue;  // another has just put it in its place
+            continue;  // another process has just renamed it
         }
         if (lock_ < 0) {
             return cannotWrite(part_, {errno, std::generic_category()});
@@ -378,7 +378,7 @@ Result<bool> BatchFolder::claim(const std::function<bool()>& isEnough) {
         if (fault == EWOULDBLOCK) {
             std::this_thread::sleep_for(kBetweenLooks);
         } else if (fault != 0 && fault != EINTR) {
-            return cannotWrite(part_, {fault, std::generic_category()});  // without locks
+            return cannotWrite(part_, {fault, std::generic_category()});  // no locks
         }
     }
     return false;
@@ -397,7 +397,7 @@ Result<void> BatchFolder::finish(const std::string& record) {
         return written;
     }
     std::error_code trouble;
-    fs::remove_all(folder_, trouble);  // of another version, or one that was worth another try
+    fs::remove_all(folder_, trouble);  // of another version, or to be retried
     fs::rename(part_, folder_, trouble);
     if (trouble) {
         return cannotWrite(folder_, trouble);

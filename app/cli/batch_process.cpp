@@ -23,13 +23,13 @@ namespace {
 constexpr double kKibPerMib = 1024;
 constexpr double kMicrosecondsPerSecond = 1e6;
 constexpr double kMillisecondsPerBatchSecond = 1e3;
-constexpr int kLongestPoll = 3'600'000;  // ms; then it is asked again
+constexpr int kLongestPoll = 3'600'000;  // ms; then poll again
 constexpr int kTakenSignals[] = {SIGINT, SIGTERM, SIGHUP, SIGCHLD};
 
 volatile std::sig_atomic_t receivedSignal = 0;
 int signalPipe[2] = {-1, -1};
 
-/// Runs on any thread: OpenBLAS has some, so signals cannot be blocked and waited for.
+/// May run on any thread: OpenBLAS has some, so signals cannot be blocked and waited for.
 void takeNote(int signal) {
     const int before = errno;
     if (signal != SIGCHLD) {
@@ -39,7 +39,7 @@ void takeNote(int signal) {
     errno = before;
 }
 
-/// Signals that this process was started to ignore, as by nohup, stay ignored.
+/// Keeps signals ignored that were ignored at startup, as by nohup.
 void answerAll(void (*answer)(int)) {
     for (const int signal : kTakenSignals) {
         struct sigaction action {};
@@ -74,13 +74,13 @@ double secondsOf(const timeval& time) {
 }
 
 constexpr rlim_t kBytesPerMib = rlim_t{1} << 20U;
-/// OpenBLAS's buffer for each thread that calls it, and the reserve of core/linalg.
+/// OpenBLAS's buffer per calling thread, plus the reserve of core/linalg.
 constexpr rlim_t kBlasBytes = 144 * kBytesPerMib;
 constexpr rlim_t kUsualStack = 8 * kBytesPerMib;
 
-/// Memory of this process as RLIMIT_DATA counts it; much of it is the program's own.
+/// Memory of this process as counted by RLIMIT_DATA, including the program's own data.
 rlim_t dataBytes() {
-    std::ifstream sizes("/proc/self/statm");  // in pages; the sixth is data and stack
+    std::ifstream sizes("/proc/self/statm");  // in pages; the sixth field is data and stack
     rlim_t pages = 0;
     for (int field = 0; field < 6; ++field) {
         sizes >> pages;
@@ -164,7 +164,7 @@ ProcessEnd inOwnProcess(const std::function<int()>& work, const ProcessLimits& l
         BatchSignals::wait(limits.seconds > 0 ? limits.seconds - passed() : -1);
     }
     end.signal = WIFSIGNALED(state) ? WTERMSIG(state) : 0;
-    // Ctrl-C goes to both, and the child may end first.
+    // Ctrl-C reaches both processes, and the child may end first.
     end.isInterrupted = end.isInterrupted || (end.signal != 0 && BatchSignals::received() != 0);
     end.status = WIFEXITED(state) ? WEXITSTATUS(state) : 0;
     end.cost = {passed(), secondsOf(used.ru_utime) + secondsOf(used.ru_stime),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks of options together, each of which is valid by itself.
+// Checks combinations of options that are valid individually.
 #include <algorithm>
 #include <array>
 #include <system_error>
@@ -34,7 +34,7 @@ std::string wrongKind(const Arguments& arguments) {
     return {};
 }
 
-/// A mistyped output must not cost the user the garment.
+/// A mistyped output must not overwrite the user's garment.
 std::string overwrittenInput(const Arguments& arguments, const Paths& outputs) {
     Paths inputs = arguments.inputs;
     inputs.insert(inputs.end(), arguments.marker.hides.begin(), arguments.marker.hides.end());
@@ -50,7 +50,7 @@ std::string overwrittenInput(const Arguments& arguments, const Paths& outputs) {
     return {};
 }
 
-/// A report with the name of another output; neither needs to exist.
+/// Finds a report with the same name as another output; neither needs to exist.
 std::string reportAmongOutputs(const Arguments& arguments) {
     const auto whole = [](const std::filesystem::path& path) -> std::filesystem::path {
         std::error_code ignored;
@@ -114,7 +114,7 @@ std::string wrongInProve(const Arguments& arguments) {
     return {};
 }
 
-/// Of the nesting problem, which sets its own shapes and strip.
+/// For the nesting problem, which defines its own shapes and strip.
 std::string wrongInNest(const Arguments& arguments) {
     const auto& inputs = arguments.inputs;
     if (inputs.size() > 1) {

@@ -33,7 +33,7 @@ int run(const Answer<Arguments>& typed, std::ostream& out, Messages& messages) {
         case Arguments::Command::Flatten:
             return runFlatten(arguments, out, messages);
         case Arguments::Command::Batch:
-            linalg::useOneBlasThread();  // before it forks: else each child starts threads
+            linalg::useOneBlasThread();  // before forking, or each child would start threads
             return runBatch(arguments, out, messages);
         case Arguments::Command::Compare:
             return runCompare(arguments, out, messages);
@@ -68,7 +68,7 @@ int runCommand(const Answer<Arguments>& typed) {
     Messages messages(std::cerr);
     try {
         return run(typed, std::cout, messages);
-    } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
+    } catch (const std::exception& fault) {  // out of memory, or a bug: still report one sentence
         messages.add(std::string("stopped by an unexpected error (") + fault.what() + ").");
         return kExitUnreadable;
     }

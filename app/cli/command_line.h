@@ -22,7 +22,7 @@
 
 namespace toile::app {
 
-// The commands that need no display, and what they share.
+// The commands that need no display, and their shared functions.
 
 /// Runs `toile` with a command, `--help` or `--version` as parsed. Output goes to stdout,
 /// errors to stderr, one sentence each. Never throws.
@@ -31,44 +31,44 @@ int runCommand(const Answer<Arguments>& typed);
 /// One function per command; each returns the exit status.
 int runCheck(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runFlatten(const Arguments& arguments, std::ostream& out, Messages& messages);
-/// Each garment of a list in a process of its own.
+/// Processes each garment of a list in its own process.
 int runBatch(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runCompare(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runInfo(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runWalk(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runMarker(const Arguments& arguments, std::ostream& out, Messages& messages);
 int runProve(const Arguments& arguments, std::ostream& out, Messages& messages);
-/// Answers the requests that it reads, a line each, until "quit" or the end of the input
-/// (docs/serve.md). Reads on the calling thread, works on another.
+/// Answers requests, one per line, until "quit" or the end of the input (docs/serve.md). Reads on
+/// the calling thread, works on another.
 int runServe(std::istream& in, std::ostream& out);
 
 // Reading
 
-/// Whether a file is a mesh or a project, by its ending alone.
+/// Whether a file is a mesh or a project, judged by its extension.
 bool looksLikeGarment(const std::filesystem::path& path);
 
-/// Why a project among the inputs cannot be used as it was typed, for the commands and the window.
+/// Why a project cannot be used with the typed inputs, for the commands and the window.
 std::optional<Refusal> refusalOfProject(const Arguments& arguments);
-/// If the input is a project file: with its meshes as inputs and with its settings, on top of which
-/// typed options hold. Anything else comes back unchanged.
+/// If the input is a project file, returns the arguments with its meshes as inputs and its
+/// settings, overridden by typed options. Otherwise returns them unchanged.
 Answer<Arguments> withProject(Arguments arguments, Messages& messages);
 
-/// How the garment is to be made, with the seams file read, if there is one.
+/// Settings for making the garment, including the seams file if there is one.
 Answer<LoadOptions> loadingOf(const Arguments& arguments, Messages& messages);
-/// Reads the seams file, if there is one, and the garment. Reports differences to the garment that
-/// a project was made with. Pieces have the names that the project gives them.
+/// Reads the garment and the seams file, if there is one. Reports differences from the garment that
+/// a project was made with. Pieces get their names from the project.
 Answer<Garment> readGarment(const Arguments& arguments, Progress& progress, Messages& messages);
-/// The same; empty if it is refused, which is reported.
+/// The same; reports a refusal and returns nullopt.
 std::optional<Garment> readInput(const Arguments& arguments, Progress& progress,
                                  Messages& messages);
-/// Reports differences to the garment that the project was made with.
+/// Reports differences from the garment that the project was made with.
 void reportDifferences(const Arguments& arguments, const Garment& garment, Messages& messages);
 
 // Flattening and writing
 
-/// The pattern that the arguments and their project ask for.
+/// The pattern that arguments and project ask for.
 PatternOrder orderOf(const Arguments& arguments, const Garment& garment);
-/// The pieces, flat; without those that a project leaves out.
+/// The flattened pieces, without those excluded by a project.
 PieceResults flattened(const Arguments& arguments, const Garment& garment, Progress& progress);
 PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,
                             PieceResults results);
@@ -76,55 +76,55 @@ PieceResults withoutLeftOut(const Arguments& arguments, const Garment& garment,
 FinishedPattern finished(const Arguments& arguments, const Garment& garment,
                          const PieceResults& results);
 
-/// Why there is no pattern to write or sew: no piece lies flat. Nothing if one does.
+/// Explains that no piece is flat, so that there is no pattern to write or sew; nullopt if one is.
 std::optional<Refusal> refusalOfNoPattern(const PieceResults& results);
-/// The same for these files: a report is written also if no piece lies flat.
+/// The same for these files: a report can be written even if no piece is flat.
 std::optional<Refusal> refusalOfNoPattern(const PieceResults& results,
                                           const std::vector<std::filesystem::path>& outputs);
-/// Exports a pattern to files; prints each with what reading it back found, and reports what
-/// fails. @return whether all are written
+/// Exports a pattern; prints each file with the result of reading it back, and reports failures.
+/// @return whether all are written
 bool writePatterns(const std::vector<std::filesystem::path>& outputs, const ExportSource& source,
                    std::ostream& out, Messages& messages);
 
 // Proving
 
-/// What holds the cloth, with the body read; the sewn pattern is the garment's own. Refused: as
+/// The proof settings, with the body read; the sewn pattern is the garment's own. Refused: as
 /// `readBody`, and kNotProved if the body does not suit the garment.
 Answer<ProofOrder> orderOfOwn(const Arguments& arguments, const Garment& garment,
                               Progress& progress);
-/// The same with the pattern to sew, read too. Refused: also as `readPatternFile`.
+/// The same, also reading the pattern to sew. Refused: also as `readPatternFile`.
 Answer<ProofOrder> proofOrder(const Arguments& arguments, const Garment& garment,
                               Progress& progress);
-/// Notes of reading the pattern file; empty without one.
+/// Notes from reading the pattern file; empty without one.
 std::vector<std::string> notesOf(const ProofOrder& order);
-/// Why a pattern was not sewn: if nothing is flat, that explains more than the error.
+/// Why a pattern was not sewn. If nothing is flat, says that instead of the error.
 Refusal refusalOfProof(const Error& error, const PieceResults& results);
 
-/// Draws a PNG file of a proof; empty if nothing can be drawn here.
+/// Draws a PNG file of a proof; empty if drawing is not possible.
 using DrawProof = std::string (*)(const ExportSource& source,
                                   const std::shared_ptr<const Proof>& proof,
                                   const Arguments& arguments);
-/// Called by programs that can draw, before the command runs.
+/// Programs that can draw call this before running the command.
 void provideProofPictures(DrawProof draw);
 /// Null if this program cannot draw.
 DrawProof proofPictures();
 
 // Printing
 
-/// All cuts with name, author, length and piece; nothing if there is none.
+/// Prints all cuts with name, author, length and piece; nothing if there is none.
 void printCuts(const Garment& garment, std::ostream& out);
 void printTable(const ReportTable& table, std::ostream& out);
-/// @return whether something that was asked for was not done, which is more than a note
+/// @return whether a request was not fulfilled, beyond mere notes
 bool reportProblems(const Garment& garment, Messages& messages);
-/// Reports failed pieces and notes of the others.
-/// @return whether a piece failed, crosses itself or breaks its method's promise
+/// Reports failed pieces, and notes of the others.
+/// @return whether a piece failed, crosses itself or breaks a guarantee of its method
 bool reportFailures(const PieceResults& results, Messages& messages);
-/// Reports what was left out or guessed when a pattern was read.
+/// Reports omissions and assumptions made while reading a pattern.
 void reportPatternNotes(const std::filesystem::path& path, const PatternFile& file,
                         Messages& messages);
 
-/// A plain text table: first column flush left, the others flush right. Cells are shown as
-/// `shownText`.
+/// A plain text table: first column left-aligned, the others right-aligned. Cells are passed
+/// through `shownText`.
 class Table {
 public:
     explicit Table(std::vector<std::string> head) { rows_.push_back(std::move(head)); }
@@ -135,7 +135,7 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-/// While one exists, Ctrl-C cancels the work and does not end the program. One at a time.
+/// While one exists, Ctrl-C cancels the work instead of ending the program. One at a time.
 class Interruptible {
 public:
     explicit Interruptible(Progress& progress) {

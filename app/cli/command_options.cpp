@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands, and the options that only one or two of them have.
+// The commands, and options specific to one or two of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -67,7 +67,7 @@ Option& describeFabric(OptionArchive& at, Arguments& arguments) {
     return at.choice("--fabric", arguments.fabric, ids, fabricPreset, "Fabric of the garment");
 }
 
-/// `needed` is the option that self-contact belongs to; may be null.
+/// the option that self-contact depends on; may be null
 void describeSelfContact(OptionArchive& at, ProofSettings& settings, const char* needed = nullptr) {
     Option& touches =
         at.flag("--self-contact", settings.touchesItself, "Keep layers of cloth apart");
@@ -139,7 +139,7 @@ void describeBatch(OptionArchive& at, Arguments& arguments) {
         .required();
     Words endings;
     for (const Format& format : formats()) {
-        endings.emplace_back(format.endings.front() + 1);  // without its dot
+        endings.emplace_back(format.endings.front() + 1);  // skip the dot
     }
     Option& written = at.add("--formats", joined(endings, ','), "Formats to write for each garment",
                              [&batch, endings](const Words& typed) -> std::string {
@@ -223,7 +223,7 @@ void describeWalk(OptionArchive& at, Arguments& arguments) {
     describeReading(at, arguments);
 }
 
-/// The parts of "80x60@5,5": numbers with these marks between them; none if it has another form.
+/// The numbers in "80x60@5,5", separated by these marks; empty if the format differs.
 std::vector<double> numbersBetween(const std::string& typed, std::string_view marks) {
     std::vector<double> numbers;
     for (std::size_t begin = 0; begin <= typed.size();) {
@@ -399,7 +399,7 @@ std::string readPictureLook(const std::string& typed, PictureArguments& picture)
     return {};
 }
 
-/// Of a picture of both views.
+/// Options for a picture of both views.
 void describePicture(OptionArchive& at, Arguments& arguments, const char* overlay) {
     PictureArguments& picture = arguments.picture;
     at.section("Picture", kForTerminal);
@@ -588,7 +588,7 @@ std::span<const CommandRow> commandRows() {
 Arguments withTyped(Arguments base) {
     OptionArchive at;
     std::ranges::find(commandRows(), base.command, &CommandRow::command)->describe(at, base);
-    at.read(base.typed);  // valid, since it was parsed
+    at.read(base.typed);  // valid, since parsing accepted it
     return base;
 }
 
@@ -604,7 +604,7 @@ Arguments withSettingsOf(const Project& project, Arguments arguments) {
     arguments.options = base.options;
     arguments.lines = std::move(base.lines);
     arguments.prove.plan = std::move(base.prove.plan);
-    if (arguments.prove.rounds > 0) {  // what is improved is the garment's own
+    if (arguments.prove.rounds > 0) {  // improving applies to the garment's own pattern
         arguments.prove.plan.sewn = SewnPattern::Own;
     }
     return arguments;

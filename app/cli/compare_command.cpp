@@ -49,7 +49,7 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
         refuse(ordered.refusal(), messages);
         return true;
     }
-    Arguments exact = arguments;  // methods are compared by their exact outlines
+    Arguments exact = arguments;  // compare methods by their exact outlines
     exact.lines = {};
     bool failed = false;
     for (ComparedMethod& method : comparison.methods) {
@@ -72,8 +72,8 @@ bool proveMethods(const Arguments& arguments, const Garment& garment, Comparison
     return failed;
 }
 
-/// Reports each piece that failed or breaks its method's promise, once per method; defects of the
-/// piece itself once. @return whether there was one
+/// Reports each piece that failed or breaks its method's guarantee, once per method. Reports
+/// defects of the piece itself once. @return whether there was one
 bool reportFailures(const Garment& garment, const Comparison& comparison, Messages& messages) {
     bool failed = false;
     for (std::size_t k = 0; k < garment.pieces.size(); ++k) {
@@ -171,7 +171,7 @@ void printRest(const Pattern& pattern, const PatternFile& file, const PatternMat
     }
 }
 
-/// With the named method if there is exactly one, else the default.
+/// Uses the named method if there is exactly one, else the default.
 FlattenOptions chosenOptions(const Arguments& arguments) {
     FlattenOptions options = arguments.options;
     if (arguments.methods.size() == 1) {

@@ -5,30 +5,30 @@
 
 namespace toile::app {
 
-// Options that several commands share: each function adds one or more sections of the help.
+// Options shared by several commands: each function adds one or more sections to the help.
 
 /// How files are read, divided and cut open: the commands and the window.
 void describeReading(OptionArchive& at, Arguments& arguments);
-/// The flattening method and its settings. @param isOne  false: the command has its own way to
-/// choose methods
+/// The flattening method and its settings. @param isOne  false: the command selects methods by its
+/// own options
 void describeMethod(OptionArchive& at, FlattenOptions& options, bool isOne = true);
-/// How outlines are drawn, and what is added to them.
-/// @param hasPreset  with `--pattern`; false: the command uses that name for a file
+/// Options for drawing outlines and adding to them.
+/// @param hasPreset  whether to add `--pattern`; false: the command uses that name for a file
 void describeLines(OptionArchive& at, LineSettings& lines, bool hasPreset = true);
 /// The texts on all labels.
 void describeLabels(OptionArchive& at, LineSettings& lines);
 /// The options of file formats.
 void describeExporting(OptionArchive& at, ExportOptions& options);
-/// Everything about flattening and writing a garment, for one and for many.
+/// Everything for flattening and writing garments.
 void describeFlattening(OptionArchive& at, Arguments& arguments);
 
-/// Of all methods, in the order of docs/methods.md.
+/// The names of all methods, in the order of docs/methods.md.
 Words methodNames();
 /// "mm", "25.4mm". @return as `Option::read`
 Option& describeUnit(OptionArchive& at, const char* names, std::optional<FileUnit>& unit,
                      const char* help);
-/// One to `numbers.size()` numbers with commas between them, each within its range.
-/// @return how many are typed, or a fault as `Option::read`
+/// Result of parsing 1 to `numbers.size()` comma-separated numbers, each checked against its range.
+/// @return the number of values, or a fault as `Option::read`
 struct ReadNumbers {
     std::size_t count = 0;
     std::string fault{};

@@ -37,7 +37,6 @@ std::string textOf(const std::optional<DartIntake>& intake) {
                   : "";
 }
 
-/// The user's cuts in a piece.
 std::vector<UserCut> ownCutsOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     const auto record = std::ranges::find(garment.cutRecords, piece, &CutRecord::whole);
     return record == garment.cutRecords.end() ? std::vector<UserCut>{} : record->requested;
@@ -75,8 +74,8 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
     out << '\n';
 }
 
-/// Prints, for each piece before Toile's own cuts, the cuts that reduce strain most and the strain
-/// that is left: predicted for all, solved for the best five.
+/// For each piece before Toile's own cuts, prints the cuts that reduce strain most and the
+/// remaining strain: predicted for all, computed for the best five.
 /// Cost: that of `adviseCuts`, and six flattenings of each piece.
 void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
                  std::ostream& out) {
@@ -165,7 +164,7 @@ void printHead(const std::filesystem::path& path, const PatternFile& file, std::
     }
 }
 
-/// Whether a file is a pattern and no garment, by its ending.
+/// Whether a file is a pattern instead of a garment, by its extension.
 bool isPatternFile(const std::filesystem::path& path) {
     return patternFileKind(path).has_value();
 }
@@ -195,8 +194,7 @@ int runPatternInfo(const Arguments& arguments, std::ostream& out, Messages& mess
     return out ? status : kExitUnreadable;
 }
 
-/// Warns if the coordinates were rounded to floats and it matters: far from the origin, or in a
-/// small unit.
+/// Warns if rounding the coordinates to floats matters: far from the origin, or in a small unit.
 void printPrecision(const SourceFile& file, std::ostream& out) {
     constexpr double kTelling = 0.001;  // mm
     const double precision = file.unit.millimetres() * precisionOfFloats(*file.soup);
@@ -236,7 +234,7 @@ void printReading(const FileReading& reading, std::ostream& out) {
     out << '\n';
 }
 
-/// The side to which the faces are turned: the right side of the cloth.
+/// Prints which side the faces show: the right side of the cloth.
 void printSide(const ClothSide& side, std::ostream& out) {
     out << "right side: "
         << (side.way == ClothSide::Way::Inwards    ? "inwards, so pieces come out mirrored"
@@ -248,7 +246,7 @@ void printSide(const ClothSide& side, std::ostream& out) {
     out << (side.way == ClothSide::Way::Inwards ? "; use --turn-over to turn it\n" : "\n");
 }
 
-/// How many pieces each layer of a file has.
+/// Prints the number of pieces in each layer of a file.
 void printLayers(const Garment& garment, int file, std::ostream& out) {
     const std::vector<int> layers = layersOf(garment);
     std::vector<int> pieces(static_cast<std::size_t>(layerCount(garment.files[file]->reading)), 0);
@@ -287,7 +285,7 @@ void printFile(const SourceFile& file, std::ostream& out) {
     }
 }
 
-/// The lengths of the longest loops, with the outline.
+/// The lengths of the longest loops, including the outline.
 std::string loopsOf(const Piece& piece) {
     constexpr std::size_t kListed = 3;
     std::vector<double> lengths = loopLengths(piece);
@@ -321,7 +319,7 @@ void printPieces(const Garment& garment, std::ostream& out) {
     table.print(out);
 }
 
-/// Slits inside pieces, as UV maps have them, and the option that closes them.
+/// Prints slits inside pieces, which are common in UV maps, and the option that closes them.
 void printSlits(const Arguments& arguments, const Garment& garment, std::ostream& out) {
     const std::vector<Slit> slits = slitsInside(garment.pieces);
     if (!slits.empty()) {
@@ -329,7 +327,8 @@ void printSlits(const Arguments& arguments, const Garment& garment, std::ostream
         for (const Slit& slit : slits) {
             length += slit.length;
         }
-        // Not slits from cuts; and a project sets how its files are read.
+        // Exclude slits from cuts. A project defines how its files are read, so the option has no
+        // effect.
         const bool canClose =
             !arguments.load.closeSlits && !arguments.project && !slitsInside(garment.uncut).empty();
         out << '\n'
@@ -368,7 +367,7 @@ bool isNamedInFile(const Piece& piece, const Garment& garment) {
            isOf(soup.faceMaterial, soup.materials);
 }
 
-/// The assumptions about the pieces (docs/guesses.md).
+/// Prints the assumptions about the pieces (docs/guesses.md).
 void printAssumptions(const Garment& garment, std::ostream& out) {
     constexpr double kShared = 1e-6;  // mm: the sides of the seam have the same vertices
     int shared = 0, near = 0, free = 0;

@@ -27,7 +27,7 @@ constexpr double kUsualMarkerSeconds = 5;
 
 using Hides = std::vector<std::shared_ptr<const Hide>>;
 
-/// Whether to go on: until the typed rounds are done or the time is up.
+/// Whether to continue: until the typed rounds are done or the time is up.
 bool isToGoOn(const MarkerArguments& typed, int rounds, double seconds) {
     const bool hasRounds = !typed.rounds || rounds < *typed.rounds;
     const double most = typed.seconds.value_or(typed.rounds ? seconds + 1 : kUsualMarkerSeconds);
@@ -61,7 +61,7 @@ MarkerPlan planOf(const Arguments& arguments, const std::string& material, const
     base.marker.settings = std::move(plan.settings);
     MarkerSettings& settings = base.marker.settings;
     if (arguments.isTyped("--width") || arguments.isTyped("--sheet") || !hides.empty()) {
-        settings.width = 0;  // another cloth
+        settings.width = 0;  // replaces the cloth
         settings.sheet.reset();
         settings.hides = hides;
     }
@@ -69,7 +69,7 @@ MarkerPlan planOf(const Arguments& arguments, const std::string& material, const
     return plan;
 }
 
-/// With a first nest. Ctrl-C cancels that; later it only ends the search.
+/// Starts a nester with a first layout. Ctrl-C cancels that; later it only ends the search.
 Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
                            const std::string& material, const Fabric& fabric,
                            const MarkerPlan& plan, int threads) {
@@ -95,12 +95,12 @@ void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progre
     }
 }
 
-/// "marker-silk.pdf" if there are several. @param ending  "-silk", or empty
+/// "marker-silk.pdf" for one of several. @param ending  "-silk", or empty
 std::filesystem::path pathOf(const std::filesystem::path& output, const std::string& ending) {
     return ending.empty() ? output : exportedPath(output, ending + std::string(endingOf(output)));
 }
 
-/// Suffixes of the outputs for each material, so that all names differ.
+/// Suffixes of the outputs for each material, chosen to be unique.
 std::vector<std::string> endingsOf(const std::vector<std::string>& materials,
                                    const std::vector<std::filesystem::path>& outputs) {
     std::vector<std::string> endings(materials.size());
@@ -124,7 +124,7 @@ std::vector<std::string> endingsOf(const std::vector<std::string>& materials,
     return endings;
 }
 
-/// An input that would be overwritten, if there is one.
+/// An input that would be overwritten, if any.
 std::optional<std::filesystem::path> lostInput(const Arguments& arguments,
                                                const std::vector<std::string>& endings) {
     std::vector<std::filesystem::path> inputs = arguments.inputs;
@@ -142,7 +142,7 @@ std::optional<std::filesystem::path> lostInput(const Arguments& arguments,
     return std::nullopt;
 }
 
-/// The first plan that cannot be laid as it was typed; empty: all can.
+/// The problem of the first plan that cannot be laid as typed; empty: none.
 std::string wrongInPlans(const Arguments& arguments, const std::vector<std::string>& materials,
                          const Pattern& pattern, const Hides& hides) {
     for (const std::string& material : materials) {
@@ -201,7 +201,7 @@ Result<void> writeMarker(const Arguments& arguments, const Garment& garment,
     return {};
 }
 
-/// Of an instance of the nesting problem.
+/// Nests an instance of the nesting problem.
 int nestInstance(const Arguments& arguments, std::ostream& out, Messages& messages) {
     const MarkerArguments& typed = arguments.marker;
     auto instance = readNestInstance(arguments.inputs.front());

@@ -33,29 +33,29 @@ enum OptionGroup : unsigned {
 };
 
 using Words = std::vector<std::string>;
-/// The typed options of a command: the values of each by its key, "--unit". A flag has none.
+/// The typed options of a command: values by key, such as "--unit". A flag has none.
 using TypedWords = std::map<std::string, Words, std::less<>>;
 
-/// The value of `--fair` without a typed one.
+/// The value of a bare `--fair`.
 inline constexpr const char* kFairAlone = "auto";
 
-/// Limits of a number, both included.
+/// Inclusive limits of a number.
 struct Range {
     double least = 0, most = 0;
 };
 
 /// An option or positional argument of a command.
 struct Option {
-    std::string names;              ///< "-o,--output", or of a positional "INPUT"
-    std::string value;              ///< placeholder or words of its value: "MM"; empty: a flag
+    std::string names;              ///< "-o,--output"; for a positional "INPUT"
+    std::string value;              ///< placeholder or choices of its value: "MM"; empty: a flag
     std::string help;               ///< sentences without the last full stop
-    std::string otherwise{};        ///< what holds if it is not typed, for the help
+    std::string otherwise{};        ///< default value, for the help
     std::optional<Range> range{};   ///< of a number
     const char* heading = nullptr;  ///< of its section in the help
     OptionGroup group = kForTerminal;
     bool isRequired = false;
     bool isRepeated = false;        ///< takes several values
-    const char* oldName = nullptr;  ///< an older name that still works and is not in the help
+    const char* oldName = nullptr;  ///< older name that still works, hidden in the help
     std::vector<const char*> excluded{}, needed{};  ///< keys of other options
     /// Stores the typed values. @return the fault without the option's name; empty: valid
     std::function<std::string(const Words&)> read{};
@@ -75,15 +75,15 @@ struct Option {
 std::string textOf(const Range& range);
 /// "takes a number from 0 to 5, not \"x\""
 std::string outOfRange(const std::string& typed, const Range& range, bool isWhole);
-/// In full: 1000000 and not 1e6.
+/// Without exponent: 1000000 instead of 1e6.
 std::string numberText(double number);
 /// "x not in {a,b,c}"
 std::string notAmong(const std::string& typed, const Words& words);
 std::string joined(const Words& words, char separator);
-/// The parts of a text between separators; an empty text has one empty part.
+/// The parts of a text between separators; an empty text gives one empty part.
 Words partsOf(std::string_view text, char separator);
 
-/// A whole text as a finite number; a leading + is accepted.
+/// Parses the whole text as a finite number; accepts a leading +.
 template <class Number>
 std::optional<Number> parseNumber(std::string_view text) {
     text.remove_prefix(text.starts_with('+') && !text.starts_with("+-") ? 1 : 0);
@@ -98,19 +98,19 @@ std::optional<Number> parseNumber(std::string_view text) {
     return error == std::errc() && last == end ? std::optional(number) : std::nullopt;
 }
 
-/// Describes the options of a command, each once, for the parser, the help, the manual page and the
-/// programs that pass options as words. Each row refers to the member that it sets, which must
-/// outlive the archive. Rows are read in the order in which they were added.
+/// Describes the options of a command once for the parser, the help, the manual page and programs
+/// that pass options as words. Each row refers to the member it sets, which must outlive the
+/// archive. Rows are read in the order in which they were added.
 class OptionArchive {
 public:
-    /// Begins a section of the help; the following options belong to it.
+    /// Starts a section of the help for the following options.
     void section(const char* heading, OptionGroup group);
 
-    /// @param read  as `Option::read`
+    /// @param read  see `Option::read`
     Option& add(const char* names, std::string value, std::string help,
                 std::function<std::string(const Words&)> read);
 
-    /// Sets `target` to `set` if it is typed.
+    /// Sets `target` to `set` if the flag is typed.
     template <class Target, class Value>
     Option& flag(const char* names, Target& target, Value set, const char* help) {
         return add(names, "", help, [&target, set](const Words&) -> std::string {
@@ -122,7 +122,7 @@ public:
         return flag(names, target, true, help);
     }
 
-    /// @param take  called with a number within the range
+    /// @param take  called with a number in the range
     template <class Number, class Take>
     Option& numberOf(const char* names, const char* unit, const Range& range, const char* help,
                      Take take) {
@@ -138,7 +138,7 @@ public:
         return row;
     }
 
-    /// The default in the help is the current value of `target`, if that is not optional.
+    /// The help shows the current value of `target` as the default, unless that is optional.
     template <class Number>
     requires std::is_arithmetic_v<Number> Option& number(const char* names, const char* unit,
                                                          Number& target, const Range& range,
@@ -172,7 +172,7 @@ public:
         return row;
     }
 
-    /// One of these words. @param parse  gives the value of each of them
+    /// One of these words. @param parse  converts each word to its value
     template <class Value, class Parse>
     Option& choice(const char* names, Value& target, const Words& words, const Parse& parse,
                    const char* help) {
@@ -184,7 +184,7 @@ public:
             return std::string();
         });
     }
-    /// The default in the help is the current value of `target`, if that is not optional.
+    /// The help shows the current value of `target` as the default, unless that is optional.
     template <class Value, class Choice, std::size_t n>
     Option& choice(const char* names, Value& target, const Word<Choice> (&words)[n],
                    const char* help) {
@@ -202,17 +202,17 @@ public:
             .by(current);
     }
 
-    /// Stores everything that was typed. @return the fault; empty: all is valid
+    /// Stores all typed values. @return the fault; empty: all are valid
     std::string read(const TypedWords& typed) const;
-    /// The words that say the same again: the options of these groups in the order of the help.
+    /// Words that reproduce the typed options of these groups, in the order of the help.
     Words wordsOf(const TypedWords& typed, unsigned groups) const;
 
-    /// Null: there is none of this key.
+    /// Null if there is no such key.
     const Option* find(std::string_view key) const;
     const std::deque<Option>& rows() const { return rows_; }
 
 private:
-    std::deque<Option> rows_;  ///< adding one leaves references to the others valid
+    std::deque<Option> rows_;  ///< a deque, so that adding a row keeps references to others valid
     const char* heading_ = nullptr;
     OptionGroup group_ = kForTerminal;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only file that includes CLI11, which takes seconds to compile: it divides the words among the
+// The only file that includes CLI11, which takes seconds to compile. It assigns the words to the
 // options of `OptionArchive` and prints the help.
 #include <algorithm>
 #include <numeric>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kHelpNames = "-h,--help";
 
-/// How many letters are to be added, left out or exchanged to make one word the other.
+/// Levenshtein distance: the insertions, deletions and substitutions between two words.
 std::size_t lettersApart(const std::string& a, const std::string& b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -35,7 +35,7 @@ std::size_t lettersApart(const std::string& a, const std::string& b) {
     return row.back();
 }
 
-/// The command that is a typing error or two away; empty if there is none.
+/// The command within a typing error or two; empty if there is none.
 std::string commandMeant(const std::string& word, const Words& commands) {
     constexpr std::size_t kLettersPerError = 3;
     std::string meant;
@@ -49,8 +49,8 @@ std::string commandMeant(const std::string& word, const Words& commands) {
     return meant;
 }
 
-/// The message about a first word that is neither an option nor a command nor a garment (by its
-/// ending, or because such a file exists). Empty: it is valid. Looks at the disk once at most.
+/// The message about a first word that is neither an option, a command nor a garment (by extension
+/// or because the file exists). Empty if it is valid. Accesses the disk at most once.
 std::string unknownFirstWord(const Words& words) {
     const std::string word = words.empty() ? "" : words.front();
     Words known{"help"};
@@ -81,15 +81,15 @@ Words wordsAfterProgram(int argc, const char* const* argv) {
     return words;
 }
 
-/// "nan" is a number too, which no option accepts.
+/// Also accepts "nan", which every option then rejects.
 bool isNumber(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size();
 }
 
-/// Last first, as CLI11 takes them. `--fair` has an optional value: the next word is none unless it
-/// begins as a number.
+/// In reverse, as CLI11 expects. `--fair` has an optional value: the next word is taken only if it
+/// looks like a number.
 Words reversedWords(const Words& typed) {
     Words words;
     for (std::size_t i = 0; i < typed.size(); ++i) {
@@ -103,7 +103,7 @@ Words reversedWords(const Words& typed) {
     return words;
 }
 
-/// Rows like those of options, which the manual page reads too.
+/// Formatted like rows of options, because the manual page parses them, too.
 std::string exitStatusHelp() {
     constexpr std::size_t kColumn = 30;
     std::string text = "\nExit status:\n";
@@ -131,12 +131,12 @@ std::string helpOf(const Option& option) {
     return option.otherwise.empty() ? help : help + " [" + option.otherwise + ']';
 }
 
-/// A command as CLI11 knows it, with its options in the order of the archive.
+/// A command in CLI11, with its options in the order of the archive.
 struct BuiltCommand {
     const CommandRow* row;
     CLI::App* app;
     OptionArchive options{};
-    std::vector<std::vector<CLI::Option*>> added{};  ///< of each row, its older name too
+    std::vector<std::vector<CLI::Option*>> added{};  ///< per row, including its older name
 
     std::size_t countOf(std::size_t k) const {
         return std::accumulate(
@@ -149,12 +149,12 @@ CLI::Option* addOption(CLI::App& app, const Option& option, const std::string& n
     const std::string help = helpOf(option);
     CLI::Option* added = option.isFlag() ? app.add_flag(names, help) : app.add_option(names, help);
     if (option.isFlag()) {
-        return added->disable_flag_override();  // "--auto-cut=no" would be read
+        return added->disable_flag_override();  // otherwise "--auto-cut=no" would be accepted
     }
     added->type_name(option.value)->required(option.isRequired);
     if (option.isRepeated) {
         added->expected(CLI::detail::expected_max_vector_size);
-        added->allow_extra_args(!names.starts_with('-'));  // inputs may follow an option
+        added->allow_extra_args(!names.starts_with('-'));  // false lets inputs follow an option
     }
     return added;
 }
@@ -185,7 +185,7 @@ void addOptions(BuiltCommand& command) {
     app.footer(footerOf(*command.row));
 }
 
-/// Why an option is not accepted where others are.
+/// Why a caller does not accept an option.
 std::string outOfPlace(const std::string& option, unsigned group) {
     struct Place {
         unsigned group;
@@ -205,14 +205,14 @@ std::string outOfPlace(const std::string& option, unsigned group) {
                      found->place;
 }
 
-/// One sentence, as of every error.
+/// One sentence, like every error.
 Refusal wrongUsage(const CommandRow& row, const std::string& what) {
     Refusal refusal = usageRefusal(what);
     refusal.help = std::string("toile") + (*row.word == '\0' ? "" : " ") + row.word;
     return refusal;
 }
 
-/// CLI11's own wording for most usage errors, and ours where that names its inner life.
+/// CLI11's message for most usage errors, and our own if CLI11's exposes internals.
 std::string sentenceOf(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream ignored, err;
     app.exit(error, ignored, err);
@@ -227,7 +227,7 @@ std::string sentenceOf(const CLI::App& app, const CLI::ParseError& error) {
                : text.substr(0, twice) + " is given more than once; give it once";
 }
 
-/// What was typed of a command's options. @return the fault; empty: all is valid
+/// Collects the typed options of a command. @return the fault; empty: all are valid
 std::string collect(const BuiltCommand& command, unsigned taken, TypedWords& typed) {
     for (std::size_t k = 0; k < command.added.size(); ++k) {
         const Option& option = command.options.rows()[k];
@@ -302,7 +302,7 @@ Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned tak
         }
     }
     arguments.command = command.row->command;
-    if (arguments.command == Arguments::Command::Marker) {  // places of pieces, and no blocks
+    if (arguments.command == Arguments::Command::Marker) {  // for places of pieces
         arguments.exporting.dxf.profile = DxfProfile::Plain;
     }
     std::string wrong = collect(command, taken, arguments.typed);
@@ -329,7 +329,7 @@ Answer<Arguments> typedWords(const char* command, const std::vector<std::string>
     std::vector<const char*> pointers;
     pointers.reserve(typed.size());
     for (const std::string& word : typed) {
-        if (word.find('\0') != std::string::npos) {  // the rest would be left out
+        if (word.find('\0') != std::string::npos) {  // the C string would end there
             return usageRefusal('"' + shownText(word, kMaxOfPlace) +
                                 "\" contains a zero byte, which is not allowed.");
         }

@@ -30,7 +30,7 @@ constexpr double kSquareMillimetresPerSquareCentimetre = 100;
 constexpr double kMillimetresPerCentimetre = 10;
 constexpr double kMillisecondsPerSecond = 1000;
 
-/// A boundary error spans ten powers of ten: one digit and the power suffice.
+/// Boundary errors span ten orders of magnitude, so one digit and the exponent suffice.
 std::string scientific(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.0e", value);
@@ -69,7 +69,7 @@ void printResults(const PieceResults& results, std::ostream& out) {
     table.print(out);
 }
 
-/// One line: number of seams, and the largest error.
+/// Prints one line: number of seams, and the largest error.
 void printSeamSummary(const Garment& garment, const PieceResults& results, std::ostream& out) {
     const std::vector<MeasuredSeam> rows = seamsByError(garment, results);
     if (rows.empty()) {
@@ -80,7 +80,7 @@ void printSeamSummary(const Garment& garment, const PieceResults& results, std::
         << shownText(rows.front().seam->name) << ")\n";
 }
 
-/// Pieces that are not mirrored because their seams differ too much, and the option for that.
+/// Prints pieces not mirrored because their seams differ too much, and the option that helps.
 void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream& out) {
     if (!symmetry || symmetry->kept.empty() || symmetry->unequal.empty()) {
         return;
@@ -102,7 +102,7 @@ void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream
     out << "they keep their shapes from the file; use --mirror equal to make them equal\n";
 }
 
-/// A line per finding; the same finding about several pieces or seams shares one.
+/// Prints a line per finding; the same finding about several pieces or seams shares one.
 void printFindings(const Readiness& readiness, std::ostream& out) {
     const auto& findings = readiness.findings;
     for (std::size_t i = 0; i < findings.size();) {
@@ -120,7 +120,7 @@ void printFindings(const Readiness& readiness, std::ostream& out) {
     }
 }
 
-/// The pattern sewn back together; null if it cannot be, which is reported.
+/// Sews the pattern back together; reports a failure and returns null.
 std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& plan,
                                     Progress& progress, Messages& messages) {
     const auto ordered = orderOfOwn(arguments, *plan.garment, progress);
@@ -139,7 +139,7 @@ std::shared_ptr<const Proof> proved(const Arguments& arguments, const CutPlan& p
 
 using Notches = std::vector<std::vector<Notch>>;
 
-/// One line: number of seams and notches, and the largest error.
+/// Prints one line: number of seams and notches, and the largest error.
 void printSummary(const Garment& garment, const Notches& notches,
                   const std::vector<SeamWalk>& walks, std::ostream& out) {
     const auto worst = std::ranges::max_element(walks, {}, &SeamWalk::largestError);

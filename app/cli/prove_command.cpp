@@ -32,7 +32,7 @@ void printRound(const ImproveRound& round, std::ostream& out) {
         out << "; " << fixed(100 * std::abs(round.gain), 1) << " % "
             << (round.gain < 0 ? "more, so not kept" : "less");
     }
-    out << std::endl;  // a round takes its time
+    out << std::endl;  // flush, because a round takes long
 }
 
 void printEnd(const Improved& improved, std::ostream& out) {
@@ -95,7 +95,7 @@ void printProvenPieces(const Garment& garment, const Proof& proof, std::ostream&
     table.print(out);
 }
 
-/// The worst first; nothing if all fit.
+/// Prints the worst seam first; nothing if all fit.
 void printSlips(const Garment& garment, const Proof& proof, std::ostream& out) {
     std::vector<ProvenSeam> slips;
     std::ranges::copy_if(proof.seams, std::back_inserter(slips),
@@ -124,8 +124,8 @@ void printHow(const Proof& proof, std::ostream& out) {
         << " % of the force at seams is left; " << fixed(proof.seconds, 1) << " s\n";
 }
 
-/// The summary, a table of the pieces, the seams whose sides do not fit each other, the faults, and
-/// the method.
+/// Prints a summary, a table of the pieces, the seams whose sides do not fit, the faults, and the
+/// method.
 void printProof(const Garment& garment, const Proof& proof, std::ostream& out) {
     out << shownText(sentence(proof, garment), kMaxOfPlace) << ".\n\n";
     printProvenPieces(garment, proof, out);
@@ -254,11 +254,11 @@ int runProve(const Arguments& arguments, std::ostream& out, Messages& messages) 
     const ExportSource source = made.source(arguments.exporting);
     const auto proof =
         best ? Result<std::shared_ptr<const Proof>>(best) : proofOf(source, order, progress);
-    interruptible.reset();  // from here on Ctrl-C ends the program
+    interruptible.reset();  // from now on, Ctrl-C ends the program
     if (progress.isCancelled()) {
         return refuse(Error{ErrorCode::Cancelled}, messages);
     }
-    if (!proof && proof.error().code == ErrorCode::NoGeometry) {  // of the pattern, not of a mesh
+    if (!proof && proof.error().code == ErrorCode::NoGeometry) {  // in the pattern, not a mesh
         const auto& read = arguments.pattern.empty() ? arguments.inputs.front() : arguments.pattern;
         messages.add(shownText(read.string(), kMaxOfPlace) + ": " +
                      shownText(proof.error().detail, kMaxOfDetail) + ".");

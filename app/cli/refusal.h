@@ -25,10 +25,10 @@ struct ExitMeaning {
     const char* meaning;  ///< without a full stop
 };
 
-/// Each status once, in ascending order, for the help, the manual page and docs/report.md.
+/// Each status once, ascending, for the help, the manual page and docs/report.md.
 std::span<const ExitMeaning> exitMeanings();
 
-/// Codes beside those of `ErrorCode`; docs/batch.md and docs/serve.md explain them.
+/// Codes in addition to those of `ErrorCode`; docs/batch.md and docs/serve.md explain them.
 inline constexpr const char* kWrongUsage = "wrong-usage";
 inline constexpr const char* kNotFlat = "not-flat";
 inline constexpr const char* kNotProved = "not-proved";
@@ -37,20 +37,20 @@ inline constexpr const char* kCrashed = "crashed";
 inline constexpr const char* kKilled = "killed";
 inline constexpr const char* kTooManyRequests = "too-many-requests";
 
-/// Why something is not done: printed by commands, answered by `toile serve`, recorded by
-/// `toile batch`, raised in Python.
+/// Why a request failed: printed by commands, sent by `toile serve`, recorded by `toile batch`,
+/// raised in Python.
 struct Refusal {
     std::string code;
-    std::string message;                ///< a sentence that says what may help
+    std::string message;                ///< a sentence that suggests a remedy
     std::string subject;                ///< the file, piece, seam or cut; empty: everything
-    std::vector<PlaceInText> places{};  ///< the places that the message names
+    std::vector<PlaceInText> places{};  ///< the places mentioned in the message
     std::string
         help{};  ///< the command whose --help explains the usage, for terminals: "toile info"
 
     Refusal(std::string what, std::string says, std::string about = {});
     Refusal(const Error& error);
 
-    /// Whether trying again may help: the machine was the reason, not the request.
+    /// Whether a retry may help: the machine caused the failure, not the request.
     bool isRetryable() const;
 };
 
@@ -79,7 +79,7 @@ private:
     std::variant<T, Refusal> state_;
 };
 
-/// Sentences for the user. They are kept, and printed as lines "toile: ..." if there is a stream.
+/// Messages for the user. They are stored, and printed as lines "toile: ..." if there is a stream.
 class Messages {
 public:
     Messages() = default;
@@ -87,7 +87,7 @@ public:
 
     void add(const std::string& sentence);
     void add(const Error& error) { add(sentence(error)); }
-    /// For lines that are no messages. Precondition: it has a stream.
+    /// For lines that are not messages. Precondition: it has a stream.
     std::ostream& stream() const { return *err_; }
 
     const std::vector<std::string>& sentences() const { return sentences_; }
@@ -97,7 +97,7 @@ private:
     std::vector<std::string> sentences_;
 };
 
-/// Reports it. @return the exit status: wrong usage, or kExitUnreadable
+/// Reports the refusal. @return the exit status: wrong usage, or kExitUnreadable
 int refuse(const Refusal& refusal, Messages& messages);
 
 }  // namespace toile::app

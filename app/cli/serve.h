@@ -13,11 +13,11 @@
 
 namespace toile::app {
 
-// The parts of `toile serve`: requests, their answers, and the garment that they are about.
+// The parts of `toile serve`: requests, answers, and the garment they refer to.
 
-/// A parsed request. Fields that it does not have are empty.
+/// A parsed request. Missing fields are empty.
 struct ServeRequest {
-    std::string id = "null";          ///< as JSON; null where none could be read
+    std::string id = "null";          ///< as JSON; null if it could not be read
     std::string what{};               ///< "load", one of `kServeWords`
     std::vector<std::string> args{};  ///< words of the command line
     bool hasArgs = false;
@@ -25,29 +25,29 @@ struct ServeRequest {
     bool settle = false;
     std::vector<std::string> wanted{}, pieces{};
     std::string of = "null";           ///< the id of another request
-    std::optional<Refusal> refusal{};  ///< why it is none; then nothing else but the id counts
+    std::optional<Refusal> refusal{};  ///< why it is invalid; then only the id is set
 };
 
 /// All requests, in the order of docs/serve.md.
 inline constexpr std::string_view kServeWords[] = {"load",  "edit",   "flatten", "query", "export",
                                                    "prove", "cancel", "close",   "quit"};
 
-/// Bytes of a line; a longer one is refused.
+/// Maximum bytes of a line; a longer one is refused.
 inline constexpr std::size_t kMaxServeLine = std::size_t{16} << 20U;
-inline constexpr std::size_t kMaxServeId = 100;  ///< bytes of an id that is a text
+inline constexpr std::size_t kMaxServeId = 100;  ///< bytes of a textual id
 
-/// Never fails: an invalid line has a refusal. Linear.
+/// Never fails: an invalid line yields a refusal. Linear.
 ServeRequest readServeRequest(std::string_view line);
-/// For a line longer than kMaxServeLine.
+/// The request for a line longer than kMaxServeLine.
 ServeRequest tooLongServeRequest();
 
-/// Lines of the answers, with their ends. @param id  as JSON
+/// Answers as lines with line breaks. @param id  as JSON
 std::string serveAnswer(const std::string& id, const OrderedJson& result);
 std::string serveAnswer(const std::string& id, const Refusal& refusal);
 std::string serveProgress(const std::string& id, double fraction);
 
-/// The garment of `toile serve`; answers one request after the other. Prints nothing and starts
-/// nothing by itself. Not thread-safe.
+/// The garment of `toile serve`; answers one request at a time. Prints nothing and starts no thread
+/// itself. Not thread-safe.
 class ServeSession {
 public:
     ServeSession();
@@ -55,8 +55,8 @@ public:
     ServeSession(const ServeSession&) = delete;
     ServeSession& operator=(const ServeSession&) = delete;
 
-    /// Does a request. @return the line of the answer. Never throws. A request that fails or is
-    /// cancelled leaves the garment unchanged. `cancel` and `quit` do nothing here.
+    /// Executes a request. @return the answer as a line. Never throws. A failed or cancelled
+    /// request leaves the garment unchanged. `cancel` and `quit` do nothing here.
     /// Cost: that of the command of the same name.
     std::string answer(const ServeRequest& request, Progress& progress);
 

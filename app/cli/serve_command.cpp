@@ -25,7 +25,7 @@ std::string lineOf(const std::string& id, const char* key, const OrderedJson& js
            "\":" + json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "}\n";
 }
 
-/// An id may come back in any answer: a whole number or a short text.
+/// Answers repeat the id, so it must be an integer or a short text.
 bool isId(const JsonDocument& json) {
     return json.is_number_integer() ||
            (json.is_string() && json.get_ref<const std::string&>().size() <= kMaxServeId);
@@ -52,7 +52,7 @@ void readTexts(JsonFields& fields, const char* key, std::vector<std::string>& te
     });
 }
 
-/// The fields of each kind of request.
+/// Reads the fields specific to each kind of request.
 void readOthers(JsonFields& fields, ServeRequest& request) {
     const std::string& what = request.what;
     if (what == "load" || what == "edit" || what == "export" || what == "prove") {
@@ -77,7 +77,7 @@ void readOthers(JsonFields& fields, ServeRequest& request) {
     }
 }
 
-// Limits of waiting requests. More are refused, so that "cancel" is always read.
+// Limits of waiting requests. Refuse more, so that "cancel" is always read.
 constexpr std::size_t kMaxWaiting = 1024;
 constexpr std::size_t kMaxWaitingBytes = std::size_t{64} << 20U;
 constexpr std::chrono::milliseconds kBetweenProgress{100};
@@ -88,7 +88,7 @@ struct ReadLine {
     std::size_t bytes = 0;
 };
 
-/// A line without its end; the rest of one that is too long is skipped. Empty at the end of input.
+/// A line without its line break; discards the excess of a long one. Nullopt at the end of input.
 std::optional<ReadLine> nextLine(std::istream& in) {
     std::streambuf& bytes = *in.rdbuf();
     std::string line;
@@ -140,7 +140,7 @@ private:
         Progress progress;
     };
 
-    /// "quit" is always accepted.
+    /// Accepts "quit" even if the queue is full.
     void add(ReadLine line) {
         const std::lock_guard lock(mutex_);
         const bool isFull = waiting_.size() >= kMaxWaiting ||
@@ -157,7 +157,7 @@ private:
         changed_.notify_all();
     }
 
-    /// Answered at once, while another request is running.
+    /// Answers at once, even while another request is running.
     void cancel(const ServeRequest& request) {
         const std::lock_guard lock(mutex_);
         bool isFound = false;
@@ -211,14 +211,14 @@ private:
     void say(const std::string& line) { out_ << line << std::flush; }
 
     std::ostream& out_;
-    std::mutex mutex_;  ///< of all below but the session, and of what is said
+    std::mutex mutex_;  ///< guards everything below except the session, and `out_`
     std::condition_variable changed_;
     std::deque<std::unique_ptr<Job>> waiting_;
     std::size_t waitingBytes_ = 0;
     std::unique_ptr<Job> running_;
     double told_ = 0;
     bool isEnding_ = false;
-    ServeSession session_;  ///< the worker's
+    ServeSession session_;  ///< used by the worker only
 };
 
 }  // namespace

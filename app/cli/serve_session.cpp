@@ -22,9 +22,9 @@ namespace toile::app {
 
 using ServeOutcome = Answer<OrderedJson>;
 
-/// What a session keeps, and one function for each request. A refused one leaves it as it was.
+/// The state of a session, and one function per request. A refused one leaves it unchanged.
 struct ServeSession::State {
-    /// The words about a garment, from which everything follows.
+    /// The options about a garment, which determine everything else.
     struct Asked {
         Arguments typed{};
         std::optional<std::string> seams{};
@@ -34,8 +34,8 @@ struct ServeSession::State {
     std::optional<Asked> asked;
     GarmentInputs inputs;
     Garment made;     ///< from the inputs
-    Garment garment;  ///< with the names that a project gives
-    /// As last flattened; empty before that.
+    Garment garment;  ///< with a project's names
+    /// Last flattened pattern; nullopt before.
     std::optional<FinishedPattern> pattern;
     GarmentFlattener flattener;
 
@@ -43,15 +43,15 @@ struct ServeSession::State {
     ServeOutcome load(const ServeRequest& request, Progress& progress);
     ServeOutcome make(Asked next, ReadFiles files, Progress& progress);
 
-    // Precondition: there is a garment.
+    // Precondition: a garment is loaded.
     ServeOutcome edit(const ServeRequest& request, Progress& progress);
     ServeOutcome flatten(bool settle, Progress& progress);
     ServeOutcome write(const ServeRequest& request, Progress& progress);
     ServeOutcome prove(const ServeRequest& request, Progress& progress);
     void close();
-    /// The pattern of this moment; a request stores it once it has succeeded.
+    /// Makes the current pattern; a request stores it after success.
     Answer<FinishedPattern> flat(bool settle, Progress& progress);
-    /// Words about the garment that is loaded.
+    /// Parses options that refer to the loaded garment.
     Answer<Arguments> typedOfGarment(const char* command, const ServeRequest& request,
                                      unsigned taken) const;
 };
@@ -82,7 +82,7 @@ Json rowsJson(const Matrix& rows) {
     return list;
 }
 
-/// Of each triangle the principal strain of larger size, of the cloth as it is worn.
+/// For each triangle, the principal strain of the worn cloth with the larger magnitude.
 Json strainJson(const Piece& piece, const FlatPiece& flat) {
     Json list = Json::array();
     for (const MetricTensor& metric : wornFaceMetrics(piece.mesh, flat.Q)) {
@@ -124,7 +124,7 @@ Json flatArray(const std::string& word, const Garment& garment, const PieceResul
                               : sheetJson(laid, index, *flat);
 }
 
-/// The requested pieces: all if none is named.
+/// The requested pieces; all if the request names no piece.
 Answer<std::vector<int>> piecesMeant(const ServeRequest& request, const Garment& garment) {
     std::vector<int> meant;
     for (const std::string& wanted : request.pieces) {
@@ -143,9 +143,9 @@ Answer<std::vector<int>> piecesMeant(const ServeRequest& request, const Garment&
 
 /// Parts of the report of a garment, and arrays of its pieces by name.
 /// @param results  one per piece; empty if it is not flat yet: then parts of its description
-///                 (`toile info --json`) are used
+/// (`toile info --json`) are used
 /// @param laid     the pattern, if it is flat
-/// Refused: unknown-word, no-such-piece, not-flat. Linear in what is asked for.
+/// Refused: unknown-word, no-such-piece, not-flat. Linear in the requested data.
 ServeOutcome serveQuery(const ServeRequest& request, const Garment& garment,
                         const PieceResults& results, const LaidOutPattern* laid) {
     const auto meant = piecesMeant(request, garment);
@@ -310,7 +310,7 @@ std::string ServeSession::answer(const ServeRequest& request, Progress& progress
                        : serveAnswer(request.id, outcome.refusal());
     } catch (const std::bad_alloc&) {
         return serveAnswer(request.id, Refusal(Error{ErrorCode::OutOfMemory}));
-    } catch (const std::exception& fault) {  // a bug: still an answer
+    } catch (const std::exception& fault) {  // a bug: answer anyway
         return serveAnswer(request.id, Refusal("unexpected", fault.what()));
     }
 }
@@ -373,7 +373,7 @@ ServeOutcome ServeSession::State::write(const ServeRequest& request, Progress& p
     if (typed->outputs.empty()) {
         return usageRefusal("an export needs -o FILE");
     }
-    for (const auto& output : typed->outputs) {  // a request must not wait for a pipe's reader
+    for (const auto& output : typed->outputs) {  // writing would wait for a pipe's reader
         std::error_code missing;
         const auto status = std::filesystem::status(output, missing);
         if (exists(status) && !is_regular_file(status) && !is_directory(status)) {

@@ -35,14 +35,14 @@ namespace {
 
 /// Rows of the table.
 constexpr int kMethodChoices = 0, kPictures = 1, kUseButtons = 2, kFirstFigure = 3;
-/// Room below for the scale bar, logical pixels.
+/// Space at the bottom for the scale bar, logical pixels.
 constexpr Camera2D::Margins kMargins{14, 14, 50};
-/// Proposed beside the document's own method; the last is left out if that is one of them.
+/// Defaults besides the document's own method; the last is dropped if that is one of them.
 constexpr Method kFirst[] = {Method::Curvature, Method::Wang2005, Method::Lscm, Method::Isometric};
 constexpr double kMillisecond = 1e-3;
 constexpr QChar kDash(0x2013), kStar(0x2605);
 
-/// The rows, the most asked for first.
+/// The rows, most important first.
 constexpr Criterion kRows[] = {
     Criterion::StrainMean,   Criterion::StrainMax,        Criterion::StrainMin,
     Criterion::SeamMismatch, Criterion::LengthError,      Criterion::PiA,
@@ -50,7 +50,7 @@ constexpr Criterion kRows[] = {
     Criterion::Seconds,
 };
 
-/// Without the unit.
+/// Formats a value without unit.
 QString figureText(FigureFormat format, double value) {
     switch (format) {
         case FigureFormat::Seconds:
@@ -70,7 +70,7 @@ QString figureText(FigureFormat format, double value) {
     return {};
 }
 
-/// Per method: whether its figure is the best one, or reads like it. None is where all read alike.
+/// Marks the best method, and those with the same displayed text; none if all are the same.
 std::vector<bool> bestOnes(Criterion criterion, const std::vector<std::optional<double>>& values,
                            const QStringList& texts) {
     const auto best = bestOf(criterion, values);
@@ -84,7 +84,7 @@ std::vector<bool> bestOnes(Criterion criterion, const std::vector<std::optional<
     return marks;
 }
 
-/// Covers both ranges.
+/// The union of both ranges.
 OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
     OverlayScale both = one;
     both.low = std::min(one.low, other.low);
@@ -94,7 +94,7 @@ OverlayScale united(const OverlayScale& one, const OverlayScale& other) {
     return both;
 }
 
-/// Around the outline: tighter than the box of a box if the piece is turned.
+/// Bounding box of the outline: tighter than a transformed box if the piece is rotated.
 Eigen::AlignedBox2d outlineBox(const Scene& scene, const Placement& placement) {
     Eigen::AlignedBox2d box;
     const VertexRun run = scene.patternLines.outlines.front();
@@ -296,7 +296,7 @@ void CompareWindow::refresh() {
         })) {
         std::erase(rows, Criterion::ReferenceRms);
     }
-    // Not cleared first: that would lose the place of a screen reader in the table.
+    // Do not clear the table first, or screen readers would lose their place in it.
     table_->setRowCount(kFirstFigure + static_cast<int>(rows.size()));
     table_->setVerticalHeaderLabels({isShown ? pieceName(document_, piece) : QString(), {}, {}});
     for (int row = kFirstFigure; row < table_->rowCount(); ++row) {
@@ -340,7 +340,7 @@ void CompareWindow::showFigure(int row, const CriterionTraits& criterion) {
     }
 }
 
-/// The selected rows, or all if none is selected, with titles, cells separated by tabs.
+/// Titles and selected rows (all rows without a selection), with cells separated by tabs.
 QString CompareWindow::copiedFigures() const {
     const QItemSelectionModel& selection = *table_->selectionModel();
     QStringList lines, cells{QString()};
@@ -366,7 +366,7 @@ void CompareWindow::showPictures() {
     const int piece = comparison_.piece();
     ViewState view = document_.view();
     if (!isMeasured(view.overlay)) {
-        view.overlay = Overlay::Strain;  // the flat checkerboard is the same by any method
+        view.overlay = Overlay::Strain;  // the flat checkerboard looks the same for any method
     }
     view.seams = false;
     SceneContent content;
@@ -421,13 +421,13 @@ Eigen::AlignedBox2d CompareWindow::showPicture(Column& column, const MethodCompa
     return box;
 }
 
-/// Covers the reference as well as two shapes can: flat coordinates of two methods have nothing in
-/// common.
+/// Aligns a result with the reference as well as possible, since flat coordinates differ between
+/// methods.
 SheetPlace CompareWindow::placeOver(Column& column,
                                     const std::shared_ptr<const PieceResult>& result) const {
     const auto piece = static_cast<std::size_t>(comparison_.piece());
     const auto& entries = comparison_.entries();
-    // The settings are about the document's own result; if it is not there, any will do.
+    // The placement settings refer to the document's own result; without that, use any result.
     auto over = piece < document_.results().size() ? document_.results()[piece]
                                                    : entries.front().made.result;
     for (const auto& entry : entries) {

@@ -21,8 +21,8 @@ namespace toile::app {
 
 class ColourBar;
 
-/// One flat piece, moved and zoomed together with the pictures beside it. A double click shows the
-/// whole piece.
+/// A picture of one flat piece that shares its camera with its neighbours. A double click frames
+/// the whole piece.
 class ComparedPicture : public RenderedWidget {
     Q_OBJECT
 
@@ -45,16 +45,16 @@ private:
     bool hasScaleBar_;
 };
 
-/// The selected piece by four methods: a table with a column for each, which has a picture, all at
-/// one scale, and figures. Stays open and follows the document; once closed it works no more.
+/// Compares the selected piece for four methods in a table with one column each: a picture, at a
+/// common scale, and figures. Non-modal; follows the document and stops when closed.
 class CompareWindow : public QDialog {
     Q_OBJECT
 
 public:
-    /// QString: the text of a cell of the table, without the star.
+    /// QString: a cell's text without the star.
     static constexpr int PlainRole = Qt::UserRole;
 
-    /// @param ordinary  the window's own jobs
+    /// @param ordinary  jobs of the window, which take precedence
     CompareWindow(Document& document, const JobRunner& ordinary, QWidget* parent);
     ~CompareWindow() override;
 
@@ -62,7 +62,7 @@ public:
     const SheetCamera& camera() const { return camera_; }
 
 signals:
-    /// The user wants the garment flattened by this method.
+    /// The user wants to flatten the garment by this method.
     void methodWanted(toile::Method method);
 
 protected:
@@ -76,10 +76,10 @@ private:
     struct Column {
         QComboBox* method = nullptr;
         QStackedWidget* pages = nullptr;
-        QLabel* message = nullptr;           ///< in place of the picture, if there is none
+        QLabel* message = nullptr;           ///< replaces the picture if there is none
         ComparedPicture* picture = nullptr;  ///< null if this computer cannot draw
         QPushButton* use = nullptr;
-        /// Moves `result` onto `reference`; stored, since it takes a look at every vertex.
+        /// Moves `result` onto `reference`; cached, because it visits every vertex.
         std::optional<FlatMotion> motion{};
         std::shared_ptr<const PieceResult> result{}, reference{};
     };
@@ -90,7 +90,7 @@ private:
     void refresh();
     void showFigure(int row, const CriterionTraits& criterion);
     void showPictures();
-    /// @return around the piece on the sheet; empty if there is none
+    /// @return box around the piece on the sheet; empty if there is none
     Eigen::AlignedBox2d showPicture(Column& column, const MethodComparison::Entry& entry,
                                     SceneContent content, const ViewState& view);
     SheetPlace placeOver(Column& column, const std::shared_ptr<const PieceResult>& result) const;

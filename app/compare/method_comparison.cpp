@@ -23,16 +23,16 @@ FlattenOptions withMethod(FlattenOptions options, Method method) {
     return options;
 }
 
-/// What to make of one piece by one method. Snapshot of a job.
+/// A piece and a method to compare. Snapshot of a job.
 struct CompareOrder {
     std::shared_ptr<const Garment> garment;
     int piece = 0;
     FlattenOptions options{};
-    PieceResults known{};  ///< one per piece: by these options; null where it is not known
+    PieceResults known{};  ///< one per piece for these options; null if not known
     std::shared_ptr<EndingWorkers> ending{};
 };
 
-/// Flattens the piece and those sewn to it, unless they are known.
+/// Flattens the piece and its sewn neighbours, unless they are known.
 ComparedPiece carriedOut(const CompareOrder& order, Progress& progress) {
     const Garment& garment = *order.garment;
     ComparedPiece made;
@@ -40,7 +40,7 @@ ComparedPiece carriedOut(const CompareOrder& order, Progress& progress) {
     std::vector<int> needed = sewnTo(garment, order.piece);
     needed.push_back(order.piece);
     std::erase_if(needed, [&](int piece) { return made.all[std::size_t(piece)] != nullptr; });
-    Garment part;  // flattening looks at the pieces alone
+    Garment part;  // flattening uses the pieces only
     for (const int piece : needed) {
         part.pieces.push_back(garment.pieces[std::size_t(piece)]);
     }
@@ -112,7 +112,7 @@ bool MethodComparison::isBusy() const {
     });
 }
 
-/// The selected one, else that which is shown, else the first flat one.
+/// The selected piece, else the shown one, else the first flat one.
 int MethodComparison::chosenPiece() const {
     const Document::Selection& selection = document_.selection();
     const int count = document_.pieceCount();
@@ -128,7 +128,7 @@ int MethodComparison::chosenPiece() const {
     return first < count ? first : count - 1;
 }
 
-/// Keeps the entries that are still right, and the job that works on one of them.
+/// Keeps valid entries and the job working on one of them.
 void MethodComparison::refresh() {
     if (!isActive_) {
         return;
@@ -176,7 +176,7 @@ void MethodComparison::next() {
         });
 }
 
-/// Whatever makes the result unwanted cancels the job: the answer is for the entry in work.
+/// Outdated jobs are always cancelled, so this result is for the entry in work.
 void MethodComparison::take(Attempt<ComparedPiece> made, bool isCancelled) {
     Entry* entry = firstIn(Stage::Working);
     if (entry && isCancelled) {
@@ -192,7 +192,7 @@ void MethodComparison::take(Attempt<ComparedPiece> made, bool isCancelled) {
     emit changed();
 }
 
-/// One per piece: what the document or an earlier comparison found by these options.
+/// One per piece: results for these options from the document or an earlier comparison.
 PieceResults MethodComparison::known(const PieceResults& before,
                                      const FlattenOptions& options) const {
     PieceResults results;

@@ -22,17 +22,17 @@ class Document;
 class JobRunner;
 struct Scene;
 
-/// What one method makes of one piece.
+/// Result of one method for one piece.
 struct ComparedPiece {
-    std::shared_ptr<const PieceResult> result{};  ///< flat, or the reason why not
-    ComparedFigures figures{};                    ///< seams: with pieces flattened alike
-    std::shared_ptr<const Scene> scene{};         ///< of this piece alone; null where not flat
-    PieceResults all{};  ///< what is known of the garment's pieces by this method, some null
+    std::shared_ptr<const PieceResult> result{};  ///< flat, or the reason for failure
+    ComparedFigures figures{};                    ///< seams: neighbours by the same method
+    std::shared_ptr<const Scene> scene{};         ///< of this piece only; null if not flat
+    PieceResults all{};  ///< the garment's results by this method; some are null
 };
 
-/// The selected piece of the document by several methods, or the first flat one. Works on a thread
-/// of its own, one method after the other, and yields to the window's own jobs. Takes over what the
-/// document's own flattening or an earlier comparison has found. GUI thread only.
+/// Compares methods for the selected piece, or the first flat one. Works on its own thread, one
+/// method at a time, and yields to the window's jobs. Reuses results from the document and earlier
+/// comparisons. GUI thread only.
 class MethodComparison : public QObject {
     Q_OBJECT
 
@@ -42,20 +42,20 @@ public:
     struct Entry {
         Method method;
         Stage stage = Stage::Waiting;
-        ComparedPiece made{};  ///< once it is done
-        QString problem{};     ///< a fault of the program, if it failed
+        ComparedPiece made{};  ///< if finished
+        QString problem{};     ///< a program fault, if it failed
     };
 
-    /// @param ordinary  the window's own jobs
+    /// @param ordinary  jobs of the window, which take precedence
     MethodComparison(const Document& document, const JobRunner& ordinary,
                      QObject* parent = nullptr);
 
-    /// Works from now on, and follows the document.
+    /// Starts working and following the document.
     void begin();
-    /// Stops, and drops everything that was found.
+    /// Stops and drops all results.
     void end();
 
-    /// Keeps what is known of those that were there before.
+    /// Keeps the results of methods that stay.
     void setMethods(std::vector<Method> methods);
     /// Index into the garment's pieces.
     int piece() const { return subject_.piece; }
@@ -65,14 +65,14 @@ public:
     bool isBusy() const;
 
 signals:
-    /// The entries, or the stage of one.
+    /// The entries or the stage of one have changed.
     void changed();
 
 private:
-    /// What the entries are about.
+    /// The subject of the entries.
     struct Subject {
         std::shared_ptr<const Garment> garment{};
-        FlattenOptions options{};  ///< the method aside
+        FlattenOptions options{};  ///< ignoring the method
         int piece = -1;
 
         bool operator==(const Subject&) const = default;
@@ -88,7 +88,7 @@ private:
     const Document& document_;
     const JobRunner& ordinary_;
     std::shared_ptr<EndingWorkers> ending_;  ///< of cancelled jobs
-    QTimer pause_;                           ///< lets a series of edits pass
+    QTimer pause_;                           ///< waits for a series of edits to end
     bool isActive_ = false;
     Subject subject_;
     std::vector<Method> methods_;

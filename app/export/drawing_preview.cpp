@@ -12,7 +12,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kEdge = 10;               // pixels around the page
-constexpr double kSmallestLetters = 5;  // pixels; below, texts are specks
+constexpr double kSmallestLetters = 5;  // pixels; smaller texts are illegible
 constexpr double kUsualLetters = 5;     // mm
 constexpr QSize kHint(420, 360);
 

@@ -17,9 +17,9 @@ class DrawingPreview : public QWidget {
 public:
     explicit DrawingPreview(QWidget* parent = nullptr);
 
-    /// @param drawing  null: on its way
+    /// @param drawing  null: not ready yet
     void setDrawing(std::shared_ptr<const Drawing> drawing);
-    /// Sheets that the drawing is printed on, mm, y down from its upper left corner; none: one.
+    /// Sheets of the printed drawing, mm, y down from its upper left corner; empty: one sheet.
     void setSheets(QVector<QRectF> sheets);
     QSize sizeHint() const override;
 

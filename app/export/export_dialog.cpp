@@ -29,14 +29,14 @@ namespace {
 
 constexpr int kListWidth = 170, kFormWidth = 250;
 
-/// Whether a person sees more in the file's text than in a page.
+/// Whether the preview shows the file's text instead of a page.
 bool isText(FormatId format) {
     constexpr FormatId kTexts[] = {FormatId::Obj, FormatId::Usd, FormatId::GarmentCode,
                                    FormatId::Csv, FormatId::Report};
     return std::ranges::find(kTexts, format) != std::end(kTexts);
 }
 
-/// The path without the ending of any format.
+/// Removes a known file extension.
 QString withoutEnding(const QString& path) {
     const Format* known = formatOf(pathOf(path));
     if (!known) {
@@ -58,7 +58,7 @@ QString usualEnding(const Format& format) {
     return QString::fromLatin1(format.endings.front());
 }
 
-/// What the pages show of the drawing, y down from its upper left corner.
+/// The areas of the drawing on each page, y down from its upper left corner.
 QVector<QRectF> sheetsOf(const PdfPlan& plan, double height) {
     QVector<QRectF> sheets;
     for (const PdfPage& page : plan.pages) {
@@ -201,7 +201,7 @@ void ExportDialog::onFormat() {
     describe();
 }
 
-/// What is typed may name another format.
+/// The typed extension may select another format.
 void ExportDialog::onPathEdited() {
     const Format* typed = formatOf(pathOf(path_->text()));
     const auto row = std::ranges::find(formats_, typed);
@@ -223,7 +223,7 @@ void ExportDialog::browse() {
     }
 }
 
-/// The page, or the beginning of the file.
+/// Shows the page, or the start of a text file.
 void ExportDialog::showFile() {
     if (!isText(format().id)) {
         shown_->setCurrentWidget(preview_);
@@ -294,7 +294,7 @@ ExportChoice ExportDialog::choice() const {
 void ExportDialog::accept() {
     onPathEdited();
     const QString path = path_->text();
-    const bool isAsked = path == browsed_;  // by the dialog of files
+    const bool isAsked = path == browsed_;  // the file dialog has asked
     if (isAsked || !QFileInfo::exists(path) || questions_.mayReplace(this, path)) {
         QDialog::accept();
     }

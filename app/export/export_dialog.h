@@ -21,48 +21,47 @@ class DrawingPreview;
 class OptionForm;
 class PieceChoice;
 
-/// What the dialog asks beside itself.
+/// Questions that the dialog delegates.
 struct ExportQuestions {
-    /// Another place: a suggestion and a filter to a path that may be written to; empty for none.
+    /// Asks for a file from a suggestion and a filter; empty if cancelled.
     std::function<QString(QWidget* parent, const QString& suggestion, const QString& filter)> save;
-    /// Whether a file that is there may be replaced.
+    /// Asks whether to replace an existing file.
     std::function<bool(QWidget* parent, const QString& path)> mayReplace;
 };
 
 struct ExportChoice {
-    QString path;    ///< with an ending
-    QString format;  ///< the usual ending of its format, ".svg"
+    QString path;    ///< with extension
+    QString format;  ///< usual extension of the format, ".svg"
     ExportOptions options;
     bool showsFolder = false;
-    bool onlySelected = false;  ///< the selected pieces alone
+    bool onlySelected = false;  ///< export only the selected pieces
 };
 
-/// In which format the pattern is written, how, and where to; with a picture of the page, or of a
-/// format that is read as text with the beginning of the file.
+/// Chooses format, options and file of an exported pattern. The preview shows the page or, for text
+/// formats, the start of the file.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param path    suggested, without an ending  @param format  an ending, as ExportChoice has
-    /// it
+    /// @param path    suggestion without extension  @param format  an extension as in ExportChoice
     ExportDialog(const QString& path, const QString& format, const ExportOptions& options,
                  ExportQuestions questions, QWidget* parent);
 
-    /// Lets the person choose between all pieces and so many that are selected; with none there is
-    /// no choice. @param chosen  these, at first
+    /// Offers a choice between all and the selected pieces; hidden if `count` is 0.
+    /// @param chosen  initially the selected ones
     void offerSelected(int count, bool chosen);
-    /// The page, once it is drawn.
+    /// Sets the finished drawing.
     void setPattern(const std::shared_ptr<const DrawnPattern>& pattern);
-    /// The beginning of a file; nothing where another format is chosen by now.
+    /// Sets the start of a file; ignored if another format is chosen by now.
     void setText(FormatId format, const QString& text);
     ExportChoice choice() const;
 
     void accept() override;
 
 signals:
-    /// Others are to be written: they are to be drawn (`setPattern`).
+    /// The choice of pieces has changed; `setPattern` is expected.
     void piecesChanged();
-    /// The beginning of such a file is to be shown (`setText`).
+    /// The preview needs the start of such a file (`setText`).
     void textWanted(toile::FormatId format, const toile::ExportOptions& options);
 
 private:
@@ -75,10 +74,10 @@ private:
     void describe();
     void showFile();
 
-    std::vector<const Format*> formats_;  ///< that can be written, by rows
+    std::vector<const Format*> formats_;  ///< the writable formats, by row
     std::shared_ptr<const Drawing> drawing_;
     ExportQuestions questions_;
-    QString browsed_;  ///< chosen in the dialog of files, which has asked whether to replace it
+    QString browsed_;  ///< from the file dialog, which already asked about replacing it
     QListWidget* list_;
     OptionForm* form_;
     QStackedWidget* shown_;

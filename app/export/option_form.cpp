@@ -29,7 +29,7 @@ std::string textOf(const FormatOption& row, const FieldValue& value) {
                                : row.words[static_cast<std::size_t>(number)];
 }
 
-/// The options of a format as a description of settings.
+/// Describes the options of a format as settings.
 auto fieldsOf(FormatId format) {
     return [format](FieldVisitor& at, ExportOptions& options) {
         for (const FormatOption& row : formatOptions()) {
@@ -63,7 +63,7 @@ void OptionForm::show(FormatId format, const ExportOptions& options) {
         *this, [] { return -1; },
         [this, describe](const SettingChange& change) {
             options_ = fields_->changed(describe, options_, change);
-            fields_->show(describe, options_);  // an option may change others
+            fields_->show(describe, options_);  // one option may affect others
             emit optionsChanged();
         });
     while (form_->rowCount() > 0) {

@@ -9,14 +9,14 @@
 
 namespace toile::app {
 
-/// The options of one format, a row each, made from the table of formats.
+/// The options of one format, one row each, generated from the table of formats.
 class OptionForm : public QWidget {
     Q_OBJECT
 
 public:
     explicit OptionForm(QWidget* parent = nullptr);
 
-    /// Shows the options of this format. @param options  of all formats
+    /// @param options  of all formats
     void show(FormatId format, const ExportOptions& options);
     const ExportOptions& options() const { return options_; }
 
@@ -29,15 +29,15 @@ private:
     std::optional<SettingFields> fields_;
 };
 
-/// All pieces or the selected ones, for a dialog of export or printing.
+/// Chooses all or selected pieces in export and print dialogs.
 class PieceChoice : public QComboBox {
     Q_OBJECT
 
 public:
-    /// Hidden until pieces are offered.
+    /// Hidden until `offer` is called.
     explicit PieceChoice(QWidget* parent);
 
-    /// Hides the choice if no piece is selected. @param chosen  whether to choose the selected ones
+    /// Hides the choice if no piece is selected. @param chosen  initially the selected ones
     void offer(int selected, bool chosen);
     bool isSelectedOnly() const { return currentIndex() == 1; }
 

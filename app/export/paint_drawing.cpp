@@ -13,12 +13,12 @@ namespace toile::app {
 
 namespace {
 
-/// In the order of the kinds.
+/// In the order of the layer kinds.
 constexpr QRgb kLayerColours[] = {0xd00000, 0x606060, 0xc06000, 0x0070c0,
                                   0x008000, 0x800080, 0x000000, 0x0000ff};
 static_assert(std::size(kLayerColours) == kLayerKinds.size());
 
-constexpr double kMaxDots = 30000;  // on a side; painters count no farther than 32767
+constexpr double kMaxDots = 30000;  // per side; QPainter supports at most 32767
 constexpr double kMaxOfPicture = 400e6;
 
 QColor colourOf(LayerKind kind) {

@@ -13,36 +13,36 @@ class QPainter;
 
 namespace toile::app {
 
-/// The drawing of files, painted: for previews, pictures and paper alike.
+/// Paints the drawings of files, for previews, pictures and paper.
 
 inline constexpr double kMillimetresPerInch = 25.4;
 
-/// What of a drawing is seen at a scale.
+/// Visible parts of a drawing at a scale.
 struct DrawingLook {
     double line = 0.3;  ///< width of lines, mm
     bool texts = true;
-    bool check = true;  ///< the check square, which tiles of paper have in another place
+    bool check = true;  ///< the check square; tiled paper shows it elsewhere
 };
 
-/// Paints in the painter's units, which are millimetres with y down, the page's upper left corner
-/// at the origin. Cost: linear in the points and letters.
+/// Paints in the painter's units, which must be millimetres with y down and the origin in the
+/// page's upper left corner. Cost: linear in the points and letters.
 void paintDrawing(QPainter& painter, const Drawing& drawing, const DrawingLook& look = {});
 
-/// A line of text as one area, y down, from (0, 0) on the baseline to the right.
+/// A line of text as an area, y down; it starts at (0, 0) on the baseline.
 struct Letters {
     QPainterPath path;
     double width = 0;
 };
 
-/// @param height  of a capital. Cost: that of `textOutlines`; as that, thread-safe
+/// @param height  of a capital letter. Thread-safe and cost as `textOutlines`
 Letters lettersOf(const std::string& line, double height);
 
-/// The whole drawing on white, with the scale kept as the picture's resolution.
+/// Draws the whole drawing on white and stores the scale as the image's resolution.
 /// @param dpi  dots per inch
-/// Errors: PageTooSmall where the picture would be larger than pictures can be.
+/// Errors: PageTooSmall if the picture would exceed the maximum size.
 Result<QImage> pictureOf(const Drawing& drawing, double dpi);
 
-/// Gives the table of formats the writers that need Qt. Before anything is written.
+/// Registers the writers that need Qt in the table of formats. Call before writing any file.
 void provideWriters();
 
 }  // namespace toile::app

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kChoicesWidth = 250;
 
-/// A projector's page is for no paper.
+/// Replaces the projector's page, which is no paper size.
 ExportOptions onPaper(ExportOptions options) {
     if (options.pdf.paper == Paper::Projector) {
         options.pdf.paper = PdfOptions{}.paper;
@@ -86,7 +86,7 @@ PrintDialog::PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget*
     layOut();
 }
 
-/// The picture, and which sheet it is of.
+/// Makes the preview and the sheet selector.
 QWidget* PrintDialog::makePages() {
     auto* pages = new QWidget(this);
     auto* column = new QVBoxLayout(pages);

@@ -17,31 +17,30 @@ class OptionForm;
 class PieceChoice;
 class SheetPreview;
 
-/// On which paper the pattern is printed, with a picture of every sheet. The choices are those of
-/// PDF files. Which printer, is asked after it.
+/// Chooses the paper of a printed pattern, with a preview of every sheet and the options of PDF
+/// files. The printer is chosen afterwards.
 class PrintDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// @param hasPrinter  without one there is only a PDF file to be had
+    /// @param hasPrinter  false: only a PDF file can be made
     PrintDialog(const ExportOptions& options, bool hasPrinter, QWidget* parent);
 
-    /// Lets the person choose between all pieces and so many that are selected; with none there is
-    /// no choice.
+    /// Offers a choice between all and the selected pieces; hidden if `count` is 0.
     void offerSelected(int count);
     bool isSelectedOnly() const;
-    /// What is printed, once it is drawn; null until then.
+    /// Sets the finished drawing; null while it is being made.
     void setPattern(std::shared_ptr<const InkedPattern> pattern);
     const ExportOptions& options() const;
-    /// The sheets as they are chosen now; null where there are none, or not yet.
+    /// The sheets for the current options; null if there are none or not yet.
     std::shared_ptr<const PrintedPattern> sheets() const { return sheets_; }
-    /// Says why these cannot be printed; until something else is chosen.
+    /// Explains why they cannot be printed, until an option changes.
     void say(const QString& sentence);
 
 signals:
-    /// Others are to be printed: they are to be drawn (`setPattern`).
+    /// The choice of pieces has changed; `setPattern` is expected.
     void piecesChanged();
-    /// Only where `sheets` has some.
+    /// Emitted only if `sheets` is not null.
     void printWanted();
     void fileWanted();
 

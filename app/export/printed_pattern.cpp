@@ -30,7 +30,7 @@ QRectF rectOf(const Eigen::AlignedBox2d& box) {
     return {pointOf(box.min()), pointOf(box.max())};
 }
 
-/// With dashes as long as they are.
+/// Widens a pen, keeping the length of its dashes.
 QPen asWide(QPen pen, double thinnest) {
     const double width = pen.widthF();
     if (width >= thinnest) {
@@ -47,13 +47,13 @@ QPen asWide(QPen pen, double thinnest) {
     return pen;
 }
 
-constexpr double kPaperRounding = 0.5;  // mm, by which papers of one name differ
+constexpr double kPaperRounding = 0.5;  // mm, tolerance between papers of one name
 
 QSizeF pageOf(const QPrinter& printer) {
     return printer.pageLayout().fullRect(QPageLayout::Millimeter).size();
 }
 
-/// Where on the page the sheet's upper left corner is.
+/// Position of the sheet's upper left corner on the page.
 QPointF cornerOf(const QSizeF& page, const QSizeF& paper) {
     return {0.5 * (page.width() - paper.width()), 0.5 * (page.height() - paper.height())};
 }
@@ -69,7 +69,7 @@ Range rangeOf(const QPrinter& printer, int count) {
     return {0, count - 1};
 }
 
-/// In the order in which they come out, as often as is wanted.
+/// Sheet indices in print order, repeated for copies.
 std::vector<int> sheetsFor(const QPrinter& printer, int count) {
     const Range range = rangeOf(printer, count);
     std::vector<int> once;
@@ -199,7 +199,7 @@ double InkCanvas::text(std::string_view text, const Eigen::Vector2d& position, d
     QTransform place;
     place.translate(position.x(), position.y());
     place.rotateRadians(angle);
-    place.scale(scale, -scale);  // letters are y down
+    place.scale(scale, -scale);  // letters have y down
     place.translate(start == TextStart::Middle ? -0.5 * letters.width : 0, 0);
     inks_.push_back({(place * state_.place).map(letters.path), QPen(Qt::NoPen), state_.pen.color(),
                      state_.clip});
@@ -313,7 +313,7 @@ Result<bool> print(QPrinter& printer, const PrintedPattern& pattern, Progress& p
             printer.abort();
             painter.end();
             if (!printer.outputFileName().isEmpty()) {
-                QFile::remove(printer.outputFileName());  // half of it is of no use
+                QFile::remove(printer.outputFileName());  // incomplete
             }
             return Error{ErrorCode::Cancelled};
         }

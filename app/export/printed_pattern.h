@@ -23,26 +23,26 @@ class QPrinter;
 
 namespace toile::app {
 
-/// A line or an area as it is painted: mm, y up from the lower left corner of a sheet.
+/// A painted line or area: mm, y up from the lower left corner of a sheet.
 struct Ink {
     QPainterPath path;
     QPen pen{Qt::NoPen};           ///< none: an area
     QColor colour{};               ///< of an area
-    std::optional<QRectF> clip{};  ///< what is outside is not seen
+    std::optional<QRectF> clip{};  ///< hides everything outside
 };
 
-/// Keeps what is drawn on it, to be painted as often and as large as is wanted. Layers and items
-/// are passed over: paper has none.
+/// Records drawing commands, to be painted repeatedly at any size. Ignores layers and items, which
+/// paper does not have.
 class InkCanvas : public SheetCanvas {
 public:
-    /// @param pattern  what `drawing` draws; outlives the canvas
+    /// @param pattern  content of `drawing`; outlives the canvas
     explicit InkCanvas(std::span<const Ink> pattern = {}) : pattern_(pattern) {}
 
     void save() override { kept_.push_back(state_); }
     void restore() override;
     void transform(double a, double b, double c, double d, const Eigen::Vector2d& move) override;
     void clip(const Eigen::AlignedBox2d& box) override;
-    /// Without what the clip hides.
+    /// Skips parts outside the clip.
     void drawing() override;
 
     void beginLayer(int) override {}
@@ -80,23 +80,23 @@ private:
 };
 
 /// @param painter  in mm with y down, the sheet's upper left corner at the origin
-/// @param height   of the sheet  @param thinnest  lines are painted so wide at least, mm
+/// @param height   of the sheet  @param thinnest  minimum width of lines, mm
 void paintInks(QPainter& painter, const std::vector<Ink>& inks, double height, double thinnest = 0);
 
-/// A pattern as paper has it: what of it is the same on every paper, and takes the time.
+/// The expensive part of a printed pattern, which does not depend on the paper.
 struct InkedPattern {
     std::shared_ptr<const DrawnPattern> pattern;
-    std::vector<Ink> inks;      ///< of all of it
-    std::size_t checkFrom = 0;  ///< the first of its check square, which is not printed in tiles
+    std::vector<Ink> inks;      ///< of the whole pattern
+    std::size_t checkFrom = 0;  ///< index of its check square's first ink; omitted in tiles
 };
 
-/// Cost: that of `drawPattern`. Any thread.
+/// Cost: see `drawPattern`. Any thread.
 std::shared_ptr<const InkedPattern> inked(std::shared_ptr<const DrawnPattern> pattern);
 
-/// A pattern on sheets of paper, the same as those of a PDF file: for printers and previews.
+/// A pattern on the same paper sheets as its PDF file, for printers and previews.
 class PrintedPattern {
 public:
-    /// Errors and cost: those of planPages. Any thread.
+    /// Errors and cost: see planPages. Any thread.
     static Result<PrintedPattern> on(std::shared_ptr<const InkedPattern> pattern,
                                      const PdfOptions& options);
 
@@ -105,7 +105,7 @@ public:
     QSizeF paper(int sheet) const;  ///< mm
     /// @param painter  in mm with y down, the sheet's upper left corner at the origin
     /// @param sheet     from 0 to count() - 1
-    /// @param thinnest  lines are painted so wide at least, mm: to be seen when they are small
+    /// @param thinnest  minimum width of lines, mm, to keep small sheets legible
     void paint(QPainter& painter, int sheet, double thinnest = 0) const;
 
 private:
@@ -117,25 +117,24 @@ private:
     PdfPlan plan_;
 };
 
-/// Sets the printer's paper to a sheet's, where it has that, upright or lying. What it has then is
-/// its own affair: see `roomLacking`.
+/// Asks the printer for a sheet's paper, portrait or landscape. The printer may choose another: see
+/// `roomLacking`.
 void choosePaper(QPrinter& printer, const QSizeF& paper);
 
-/// A sheet that the printer's page has no room for.
+/// A sheet that does not fit on the printer's page.
 struct RoomLacking {
     QSizeF paper, page;     ///< mm, of the sheet and of the printer
-    bool isMargin = false;  ///< the page is large enough, but the printer leaves more of it free
+    bool isMargin = false;  ///< the page is large enough, but the printer's margins are too wide
 };
 
-/// Whether sheets in the middle of the printer's page would lose something; the first that would.
-/// Rounding of paper sizes to points or tenths of an inch is none.
+/// The first sheet that would be clipped when centred on the printer's page, if any. Tolerates
+/// paper sizes rounded to points or tenths of an inch.
 std::optional<RoomLacking> roomLacking(const QPrinter& printer, const PrintedPattern& pattern);
 
-/// Prints the sheets that the printer's settings ask for, at true scale, each in the middle of the
-/// printer's page. Cancelled, it goes no further: a file is removed, but what some printers have
-/// got by then they print.
-/// @return false where the printer takes nothing
-/// Errors: Cancelled. Any thread, while no other uses the printer.
+/// Prints the requested sheets at true scale, centred on the printer's page. When cancelled, it
+/// stops and removes an output file; some printers still print the pages already received.
+/// @return false if the printer does not accept data
+/// Errors: Cancelled. Any thread that has exclusive use of the printer.
 Result<bool> print(QPrinter& printer, const PrintedPattern& pattern, Progress& progress);
 
 }  // namespace toile::app

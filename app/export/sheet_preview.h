@@ -15,7 +15,7 @@ class SheetPreview : public QWidget {
 public:
     explicit SheetPreview(QWidget* parent = nullptr);
 
-    /// @param pattern  null: on its way
+    /// @param pattern  null: not ready yet
     void setPattern(std::shared_ptr<const PrintedPattern> pattern);
     /// @param sheet  of the pattern, from 0
     void setSheet(int sheet);

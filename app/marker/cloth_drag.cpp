@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-/// How far the warp of a copy is from running along the cloth, or against it where that is allowed
-/// too and nearer.
+/// Angle between a copy's warp and the cloth, in the nearer direction if both are allowed.
 double deviationOf(const Pattern& pattern, const Placement& placement, int piece,
                    const MarkerSettings& settings) {
     const double grain = grainOf(pattern.pieces[static_cast<std::size_t>(piece)]);
@@ -92,7 +91,7 @@ ClothDrag::ClothDrag(const Pattern& pattern, const ClothMarker& marker,
     if (marker.parts.empty()) {
         addCloth({Eigen::Vector2d::Zero(), Eigen::Vector2d(marker.length, marker.width)});
     }
-    if (!(settings.gap > 0)) {  // corners would lie on each other
+    if (!(settings.gap > 0)) {  // snapping corners would ignore the gap
         targets_.vertices = joined(corners);
     }
 }

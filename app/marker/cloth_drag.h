@@ -8,31 +8,31 @@
 
 namespace toile::app {
 
-/// Moving and turning a copy by hand, within what its cloth allows. Places in mm of the cloth.
+/// Moving and turning a copy by hand, within the limits of its cloth. Positions in mm on the cloth.
 
-/// Turned by the next step that the rule allows: half a turn where pieces lie either way up, a
-/// quarter where they lie freely. None where they lie one way.
+/// Turns by the next step the rule allows: 180 degrees if pieces can be reversed, 90 if they can
+/// lie freely. Nullopt for one-way cloth.
 std::optional<Placement> nextTurn(const Pattern& pattern, const LaidCopy& copy,
                                   const MarkerSettings& settings, bool clockwise);
 
-/// Whether it may be turned by less than that.
+/// Whether smaller turns are allowed.
 bool turnsByDegrees(const MarkerSettings& settings);
 
-/// Turned about its middle by this angle, or as near to it as the rule and its tolerance allow.
-/// @param step  whole multiples of it alone; 0: any
+/// Turns around the middle by this angle, or the nearest that rule and tolerance allow.
+/// @param step  only whole multiples of it; 0: any angle
 Placement turnedBy(const Pattern& pattern, const LaidCopy& copy, const MarkerSettings& settings,
                    double angle, double step);
 
-/// One copy on its way: it snaps to corners, edges and middles of the others and to the edges of
-/// the cloth, with the gap and the border that are asked for.
+/// Drags a copy. It snaps to corners, edges and middles of other copies and to the cloth's edges,
+/// keeping gap and border.
 class ClothDrag {
 public:
     ClothDrag(const Pattern& pattern, const ClothMarker& marker, const MarkerSettings& settings,
               int copy, const Eigen::Vector2d& pressed);
 
-    /// @param radius  how near is near enough to snap; 0: nothing does
+    /// @param radius  snapping distance; 0: no snapping
     Placement movedTo(const Eigen::Vector2d& at, double radius);
-    /// The last one.
+    /// The result of the last move.
     const SnappedMove& snapped() const { return move_; }
 
 private:

@@ -22,7 +22,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kSelvedge = 3;          // pixels
-constexpr double kMinStripes = 4;        // pixels from one to the next
+constexpr double kMinStripes = 4;        // minimum distance in pixels
 constexpr double kArrow = 34, kPin = 5;  // pixels
 constexpr double kWordsAir = 6;
 
@@ -40,7 +40,7 @@ QColor faded(QColor colour, int alpha) {
     return colour;
 }
 
-/// Lines across a box, one every `step` from `origin`.
+/// Paints lines across a box, one every `step` from `origin`.
 void paintStripes(QPainter& painter, const SheetMap& onScreen, const Eigen::AlignedBox2d& box,
                   int axis, double step, double origin) {
     if (!(step * onScreen.pixelsPerMillimetre() >= kMinStripes)) {
@@ -66,7 +66,7 @@ void paintRepeat(QPainter& painter, const RenderStyle& style, const SheetMap& on
     }
 }
 
-/// A roll: selvedges on both sides, or the fold on the lower one; it continues beyond its end.
+/// Paints a roll: selvedges on both sides, or a fold on the lower one. It continues beyond its end.
 void paintRoll(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                const ClothMarker& marker, bool isFolded) {
     const QPointF upperLeft = onScreen(Eigen::Vector2d(0, marker.width));
@@ -125,7 +125,7 @@ void paintParts(QPainter& painter, const RenderStyle& style, const SheetMap& onS
     }
 }
 
-/// A pin that holds a piece down, its tip at the place.
+/// Paints the pin of a fixed piece, with its tip at the place.
 void paintPin(QPainter& painter, const RenderStyle& style, const QPointF& tip) {
     const QPointF head = tip + QPointF(kPin, -2.2 * kPin);
     painter.setPen(QPen(style.text, 1.6));
@@ -158,7 +158,7 @@ void paintShape(QPainter& painter, const RenderStyle& style, const SheetMap& onS
     }
 }
 
-/// The name where there is room for it, the arrow of the grain below.
+/// The name, if there is space, above the grain arrow.
 void paintWords(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                 const ClothShape& shape) {
     const QRectF room = onCloth(onScreen, shape.edge).boundingRect();
@@ -344,7 +344,7 @@ Eigen::Vector2d ClothView::onCloth(const QPointF& at) const {
     return camera_.camera().toWorld(at.x(), at.y());
 }
 
-/// The one that is painted last.
+/// The topmost copy at a place.
 int ClothView::copyAt(const QPointF& at) const {
     const Eigen::Vector2d place = onCloth(at);
     int found = -1;
@@ -370,7 +370,7 @@ void ClothView::select(int copy) {
     refresh();
 }
 
-/// In the garment as it is now, of which the marker may not be yet; -1: it is no more there.
+/// Index in the current garment, which may be newer than the marker; -1: the piece is gone.
 int ClothView::pieceOf(const LaidCopy& copy) const {
     const auto& garment = desk_.document().garment();
     if (!garment) {

@@ -21,9 +21,9 @@ class MarkerDesk;
 
 struct RenderStyle;
 
-/// A copy as it is painted.
+/// A copy to paint.
 struct ClothShape {
-    Points2 edge, seam;  ///< as it lies; the seam line is empty where it is cut along that
+    Points2 edge, seam;  ///< in place; the seam line is empty if the piece is cut along it
     Eigen::Vector2d label = Eigen::Vector2d::Zero();
     Eigen::Vector2d grain = Eigen::Vector2d::UnitX();  ///< along the warp of the piece
     QColor colour;
@@ -31,10 +31,10 @@ struct ClothShape {
     bool isKept = false, isMisplaced = false, isSelected = false, isStated = false;
 };
 
-/// Where names go, found once for each piece of a pattern.
+/// Label positions, computed once for each piece of a pattern.
 class ClothLabels {
 public:
-    /// On the piece, as far from its edge as may be.
+    /// A point on the piece, as far from its edge as possible.
     const Eigen::Vector2d& of(const std::shared_ptr<const Pattern>& pattern, int piece);
 
 private:
@@ -42,19 +42,19 @@ private:
     std::vector<std::optional<Eigen::Vector2d>> places_;
 };
 
-/// The cloth: its edges, where it is folded, its stripes, how long it is.
+/// Paints the cloth: edges, fold, stripes and length.
 void paintCloth(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                 const ClothMarker& marker, const MarkerSettings& settings, const QColor& ground);
 
-/// The copies; those that are selected or misplaced over the others.
+/// Paints the copies, with selected and misplaced ones on top.
 void paintCopies(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                  const std::vector<ClothShape>& shapes);
 
-/// As it is painted where something lies on another thing, or beyond the cloth.
+/// Marks copies that overlap others or exceed the cloth.
 QColor misplacedColour();
 
-/// The cloth with the copies that lie on it. A copy that is dragged or turned is kept where it was
-/// put. The warp runs to the right. Other drags, the wheel and keys move the picture (Canvas).
+/// The cloth with its copies. Dragging or turning a copy fixes it in the new place. The warp runs
+/// to the right. Other drags, the wheel and keys move the picture (Canvas).
 class ClothView : public QWidget {
     Q_OBJECT
 
@@ -62,18 +62,18 @@ public:
     /// `desk` must outlive this.
     explicit ClothView(MarkerDesk& desk, QWidget* parent = nullptr);
 
-    /// Shows the whole cloth, and keeps doing so until the picture is moved.
+    /// Shows the whole cloth until the user moves the picture.
     void frameAll() { camera_.frameAll(); }
-    /// Where the middle of a copy's name is, logical pixels.
+    /// Middle of a copy's name, logical pixels.
     QPointF placeOf(int copy) const;
-    /// Of the selected copy, by which it is turned; none where the cloth does not allow that.
+    /// Turning handle of the selected copy; nullopt if the cloth does not allow turning.
     std::optional<QPointF> handle() const;
     /// -1: none.
     int selected() const;
     bool isDragging() const { return drag_ || turning_; }
 
 signals:
-    /// What a person should know of what was asked for; empty: nothing.
+    /// A message for the user about the last action; empty: none.
     void said(const QString& sentence);
 
 protected:
@@ -94,7 +94,7 @@ private:
     /// Turning by the handle.
     struct Turning {
         LaidCopy before{};
-        double from = 0;  ///< direction from the middle to the pointer at first
+        double from = 0;  ///< initial direction from the middle to the pointer
         Eigen::Vector2d middle{0, 0};
         Placement now{};
     };
@@ -118,8 +118,8 @@ private:
     SheetCamera camera_;
     Canvas canvas_;
     ClothLabels labels_;
-    std::vector<ClothShape> shapes_;   ///< as the desk's copies
-    std::optional<CopyKey> selected_;  ///< which is the one that is dragged, too
+    std::vector<ClothShape> shapes_;   ///< parallel to the desk's copies
+    std::optional<CopyKey> selected_;  ///< also the dragged copy
     QPointF pressed_;
     bool isHeld_ = false;
     std::optional<ClothDrag> drag_;

@@ -42,7 +42,7 @@ void ClothView::turnSelected(bool clockwise) {
 
 void ClothView::dragTo(const QPointF& at, Qt::KeyboardModifiers modifiers) {
     const Eigen::Vector2d place = onCloth(at);
-    if (selected() < 0) {  // it is no more there
+    if (selected() < 0) {  // the copy no longer exists
         return cancelDrag();
     }
     if (turning_) {
@@ -82,7 +82,7 @@ void ClothView::cancelDrag() {
 
 void ClothView::mousePressEvent(QMouseEvent* event) {
     if (isHeld_ || isDragging() || canvas_.button() != Qt::NoButton) {
-        return;  // one thing at a time
+        return;  // ignore other buttons during a drag
     }
     pressed_ = event->position();
     emit said({});
@@ -194,7 +194,7 @@ void ClothView::updateCursor(const QPointF& at) {
 }
 
 void ClothView::contextMenuEvent(QContextMenuEvent* event) {
-    // The button's release shows it: a drag by that button may move the picture.
+    // With the mouse, the release opens the menu, since a right drag moves the picture.
     if (event->reason() != QContextMenuEvent::Mouse && !isHeld_ && !isDragging()) {
         showMenu(event->pos(), selected());
     }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMarkerPauseMilliseconds = 200;
 
-/// What of a piece its place on cloth follows from.
+/// Whether two pieces are equal in everything that affects their place on cloth.
 bool liesAlike(const PatternPiece& one, const PatternPiece& other) {
     const Points2 &line = edgeOf(one), &otherLine = edgeOf(other);
     return one.id == other.id && one.name == other.name &&
@@ -37,7 +37,7 @@ bool liesAlike(const ClothGround& one, const ClothGround& other) {
            pattern.facings.size() == otherPattern.facings.size();
 }
 
-/// On which sheet or hide a copy has come to lie; beyond all of them it stays of its own.
+/// The sheet or hide under a moved copy; its own one if it is beyond all of them.
 int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
            const Placement& placement) {
     copy.placement = placement;
@@ -51,7 +51,7 @@ int partOf(const ClothMarker& marker, const Pattern& pattern, LaidCopy copy,
     return copy.sheet;
 }
 
-/// Those among some copies of a marker.
+/// The misplaced ones among these copies of a marker.
 std::vector<int> misplacedAmong(const Pattern& pattern, const ClothMarker& marker,
                                 const MarkerSettings& settings, const std::vector<int>& copies) {
     ClothMarker some = marker;
@@ -66,7 +66,7 @@ std::vector<int> misplacedAmong(const Pattern& pattern, const ClothMarker& marke
     return misplaced;
 }
 
-/// No file is to blame for what a person asks for here.
+/// Omits the text about a malformed file: the problem is in the settings.
 QString searchProblem(const Error& problem) {
     return problem.code == ErrorCode::MalformedFile
                ? QString("%1: %2.").arg(QString::fromStdString(problem.subject.name),
@@ -278,7 +278,7 @@ void MarkerDesk::onDocumentChanged(DocumentChanges what) {
     emit changed();
 }
 
-/// Of what is flat as the document asks: what comes in between is passed over.
+/// Computes the ground once the document is flat and idle; ignores intermediate states.
 void MarkerDesk::askForGround() {
     pause_.stop();
     if (!isActive_) {
@@ -332,7 +332,7 @@ void MarkerDesk::takeGround(std::shared_ptr<const ClothGround> ground) {
     emit clothChanged();
 }
 
-/// If the search runs, it continues.
+/// Continues a running search without limit.
 std::optional<int> MarkerDesk::rounds() const {
     return isImproving_ && search_.isRunning() ? std::nullopt : std::optional(kFirstRounds);
 }
@@ -340,7 +340,7 @@ std::optional<int> MarkerDesk::rounds() const {
 MarkerOrder MarkerDesk::orderNow() const {
     MarkerOrder order{nullptr, material_, fabric(), plan()};
     const MarkerOrder& before = search_.order();
-    // The same pattern again where it lies as it did: what has been found stays in sight.
+    // Keep the same pattern object if it is unchanged, so that the found layout stays visible.
     Pattern pattern = patternOnCloth(ground_->laid.wholePattern, order.plan.settings);
     const bool isSame =
         before.pattern &&
@@ -361,8 +361,8 @@ void MarkerDesk::beginSearch(std::optional<int> rounds) {
     }
 }
 
-/// While one is dragged over a roll or hides only what is near it is looked at; how many sheets
-/// there are follows from how many copies.
+/// During a drag on a roll or hides, checks only copies near the dragged one. The number of sheets
+/// depends on all copies.
 void MarkerDesk::findMisplaced() {
     const MarkerSettings& settings = plan_.settings;
     if (!tried_ || (settings.sheet && settings.hides.empty())) {
@@ -393,7 +393,7 @@ void MarkerDesk::findMisplaced() {
     std::ranges::set_union(here, misplacedOthers_, std::back_inserter(misplaced_));
 }
 
-/// What was laid by hand lies over what was found.
+/// Combines the found layout with copies placed by hand.
 void MarkerDesk::compose() {
     marker_.reset();
     misplaced_.clear();
@@ -418,7 +418,7 @@ void MarkerDesk::compose() {
         if (isMoved) {
             measureMoved(*pattern(), plan_.settings, *marker_);
         }
-        if (isByHand || isMoved) {  // else it is known to be well
+        if (isByHand || isMoved) {  // otherwise it has no misplaced copies
             findMisplaced();
         }
         figures_ = markerFigures(*pattern(), *marker_);

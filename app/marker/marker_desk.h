@@ -15,81 +15,80 @@ namespace toile::app {
 
 class Workspace;
 
-/// The marker that is looked at: what the document says of laying one material, the search for the
-/// best, and what a person has laid by hand over it. Follows the document while it is active; what
-/// is said here is said in the document, a step of its history each. GUI thread only.
+/// The marker being edited: the document's settings for one material, the search for the best
+/// layout, and copies placed by hand. Follows the document while active. Changes are stored in the
+/// document, one undo step each. GUI thread only.
 class MarkerDesk : public QObject {
     Q_OBJECT
 
 public:
-    /// That are searched by themselves, so that the first sight is no bad one.
+    /// Rounds searched automatically, for a reasonable first layout.
     static constexpr int kFirstRounds = 10;
 
     enum class Stage {
-        Nothing,  ///< no garment, or nothing of it is flat
+        Nothing,  ///< no garment, or no flat piece
         Waiting,  ///< for the pattern
-        Failed,   ///< `problem` says why
-        Laid,     ///< there is a marker, or will be soon
+        Failed,   ///< `problem` is set
+        Laid,     ///< a marker exists or is being computed
     };
 
     explicit MarkerDesk(Workspace& workspace, QObject* parent = nullptr);
     ~MarkerDesk() override;
 
-    /// From now on it works, and until `end`.
+    /// Starts working, until `end`.
     void begin();
     void end();
 
     Document& document() const { return document_; }
     Workspace& workspace() const { return workspace_; }
     Stage stage() const;
-    /// What is the matter, a sentence; empty where there is nothing to say.
+    /// A message about the problem; empty if there is none.
     QString problem() const;
 
-    /// The garment's own first.
+    /// The garment's own material comes first.
     const std::vector<std::string>& materials() const { return materials_; }
     const std::string& material() const { return material_; }
     void setMaterial(const std::string& material);
     const Fabric& fabric() const;
     const MarkerPlan& plan() const;
     const MarkerSettings& settings() const { return plan().settings; }
-    /// A step of the history. @param gesture  as for Document::edit
+    /// One undo step. @param gesture  as for Document::edit
     void setSettings(const QString& text, const MarkerSettings& settings, int gesture = -1);
 
-    /// As it lies, with what was laid by hand; null where there is none yet.
+    /// The layout including copies placed by hand; null if there is none yet.
     const ClothMarker* marker() const { return marker_ ? &*marker_ : nullptr; }
-    /// Whether it is laid as the settings ask, and not as they asked before.
+    /// Whether the layout matches the current settings.
     bool isCurrent() const { return marker_ && search_.isOfOrder(); }
-    /// Whether there is something to look for.
+    /// Whether a search could find a better layout.
     bool canImprove() const;
-    /// Of the marker.
+    /// The pattern of the marker.
     const std::shared_ptr<const Pattern>& pattern() const { return search_.order().pattern; }
-    /// What a file of the marker is made of.
+    /// Input for writing the marker to a file.
     const std::shared_ptr<const ClothGround>& ground() const { return ground_; }
     const std::vector<int>& misplaced() const { return misplaced_; }
     const MarkerFigures& figures() const { return figures_; }
 
     bool isRunning() const { return search_.isRunning(); }
-    /// Searches until it is stopped.
+    /// Searches until stopped.
     void improve();
     void stop() { search_.stop(); }
-    /// Forgets what was found; what is kept stays.
+    /// Drops the found layout; copies placed by hand stay.
     void startAgain();
 
-    /// Shows a copy elsewhere while it is dragged; nothing is stored yet.
+    /// Shows a copy at a place during a drag, without storing it.
     void tryPlacement(int copy, const Placement& placement);
-    /// It is where it was before it was tried.
+    /// Undoes `tryPlacement`.
     void takeBack();
-    /// The copy stays there, a step of the history.
+    /// Fixes the copy at a place; one undo step.
     void keep(int copy, Placement placement, const QString& text);
     void release(int copy);
     void releaseAll();
-    /// What a copy is called.
     QString nameOf(int copy) const;
 
 signals:
-    /// Another marker, or another stage.
+    /// The marker or the stage has changed.
     void changed();
-    /// Another cloth: the view shows all of it again.
+    /// The cloth has changed, so the view has to frame it again.
     void clothChanged();
     void failed(const QString& sentence);
 
@@ -106,16 +105,16 @@ private:
     Workspace& workspace_;
     Document& document_;
     bool isActive_ = false;
-    bool isImproving_ = false;  ///< else the first rounds are searched
+    bool isImproving_ = false;  ///< otherwise only the first rounds are searched
     std::string material_;
     std::vector<std::string> materials_;
     std::shared_ptr<const ClothGround> ground_;
     std::optional<Error> groundProblem_;
-    MarkerPlan plan_;  ///< of the material, as it was last
+    MarkerPlan plan_;  ///< last known plan of the material
     std::optional<std::pair<CopyKey, Placement>> tried_;
     std::optional<ClothMarker> marker_;
     std::vector<int> misplaced_;
-    /// While one is dragged: those among the others, and in which marker.
+    /// Cache for a drag: misplaced ones among the other copies, and their marker.
     std::vector<int> misplacedOthers_;
     std::shared_ptr<const ClothMarker> othersOf_;
     MarkerFigures figures_;

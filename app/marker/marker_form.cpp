@@ -128,7 +128,7 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     grid.addWidget(matchedTitle_, row, 0, 1, 2);
     grid.addWidget(matched_, row + 1, 0, 1, 2);
     connect(matched_, &QListWidget::itemChanged, this, [this](const QListWidgetItem* item) {
-        // After the list has handled the event: it is filled again.
+        // The list is filled again, so wait until it has handled the event.
         QMetaObject::invokeMethod(
             this,
             [this, seam = item->text().toStdString(),
@@ -137,7 +137,7 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     });
 }
 
-/// Keeps other names, also those that the list does not show.
+/// Keeps other names, including those the list does not show.
 void MarkerForm::match(const std::string& seam, bool isMatched) {
     MarkerSettings settings = desk_.settings();
     std::erase(settings.matched, seam);
@@ -167,7 +167,7 @@ void MarkerForm::chooseKind(int kind) {
     }
     MarkerSettings settings = desk_.settings();
     if (kind == kindOf(settings)) {
-        return;  // and keep the size that was typed
+        return;  // keep the size that the user typed
     }
     settings.hides.clear();
     settings.sheet.reset();
@@ -190,7 +190,7 @@ void MarkerForm::showMaterials() {
     material_->setEnabled(material_->count() > 1);
 }
 
-/// Names of the sewn seams of the pieces in the marker, each once.
+/// Names of the sewn seams of the pieces in the marker, without duplicates.
 std::vector<std::string> MarkerForm::seamNames() const {
     std::set<std::string> names;
     if (desk_.marker()) {

@@ -16,8 +16,7 @@ namespace toile::app {
 
 class MarkerDesk;
 
-/// The settings of the cloth and of how the pieces may lie on it. Each change is a step of the
-/// history.
+/// The settings of the cloth and of the placement rules. Each change is one undo step.
 class MarkerForm : public QWidget {
     Q_OBJECT
 
@@ -25,11 +24,11 @@ public:
     /// `desk` must outlive this.
     explicit MarkerForm(MarkerDesk& desk, QWidget* parent = nullptr);
 
-    /// Shows the settings of the document, after a choice that came to nothing.
+    /// Shows the document's settings again, after a cancelled choice.
     void showAgain();
 
 signals:
-    /// The user wants to choose hides.
+    /// The user wants to select hides.
     void hidesWanted();
 
 private:
@@ -42,13 +41,13 @@ private:
     void take(const SettingChange& change);
     void chooseKind(int kind);
     void match(const std::string& seam, bool isMatched);
-    /// Shows the settings if they have changed: typing is not disturbed by a better marker.
+    /// Updates only changed settings, so that a better marker does not disturb typing.
     void refresh();
     void showMaterials();
     void showSeams();
     std::vector<std::string> seamNames() const;
 
-    /// What the fields show.
+    /// The values shown in the fields.
     struct Shown {
         MarkerSettings settings{};
         std::vector<std::string> materials{};

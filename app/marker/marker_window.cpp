@@ -36,7 +36,7 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kUsualRate = 3;  // minutes a metre of seam
+constexpr double kUsualRate = 3;  // minutes per metre of seam
 constexpr FormatId kPageFormats[] = {FormatId::Pdf, FormatId::Svg, FormatId::Dxf, FormatId::Plt,
                                      FormatId::Png};
 
@@ -44,7 +44,7 @@ QString metres(double value) {
     return saidLength(1000 * value);
 }
 
-/// For the dialog of files: "PDF (*.pdf);;SVG (*.svg)".
+/// Filter of the file dialog: "PDF (*.pdf);;SVG (*.svg)".
 QString pageFilter() {
     QStringList filters;
     for (const FormatId id : kPageFormats) {
@@ -108,7 +108,7 @@ MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileD
 }
 
 MarkerWindow::~MarkerWindow() {
-    hide();  // what is half typed is taken as long as there is a desk to take it
+    hide();  // may commit a half-typed value, which needs the desk
     desk_.disconnect();
     delete form_;
     delete view_;
@@ -171,7 +171,7 @@ QLayout* MarkerWindow::makeButtons() {
 }
 
 void MarkerWindow::reject() {
-    if (!view_->isDragging()) {  // Escape takes that back alone
+    if (!view_->isDragging()) {  // Escape only cancels the drag
         QDialog::reject();
     }
 }
@@ -194,14 +194,14 @@ void MarkerWindow::hideEvent(QHideEvent* event) {
 
 void MarkerWindow::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!isEnter) {  // which has taken what was typed, and is to do no more
+    if (!isEnter) {  // Enter has committed the field, and must not press a button
         QDialog::keyPressEvent(event);
     }
 }
 
 void MarkerWindow::refresh() {
     const ClothMarker* marker = desk_.marker();
-    // What cannot be laid as it is asked for has none, whatever was laid before.
+    // A failed layout has no figures, even if an earlier one is shown.
     const bool hasFigures = marker && desk_.stage() != MarkerDesk::Stage::Failed;
     figures_->setText(hasFigures ? figuresText() : QString());
     details_->setText(hasFigures ? detailsText() : QString());
@@ -281,7 +281,7 @@ QString MarkerWindow::notesText() const {
     return lines.join('\n');
 }
 
-/// Reads the hides that are chosen: all at once take the place of those before.
+/// Reads the chosen hides; they replace the previous ones.
 void MarkerWindow::chooseHides() {
     const QStringList paths = files_.openHides(this, preferences_.openFolder());
     MarkerSettings settings = desk_.settings();
@@ -327,7 +327,7 @@ void MarkerWindow::save() {
         say(tr("A marker is written as .pdf, .svg, .dxf, .plt or .png."));
         return;
     }
-    // Much may have come of it while the name was chosen.
+    // The marker may have changed while the file dialog was open.
     const ClothMarker* marker = desk_.marker();
     if (!desk_.isCurrent() || !desk_.ground() || !desk_.misplaced().empty()) {
         say(tr(

@@ -16,8 +16,8 @@ class MarkerForm;
 class Preferences;
 struct FileDialogs;
 
-/// The marker: the pieces laid on their cloth, beside the work. Follows the document, and stores in
-/// it what is said here; once closed it works no more.
+/// Lays the pieces on their cloth. Non-modal; follows the document, stores its settings there, and
+/// stops when closed.
 class MarkerWindow : public QDialog {
     Q_OBJECT
 

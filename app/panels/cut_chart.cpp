@@ -20,10 +20,10 @@ namespace {
 
 constexpr double kPoint = 3.6, kReach = 11;  // pixels
 constexpr int kHeight = 130, kWidth = 300;
-constexpr double kAir = 1.12;       // above the highest
+constexpr double kAir = 1.12;       // range of the axis, per highest strain
 constexpr double kMinRange = 0.01;  // of strain
 
-/// 1, 2 or 5 times a power of ten: three or four to the range.
+/// Grid step: 1, 2 or 5 times a power of ten, so that three or four fit into the range.
 double stepFor(double range) {
     const double rough = range / 3;
     const double power = std::pow(10, std::floor(std::log10(rough)));

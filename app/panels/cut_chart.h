@@ -10,17 +10,17 @@
 
 namespace toile::app {
 
-/// Strain against the length of the cuts made so far: as predicted a line with open points, as
-/// flattened filled ones, and a line at what is enough. A click or the arrow keys select a point.
+/// Plots mean strain against total cut length: predicted (open points), flattened (filled points)
+/// and the target (dashed line). A click or an arrow key selects a point.
 class CutChart : public QWidget {
     Q_OBJECT
 
 public:
     struct Step {
-        double length = 0;     ///< so far, mm
-        double predicted = 0;  ///< mean strain, part of 1
+        double length = 0;     ///< cumulative, mm
+        double predicted = 0;  ///< mean strain, as a fraction
         std::optional<double> solved{};
-        bool isStale = false;  ///< the prediction is of other lines
+        bool isStale = false;  ///< predicted before the cut lines were moved
         QString tip{};
 
         bool operator==(const Step&) const = default;
@@ -28,18 +28,18 @@ public:
 
     explicit CutChart(QWidget* parent = nullptr);
 
-    /// @param steps  the first: before any cut
+    /// @param steps  the first one is the state before any cut
     void show(std::vector<Step> steps, std::optional<double> enough);
-    /// Which step; none: no cut.
+    /// Selects no point if `step` is empty.
     void select(std::optional<std::size_t> step);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// Where a step is drawn, for tests.
+    /// Position of the point of a step, in widget coordinates.
     QPointF placeOf(std::size_t step) const;
 
 signals:
-    /// Never the first.
+    /// `step` is never 0, the state before any cut.
     void selected(std::size_t step);
 
 protected:

@@ -25,10 +25,10 @@ namespace {
 
 enum CutColumn { CutName, Author, PieceName, Length, CutColumnCount };
 
-/// Data of a row.
+/// Item data roles of a row.
 constexpr int kIsOwn = Qt::UserRole, kIsJoin = Qt::UserRole + 1, kCutId = Qt::UserRole + 2;
 
-/// None for a join.
+/// An invalid ID for a join.
 CutId cutOf(const QTreeWidgetItem& row) {
     return {row.data(CutName, kCutId).toULongLong()};
 }
@@ -168,7 +168,7 @@ bool CutsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (!isKey || !static_cast<QKeyEvent*>(event)->matches(QKeySequence::Delete)) {
         return QWidget::eventFilter(watched, event);
     }
-    // While this table has the keyboard, Delete is its own and not the window's.
+    // Accepting ShortcutOverride keeps Delete from the window's shortcut while the table has focus.
     event->accept();
     if (event->type() == QEvent::KeyPress) {
         removeCurrent();

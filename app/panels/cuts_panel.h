@@ -14,8 +14,8 @@ namespace toile::app {
 
 class Document;
 
-/// The cuts and joins that were made before flattening: what, by whom, how long. Delete takes back
-/// one of the user's. Hides itself where there are none.
+/// The cuts and joins made before flattening: name, author and length. Delete removes one of the
+/// user's. Hidden if there are none.
 class CutsPanel : public QWidget {
     Q_OBJECT
 
@@ -23,11 +23,11 @@ public:
     explicit CutsPanel(const Document& document, QWidget* parent = nullptr);
 
 signals:
-    /// A person has selected a cut: this seam is of it.
+    /// The user selected a cut; `seam` belongs to it.
     void seamChosen(int seam);
-    /// A cut of the user's is to be taken back.
+    /// The user wants to remove one of their own cuts.
     void removeWanted(toile::CutId cut);
-    /// A seam that was joined is to be there again.
+    /// The user wants to restore a seam that was joined.
     void joinRemovalWanted(const std::string& name);
 
 protected:
@@ -37,14 +37,14 @@ private:
     void onChanged(DocumentChanges what);
     void rebuild();
     void removeCurrent();
-    /// Selects the cut whose seam is selected, and else none.
+    /// Selects the cut of the selected seam, or nothing.
     void selectInTable();
     void tellSeam();
 
     const Document& document_;
     QLabel* count_;
     QTreeWidget* table_;
-    bool synchronizing_ = false;  ///< keeps the two selections from answering each other
+    bool synchronizing_ = false;  ///< prevents recursion between the two selections
 };
 
 }  // namespace toile::app

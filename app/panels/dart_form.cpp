@@ -37,7 +37,7 @@ DartForm::DartForm(Document& document, QWidget* parent)
       refusal_(new QLabel(this)),
       angle_(new AngleEdit(this)) {
     fields_.make<DartSettings>(kDartFields, "dart");
-    fields_.setRange("intake", 0, kMaxIntake);  // cloth that is flat has none
+    fields_.setRange("intake", 0, kMaxIntake);  // flat cloth has an intake of 0
     fields_.dress(*angle_, "dartAngle", tr("Angle"),
                   tr("The intake as the angle between the legs at the tip."));
     angle_->setWrapping(false);
@@ -161,7 +161,7 @@ void DartForm::setIntake(std::optional<double> intake) {
     const LineSettings lines =
         withIntake(before, *document_.garment(), dart_, intake, editSymmetry(document_));
     if (!refusal_->isHidden() || lines == before) {
-        showSettings();  // in place of what was typed
+        showSettings();  // restore the field
     } else {
         document_.setLines(lines, fields_.at("intake").accessibleName(), fields_.gesture());
     }

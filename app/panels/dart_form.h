@@ -11,8 +11,8 @@ namespace toile::app {
 
 class Document;
 
-/// The selected dart: its width as a length or as the angle at its tip, and the leg that it is
-/// folded to. Hidden if no dart is selected.
+/// Settings of the selected dart: its intake as a length or as the angle at its tip, and the side
+/// that it is folded to. Hidden if no dart is selected.
 class DartForm : public QWidget {
     Q_OBJECT
 
@@ -24,14 +24,14 @@ public:
 
 private:
     void makeLayout();
-    /// Of the flat piece.
+    /// Width of the dart on the flat piece, mm.
     std::optional<double> drawnIntake() const;
     /// The dart with the lengths that its legs have in the pattern.
     DartPlace asDrawn() const;
     void showSettings();
     void take(const SettingChange& change);
     void setIntake(std::optional<double> intake);
-    /// Why no dart with these legs opens so wide; empty if one does.
+    /// Returns why these legs cannot form a dart of this intake; empty if they can.
     QString refusalOf(double intake) const;
 
     Document& document_;

@@ -32,7 +32,7 @@ namespace {
 constexpr double kPercentPerShare = 100;
 constexpr const char* kCustom = "custom";
 constexpr int kPanelAir = 10;
-/// Triangles whose figures take a millisecond or two, in three directions.
+/// The fit of fewer triangles takes 1 to 2 ms, so it is computed at once.
 constexpr std::size_t kSmall = 10000;
 
 constexpr Overlay kDirections[] = {Overlay::Warp, Overlay::Weft, Overlay::Bias};
@@ -71,7 +71,7 @@ bool isSmall(const FabricQuestion& question) {
     return !question.scene || question.scene->faces.size() < kSmall;
 }
 
-/// Row of a preset; the number of presets for other fabrics.
+/// Row of a preset; other fabrics have the row after the last preset.
 int rowOf(const Fabric& fabric) {
     const auto presets = fabricPresets();
     const Fabric* preset = presetOf(fabric);
@@ -96,7 +96,7 @@ QString linked(const QString& text, const QString& link) {
     return QString("<a href=\"%1\">%2</a>").arg(link, text.toHtmlEscaped());
 }
 
-/// All that has been put into these rows, the last one excluded.
+/// Widgets in the rows from `first` up to, but not including, `end`.
 std::vector<QWidget*> widgetsOfRows(const QGridLayout& grid, int first, int end) {
     std::vector<QWidget*> widgets;
     for (int index = 0; index < grid.count(); ++index) {
@@ -137,8 +137,8 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
       all_(new QLabel(this)),
       worst_(new QLabel(this)),
       answerer_(work, isSmall, [this](const auto& made, const FabricQuestion& question, bool) {
-          // Of an earlier fabric or grain it is shown all the same, so that a long drag shows
-          // something.
+          // Show the fit of an earlier fabric or grain too, so that the figures change during a
+          // long drag.
           if (clothOf(question.scene) == clothOf(document_.scene())) {
               made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
           }
@@ -283,7 +283,7 @@ void FabricPanel::addFit(QGridLayout& grid, int row) {
 void FabricPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange && directions_.back()) {
-        // A label keeps the colour that links had when its text was set.
+        // A label keeps the link colours from when its text was set, so set the texts again.
         for (QLabel* label : {directions_[0], directions_[1], directions_[2], worst_}) {
             label->clear();
         }
@@ -308,7 +308,7 @@ void FabricPanel::onChanged(DocumentChanges what) {
         showNeed();
     }
     if (what & DocumentChange::Garment) {
-        showFit();  // other names, perhaps the same figures
+        showFit();  // names may have changed, even if the figures have not
     }
     if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
                 DocumentChange::Fabric | DocumentChange::Settings)) {
@@ -338,7 +338,7 @@ void FabricPanel::showNeed() {
 
 void FabricPanel::askForFit() {
     if (!document_.scene()) {
-        setFit(std::nullopt);  // nothing of a garment that is gone
+        setFit(std::nullopt);  // clear the figures of a closed garment
     }
     answerer_.ask({document_.scene(),
                    placesOf(document_.settings(), {}, document_.state().materials),
@@ -426,7 +426,7 @@ void FabricPanel::choosePreset(int index) {
         fabric = presets[static_cast<std::size_t>(index)];
         fabric.width = before && before->width == width ? fabric.width : width;
     } else {
-        // Limits of 0 are no starting point.
+        // Start from woven limits rather than from 0.
         fabric = hasLimits(fabric) ? fabric : *fabricPreset("woven");
         fabric.id = kCustom;
     }

@@ -21,10 +21,9 @@ namespace toile::app {
 class Document;
 struct DocumentState;
 
-/// The fabric of the garment and of other materials: not stated, a preset, or limits that the user
-/// types. Below it, how much of the garment exceeds them: for a small garment at once, for a large
-/// one a moment later, from another thread. A change is a step of the history; no piece is
-/// flattened again.
+/// Edits the fabric of the garment and of its materials: none, a preset, or typed limits. Below
+/// that it shows how much of the garment exceeds the limits. A worker thread computes this for
+/// large garments. A change is one undo step and flattens no piece again.
 class FabricPanel : public QWidget {
     Q_OBJECT
 
@@ -36,12 +35,12 @@ public:
                          const FitWork& work = fabricFit);
 
     QWidget& firstField() const;
-    /// None if no piece is flat; of an earlier fabric or grain while `isUpToDate` is false.
+    /// Empty if no piece is flat. Belongs to an earlier fabric or grain if `isUpToDate` is false.
     const std::optional<FabricFit>& fit() const { return fit_; }
     bool isUpToDate() const { return !answerer_.isBusy(); }
 
 signals:
-    /// A piece is selected and to be shown.
+    /// The user clicked the link to the worst piece, which is now selected.
     void pieceActivated();
 
 protected:
@@ -55,13 +54,13 @@ private:
     void onChanged(DocumentChanges what);
     void refresh();
     void showDirections();
-    /// How much of the cloth that is shown the arrangement takes.
+    /// Shows the cloth length that the layout needs of the shown fabric.
     void showNeed();
     void askForFit();
     void setFit(const std::optional<FabricFit>& fit, const QString& problem = {});
     void showFit();
     void showMaterials();
-    /// What is shown, of this state: the garment's own fabric, or that of a material.
+    /// Returns the fabric that the panel edits in `state`: the garment's, or that of a material.
     Fabric& shownFabric(DocumentState& state) const;
     void choosePreset(int index);
     void take(const SettingChange& change);
@@ -72,12 +71,12 @@ private:
     QStackedWidget* pages_;
     QLabel* materialTitle_;
     QComboBox *material_, *preset_;
-    std::string shown_{};  ///< the material; empty: the garment's own fabric
+    std::string shown_{};  ///< name of the material; empty: the garment's own fabric
     std::array<QLabel*, 3> directions_{}, shares_{};   ///< of warp, weft, bias
-    std::vector<QWidget*> limitWidgets_, fitWidgets_;  ///< nothing to see where none is stated
+    std::vector<QWidget*> limitWidgets_, fitWidgets_;  ///< hidden if no limits are set
     QLabel *all_, *worst_, *unstated_ = nullptr, *need_ = nullptr;
     std::optional<FabricFit> fit_;
-    QString problem_;  ///< why the fit could not be worked out
+    QString problem_;  ///< why the fit could not be computed
     Answerer<FabricQuestion, std::optional<FabricFit>> answerer_;
 };
 

@@ -21,7 +21,7 @@ namespace toile::app {
 
 namespace {
 
-/// From here on no garment is meant.
+/// Heights from here on exceed any garment and are shown in metres; mm.
 constexpr double kMetresFrom = 10000;
 
 QString symbolOf(const FileUnit& unit) {
@@ -68,14 +68,14 @@ QString divisionWord(SplitMode mode) {
     return {};
 }
 
-/// As a height is told: "1.48 m", "58.3 in"; "14.8 m" whatever the unit.
+/// A height as text: "1.48 m", "58.3 in"; "14.8 m" from `kMetresFrom`, whatever the unit.
 QString heightText(double millimetres) {
     return millimetres >= kMetresFrom
                ? tr("%1 m").arg(QLocale().toString(millimetres / 1000, 'f', 1))
                : saidLength(millimetres);
 }
 
-/// Box of the pieces of one file, mm.
+/// Size of the bounding box of a file's pieces, mm.
 Eigen::Vector3d extentsOf(const Document& document, int file) {
     Eigen::AlignedBox3d box;
     const auto& pieces = document.garment()->pieces;
@@ -143,7 +143,7 @@ QString kindText(const FileReading& reading) {
     return {};
 }
 
-/// Of a file's pieces those that cuts may open.
+/// The pieces of a file that cuts can open.
 std::vector<int> openableOf(const Garment& garment, int file) {
     std::vector<int> found;
     for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
@@ -154,7 +154,7 @@ std::vector<int> openableOf(const Garment& garment, int file) {
     return found;
 }
 
-/// Nothing where it has been cut open.
+/// Empty if no piece needs cutting open any more.
 CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
     const std::vector<int> pieces = openableOf(garment, index);
     if (pieces.empty()) {
@@ -174,7 +174,7 @@ CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
              {tr("As it is"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
 }
 
-/// Nothing where it is whole, or has been completed.
+/// Empty if the file is not half a garment, or was completed.
 CardQuestion askHalf(const SourceFile& file, Workspace& workspace) {
     const auto& half = file.reading.half;
     if (!half || half->isCompleted) {
@@ -190,7 +190,7 @@ CardQuestion askHalf(const SourceFile& file, Workspace& workspace) {
          {tr("As it is"), true}}};
 }
 
-/// Which of the layers of a file are to be cut.
+/// Asks which layers of a file to cut.
 CardQuestion askLayers(const FileReading& reading, Workspace& workspace) {
     constexpr int kListed = 4;
     const int count = layerCount(reading);
@@ -222,7 +222,7 @@ CardQuestion askLayers(const FileReading& reading, Workspace& workspace) {
     return question;
 }
 
-/// Nothing where the file is a plain sheet, or has been said to be something.
+/// Empty if the file is a plain sheet or the user has set how to read it.
 CardQuestion askReading(const SourceFile& file, Workspace& workspace,
                         const std::function<void()>& prepareScan) {
     const FileReading& reading = file.reading;
@@ -280,7 +280,7 @@ QString divideBy(SplitMode mode) {
     }
 }
 
-/// Nothing where as many pieces of the file can lie flat as by the better division, cut or not.
+/// Empty if all pieces can lie flat, or the better division would not make more of them flat.
 CardQuestion askDivision(const Garment& garment, int index, Workspace& workspace) {
     const SourceFile& file = *garment.files[index];
     int pieces = 0, flat = 0;
@@ -361,7 +361,7 @@ QString garmentReasons(const Document& document) {
 
 namespace {
 
-/// Offers to make mirrored pieces equal that differ too much to do it unasked.
+/// Offers to make mirrored pieces equal if they differ too much to do so automatically.
 CardQuestion askSymmetry(Workspace& workspace) {
     Document& document = workspace.document();
     const Symmetry* symmetry = document.derived().symmetry.get();

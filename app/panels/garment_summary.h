@@ -11,18 +11,18 @@ namespace toile::app {
 class Document;
 class Workspace;
 
-/// What was assumed about the garment's files, in a person's words.
+/// What Toile assumed about the garment's files, as text for the user.
 
-/// "height 1.23 m · cm (guessed) · 13 pieces by UV islands"; "(from the file)" if the file states
-/// its unit, nothing if a person does. Empty if nothing is open.
+/// For example "height 1.23 m · cm (guessed) · 13 pieces by UV islands". "(from the file)" if the
+/// file states its unit, nothing if the user does. Empty if nothing is open.
 QString garmentSummary(const Document& document);
-/// Why: unit, up axis and division of every file, a line each.
+/// The reasons for unit, up axis and division of every file, one per line.
 QString garmentReasons(const Document& document);
 enum class Asked { WhereInDoubt, Always };
-/// What to ask the person: the unit and the up axis of the first file where they are in doubt, or
-/// of the first file; what a file is that is no plain sheet; and whether to divide otherwise, where
-/// more pieces could lie flat then. Answers are the workspace's, which must outlive them.
-/// @param prepareScan  asks for the steps that make a sheet of a scan
+/// Questions for the user: unit and up axis of the first file in doubt (`Always`: of the first
+/// file), how to read a file that is not a plain sheet, and a division by which more pieces can lie
+/// flat. The answers call `workspace`, which must outlive them.
+/// @param prepareScan  asks the user how to prepare a scan
 GarmentQuestions garmentQuestions(Workspace& workspace, const std::function<void()>& prepareScan,
                                   Asked asked = Asked::WhereInDoubt);
 

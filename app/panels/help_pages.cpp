@@ -12,7 +12,7 @@
 namespace toile::app {
 namespace {
 
-/// Fainter than text, without the alpha that rich text does not know.
+/// Fainter than text. Mixed without alpha, which rich text does not support.
 QString faintColour(const QPalette& palette) {
     const QColor ink = palette.color(QPalette::Text), paper = palette.color(QPalette::Base);
     constexpr double kInk = 0.66;
@@ -105,7 +105,7 @@ void HelpPage::updateText() {
 void HelpPage::changeEvent(QEvent* event) {
     QDialog::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
-        updateText();  // its colours are written into the text
+        updateText();  // the HTML contains the old colours
     }
 }
 

@@ -11,23 +11,21 @@ class QTextBrowser;
 
 namespace toile::app {
 
-/// A page of the documentation, with its pictures, and the others by its links. Stays open beside
-/// the work.
+/// Shows a page of the documentation with its pictures, and follows links to other pages. Modeless.
 class DocumentPage : public QDialog {
     Q_OBJECT
 
 public:
     explicit DocumentPage(QWidget* parent);
 
-    /// @param path  a file in Markdown
+    /// @param path  a Markdown file
     void read(const QString& path);
 
 private:
     QTextBrowser* text_;
 };
 
-/// "Keyboard and mouse": every key and gesture by group, with a line to look for one. Stays open
-/// beside the work.
+/// "Keyboard and mouse": every key and gesture by group, with a search field. Modeless.
 class HelpPage : public QDialog {
     Q_OBJECT
 

@@ -15,9 +15,9 @@ namespace toile::app {
 
 namespace {
 
-constexpr double kSquareMillimetres = 100;  ///< of a square centimetre
+constexpr double kSquareMillimetres = 100;  ///< mm2 per cm2
 constexpr double kUsual = 2, kMost = 10000;
-constexpr int kNamed = 6;  ///< pieces that are named
+constexpr int kNamed = 6;  ///< at most so many pieces are listed by name
 
 }  // namespace
 

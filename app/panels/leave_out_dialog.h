@@ -11,8 +11,7 @@ namespace toile::app {
 
 class Document;
 
-/// Leaves out all pieces below an area at once, as the buttons of a garment are; says how many
-/// these are before.
+/// Excludes all pieces smaller than an area, such as buttons, at once. Shows their number first.
 class LeaveOutDialog : public QDialog {
     Q_OBJECT
 

@@ -26,7 +26,7 @@ namespace toile::app {
 
 namespace {
 
-/// Shown for settings that are off.
+/// Values shown for settings that are off.
 LineSettings proposedLines() {
     LineSettings lines;
     lines.trueBelow = kProposedTrueing;
@@ -100,7 +100,7 @@ QWidget* LinesPanel::makeAdditions() {
     auto* additions = new QWidget(this);
     auto* grid = new QGridLayout(additions);
     setSpacing(*grid);
-    // A switch is the label of its group's first field: the panel is low.
+    // To save height, a switch replaces the label of its group's first field.
     grid->addWidget(&fields_.at("allowance"), 0, 0);
     grid->addWidget(&fields_.at("allowance.seam"), 0, 1);
     fields_.addRow(*grid, "allowance.hem", 1);
@@ -134,7 +134,7 @@ void LinesPanel::showEvent(QShowEvent* event) {
 }
 
 void LinesPanel::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Opened)) {  // the rest was about another garment
+    if (what.testFlag(DocumentChange::Opened)) {  // drop what belongs to another garment
         notches_ = {};
         fields_.at<QLineEdit>("label.size").setModified(false);
         fields_.at<QLineEdit>("label.date").setModified(false);

@@ -16,9 +16,9 @@ class Document;
 class SeamEndsList;
 class SegmentForm;
 
-/// How the lines of the pattern are drawn: fair or exact, true at the ends of seams, with seam
-/// allowances and notches, and what is said of the selected dart and segment. Works out segments
-/// and kinks only while it is seen.
+/// How the lines of the pattern are drawn: fair or exact, trued at seam ends, with seam allowances
+/// and notches. Also edits the selected dart and segment. Segments and kinks are computed only
+/// while the panel is visible.
 class LinesPanel : public QWidget {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     /// The document must outlive the panel.
     explicit LinesPanel(Document& document, QWidget* parent = nullptr);
 
-    /// Where the keyboard goes.
+    /// The field that takes the keyboard focus.
     QWidget& firstField() const;
 
 protected:
@@ -49,7 +49,7 @@ private:
     DartForm* dart_;
     SegmentForm* segment_;
     LineFacts facts_;
-    NotchRules notches_{};  ///< the last ones: notches that the user placed return with them
+    NotchRules notches_{};  ///< last rules in use; restored with the user's notches
     bool isStale_ = true;
 };
 

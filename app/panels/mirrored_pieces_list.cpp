@@ -61,14 +61,14 @@ MirroredPiecesList::MirroredPiecesList(QWidget* parent) : QTreeWidget(parent) {
         }
     };
     connect(this, &QTreeWidget::currentItemChanged, this, choose);
-    connect(this, &QTreeWidget::itemClicked, this, choose);  // the current one once more
+    connect(this, &QTreeWidget::itemClicked, this, choose);  // a click on the current row, too
 }
 
 void MirroredPiecesList::show(const Document& document, const SymmetryFacts& facts) {
     const QScopedValueRollback fills(fills_, true);
     const int place = verticalScrollBar()->value();
     rows_ = facts.rows;
-    // Rows stay, so that a click that changes one does not take it from under the pointer.
+    // Reuse rows, so that a click that changes one does not delete it under the pointer.
     while (topLevelItemCount() > static_cast<int>(rows_.size())) {
         delete takeTopLevelItem(topLevelItemCount() - 1);
     }

@@ -11,8 +11,8 @@ namespace toile::app {
 
 class Document;
 
-/// The pieces that mirror each other, or themselves: by how much they differ, whether they are
-/// drawn equal, and a check box each for whether one half of them is enough.
+/// Lists pieces that mirror each other or themselves: how much they differ, whether they are drawn
+/// equal, and a check box for drawing only one half.
 class MirroredPiecesList : public QTreeWidget {
     Q_OBJECT
 
@@ -21,19 +21,19 @@ public:
 
     explicit MirroredPiecesList(QWidget* parent = nullptr);
 
-    /// @param facts  of the document's garment as it is shown
+    /// @param facts  of the document's current garment
     void show(const Document& document, const SymmetryFacts& facts);
-    /// Selects the row that holds all of these pieces, or none.
+    /// Selects the row that contains all of these pieces, if any.
     void select(const std::set<int>& pieces);
 
 signals:
-    /// @param row  its place in SymmetryFacts::rows
+    /// @param row  index into SymmetryFacts::rows
     void halfWanted(int row, bool byHalf);
-    /// A person has chosen a row.
+    /// The user selected a row.
     void rowChosen(int row);
 
 private:
-    /// A short word, and the whole of it for a tool tip.
+    /// A short word, and the full text for a tool tip.
     struct Words {
         QString word, tip;
     };
@@ -42,7 +42,7 @@ private:
     static QString equalTip(const Document& document, const MirroredPieces& row);
     static void fill(QTreeWidgetItem& item, const Document& document, const MirroredPieces& row);
 
-    bool fills_ = false;  ///< not a person
+    bool fills_ = false;  ///< rows are changed by code, not by the user
     std::vector<MirroredPieces> rows_;
 };
 

@@ -31,8 +31,8 @@ namespace toile::app {
 namespace {
 
 constexpr double kFarthest = 1e6;    // mm, a kilometre
-constexpr double kNowhere = -2e6;    // mm: shown blank
-constexpr double kSamePlace = 1e-5;  // mm: what the fields' digits leave out is less
+constexpr double kNowhere = -2e6;    // mm; shown as blank
+constexpr double kSamePlace = 1e-5;  // mm; more than the rounding of the fields
 
 void showPlace(LengthEdit& field, double value, bool any) {
     const QSignalBlocker quiet(field);
@@ -41,7 +41,7 @@ void showPlace(LengthEdit& field, double value, bool any) {
     field.setValue(any ? value : kNowhere);
 }
 
-/// Fields of all forms begin at the same place.
+/// Lines up the fields of all forms.
 void alignLabels(std::initializer_list<QWidget*> forms) {
     int widest = 0;
     for (const QWidget* form : forms) {
@@ -139,7 +139,7 @@ void PositionForm::movePieces() {
     if (box.isEmpty()) {
         return;
     }
-    // A field that was not touched holds rounded digits: only what differs from those was typed.
+    // An untouched field holds a rounded value. Only a larger difference was typed.
     const auto way = [](const LengthEdit& field, double now) {
         return std::abs(field.value() - now) > kSamePlace ? field.value() - now : 0.0;
     };
@@ -192,7 +192,7 @@ PieceForm::PieceForm(Document& document, const ActionRegistry& actions, QWidget*
     size_->setObjectName("pieceSize");
     size_->setToolTip(tr("The flat piece as it is cut: across the grain × along it"));
     quantity_->setToolTip(tr("How many of the piece are cut"));
-    quantity_->setRange(0, kMaxCopies);  // 0: they differ
+    quantity_->setRange(0, kMaxCopies);  // 0: different quantities
     quantity_->setSpecialValueText(variousText());
     quantity_->setKeyboardTracking(false);
     pair_->setObjectName("piecePair");
@@ -252,7 +252,7 @@ void PieceForm::makeLayout(const ActionRegistry& actions) {
 
 QWidget* PieceForm::makeGrainRow(const ActionRegistry& actions) {
     grainNote_->setObjectName("positionGrainNote");
-    grainNote_->setEnabled(false);  // in the colour of what is faint
+    grainNote_->setEnabled(false);  // for the faint text colour
     grainButtons_ = new QWidget(this);
     QSizePolicy keepsItsPlace = grainButtons_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
@@ -362,7 +362,7 @@ void PieceForm::showMaterial(bool isOther) {
 
 void PieceForm::takeMaterial() {
     const QString typed = material_->currentText().simplified();
-    // A field that was only left says nothing, of pieces that differ either.
+    // Leaving the field without typing changes nothing, even if the pieces differ.
     material_->lineEdit()->setModified(false);
     if (typed != shownMaterial_) {
         setMaterial(document_, pieces_, typed);
@@ -383,9 +383,9 @@ void PieceForm::showGrain(bool isOther) {
     if (isOther || !isTypedIn(*grain_)) {
         showAngle(*grain_, sharedAngle(directions), !flat_.empty());
     }
-    // Without a selection the actions behind them are about the whole garment.
+    // Without a selection these actions would apply to the whole garment.
     grainButtons_->setVisible(!flat_.empty());
-    grainNote_->setText(stated ? QStringLiteral(" ") : tr("grain not set"));  // as high, too
+    grainNote_->setText(stated ? QStringLiteral(" ") : tr("grain not set"));  // keep the height
 }
 
 void PieceForm::turnGrain(double degrees) {

@@ -21,8 +21,8 @@ class Document;
 class FieldGuard;
 class LengthEdit;
 
-/// Place, angle and side of the selected pieces as numbers that can be typed. Where several are
-/// selected, the place is that of the box around them; angle and side are each piece's own.
+/// Position, angle and side of the selected pieces as editable numbers. For several pieces the
+/// position is that of their bounding box; angle and side are each piece's own.
 class PositionForm : public QWidget {
     Q_OBJECT
 
@@ -30,9 +30,9 @@ public:
     /// The document must outlive the form.
     explicit PositionForm(Document& document, QWidget* parent = nullptr);
 
-    /// Where the keyboard goes.
+    /// The field that takes the keyboard focus.
     QWidget& firstField() const;
-    /// Shows what is selected now.
+    /// Shows the current selection.
     void refresh();
 
 private:
@@ -46,7 +46,7 @@ private:
     LengthEdit *x_, *y_;
     AngleEdit* angle_;
     QCheckBox* mirrored_;
-    std::vector<int> pieces_;  ///< shown: the flat ones
+    std::vector<int> pieces_;  ///< shown pieces; only flat ones
 };
 
 /// Name, quantity, material and grain of the selected pieces. If several are selected, a field
@@ -58,18 +58,18 @@ public:
     /// Both must outlive the form.
     PieceForm(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
 
-    /// Shows what is selected now.
+    /// Shows the current selection.
     void refresh();
 
 private:
     void connectFields();
     void makeLayout(const ActionRegistry& actions);
     QWidget* makeGrainRow(const ActionRegistry& actions);
-    /// @param isOther  other pieces are selected: what is being typed was about those before
+    /// @param isOther  the selection changed, so text being typed belongs to other pieces
     void showName(bool isOther);
     void showMaterial(bool isOther);
     void showGrain(bool isOther);
-    /// Of the flat piece as it is cut, across and along its grain.
+    /// Size of the flat piece as cut, across and along its grain.
     QString sizeText(int piece) const;
     void takeName();
     void takeMaterial();
@@ -85,12 +85,12 @@ private:
     AngleEdit* grain_;
     QLabel* grainNote_;
     QWidget* grainButtons_ = nullptr;
-    std::vector<int> pieces_, flat_;  ///< shown, and those of them that are flat
-    QString shownMaterial_;           ///< that all of them have; empty where they differ
+    std::vector<int> pieces_, flat_;  ///< shown pieces, and the flat ones among them
+    QString shownMaterial_;           ///< common to all; empty if they differ
 };
 
-/// What can be said and typed about the selected pieces: what they are, and where they lie. Nothing
-/// moves whatever is selected; what makes no sense is grey.
+/// Properties and position of the selected pieces. Fields that do not apply are disabled rather
+/// than hidden, so that the layout stays still.
 class PiecePanel : public QWidget {
     Q_OBJECT
 
@@ -98,7 +98,7 @@ public:
     /// Both must outlive the panel.
     PiecePanel(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
 
-    /// Where the keyboard goes that wants to place pieces.
+    /// The field that takes the keyboard focus for placing pieces.
     QWidget& placeField() const;
 
 private:

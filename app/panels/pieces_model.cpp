@@ -35,10 +35,10 @@ QIcon swatch(Rgb colour) {
     });
 }
 
-/// Legible on light and dark alike.
+/// Legible on light and dark backgrounds.
 const QColor kTrouble(214, 72, 40), kDoubtful(191, 128, 0);
 
-/// Of a figure that is not known.
+/// Shown for an unknown value.
 constexpr QChar kUnknown(0x2013);
 constexpr double kUnknownSort = -1;
 
@@ -67,7 +67,7 @@ void PiecesModel::onChanged(DocumentChanges what) {
         return;
     }
     if (what.testFlag(DocumentChange::Seams)) {
-        followLayers();  // the same pieces, of files that were read as something else
+        followLayers();  // layers depend on how files are read
         showColumns(0, ColumnCount - 1);
     }
     if (what & (DocumentChange::Results | DocumentChange::Settings)) {
@@ -87,7 +87,7 @@ void PiecesModel::followLayers() {
 }
 
 QVariant PiecesModel::data(const QModelIndex& index, int role) const {
-    // Between a change and the reset that follows there may be more rows than pieces.
+    // Between a change and the reset after it, there may be more rows than pieces.
     if (!index.isValid() || index.row() >= std::min(rowCount(), document_.pieceCount())) {
         return {};
     }
@@ -200,7 +200,7 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
         case Quantity:
             return {QLocale().toString(settings(row).quantity), settings(row).quantity};
         case Pair:
-            return {{}, settings(row).mirroredPair ? 1 : 0};  // a box to check
+            return {{}, settings(row).mirroredPair ? 1 : 0};  // shown as a check box
         case MaterialName:
             return {QString::fromStdString(settings(row).material)};
         case Layer: {

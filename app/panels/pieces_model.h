@@ -16,7 +16,7 @@ namespace toile::app {
 
 class Document;
 
-/// Why a piece is not flat, by what a person calls it. Precondition: there is an error.
+/// Explains why a piece is not flat, using its displayed name. Precondition: there is an error.
 QString whyNotFlat(const Document& document, const PieceResult& result);
 
 /// The document's pieces as a table: row i is piece i.
@@ -53,22 +53,22 @@ public:
 
     QVariant data(const QModelIndex& index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    /// Changes nothing itself: see the signals.
+    /// Only emits the signals; does not change the document.
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-    /// True where a reference pattern is open, or a flat piece carries the reference panel.
+    /// True if a reference pattern is open, or a flat piece carries the reference panel.
     bool hasReference() const;
-    /// True where a piece is cut from another fabric than the garment's own.
+    /// True if a piece is cut from another fabric than the garment's own.
     bool hasMaterials() const;
-    /// True where the garment is of several layers of cloth.
+    /// True if the garment has several layers of cloth.
     bool hasLayers() const { return !layers_.empty(); }
-    /// Whether some piece has a flip, or a crossing; or pieces were flattened by different methods.
+    /// True if the column is worth showing: a piece has a flip or a crossing, or methods differ.
     /// @param column  Flips, Crossings or Method
     bool isTelling(int column) const;
 
 signals:
-    /// A person has typed another name for a piece.
+    /// The user renamed a piece.
     void nameWanted(int piece, const QString& name);
-    /// A person has typed another quantity into a row, or checked it as a mirrored pair or not.
+    /// The user changed the quantity of a piece, or whether it is a mirrored pair.
     void quantityWanted(int piece, int quantity);
     void pairWanted(int piece, bool isPair);
 
@@ -84,9 +84,9 @@ private:
     void onChanged(DocumentChanges what);
     void followLayers();
     const PieceSettings& settings(int row) const;
-    /// Whether the mean strain is more than any cloth takes.
+    /// True if the mean strain is more than any cloth can take.
     bool isBeyondCloth(int row) const;
-    /// A figure of a flat piece.
+    /// A measured value of a flat piece.
     static Cell figure(const PieceQuality& quality, int column);
     QVariant decoration(int row) const;
     QString toolTip(int row, int column) const;
@@ -94,12 +94,12 @@ private:
     QString partnerText(int row) const;
     QVariant foreground(int row, int column) const;
     bool isTrouble(int row, int column) const;
-    /// True where the piece's result was made from another shape or in another way than is asked
-    /// for now.
+    /// True if the result was computed from another shape or with other settings than the current
+    /// ones.
     bool isStale(int row) const;
 
     const Document& document_;
-    std::vector<int> layers_;  ///< per piece, from the outermost, 0; or empty
+    std::vector<int> layers_;  ///< of each piece, 0 is the outermost; or empty
 };
 
 }  // namespace toile::app

@@ -33,7 +33,7 @@
 namespace toile::app {
 namespace {
 
-/// Edits how many of a piece are cut, in a table cell.
+/// Edits the quantity of a piece in a table cell.
 class QuantityDelegate : public CellDelegate {
 public:
     using CellDelegate::CellDelegate;
@@ -48,7 +48,7 @@ public:
         return editor;
     }
 
-    /// Left as it was found it says nothing, of other pieces that are selected neither.
+    /// Ignores an untouched editor, so that other selected pieces keep their quantities.
     void setModelData(QWidget* editor, QAbstractItemModel* model,
                       const QModelIndex& index) const override {
         const auto* box = qobject_cast<const QSpinBox*>(editor);
@@ -60,7 +60,7 @@ public:
     }
 };
 
-/// The box of a mirrored pair: with an outline that can be seen on dark rows, too.
+/// Check box of a mirrored pair, with an outline that is visible on dark rows too.
 class PairDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -68,13 +68,13 @@ public:
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
-        // Styles make the outline of the window's colour, which is near the rows'.
+        // Styles draw the outline in the window's colour, which is close to the rows' colour.
         option->palette.setColor(QPalette::Window,
                                  option->palette.color(QPalette::PlaceholderText));
     }
 };
 
-constexpr int kMeasuredRows = 60;  ///< that columns are made wide enough for, around those in sight
+constexpr int kMeasuredRows = 60;  ///< rows around the visible ones that set column widths
 
 QString row(const QString& name, const QString& value) {
     return QString(
@@ -93,7 +93,7 @@ PiecesView::PiecesView(QWidget* parent) : QTreeView(parent) {
 }
 
 void PiecesView::openEditor(const QModelIndex& cell) {
-    setFocus();  // an open editor takes what was typed
+    setFocus();  // commits and closes an open editor
     edit(cell, AllEditTriggers, nullptr);
 }
 
@@ -110,7 +110,7 @@ bool PiecesView::edit(const QModelIndex& index, EditTrigger trigger, QEvent* eve
 
 QItemSelectionModel::SelectionFlags PiecesView::selectionCommand(const QModelIndex& index,
                                                                  const QEvent* event) const {
-    const bool changes = index.column() != PiecesModel::Name &&  // two pieces have no name together
+    const bool changes = index.column() != PiecesModel::Name &&  // a name is for one piece
                          index.flags() & (Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
     if (changes && event && selectionModel()->isSelected(index) &&
         (event->type() == QEvent::MouseButtonPress ||
@@ -153,7 +153,7 @@ PiecesPanel::PiecesPanel(Document& document, QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(table_, 4);
     layout->addWidget(scroll, 1);
-    // After the model's own connection: its rows are the new ones by then.
+    // Connected after the model's own slot, so that its rows are new by then.
     connect(&document_, &Document::changed, this, &PiecesPanel::onChanged);
     connect(columns_, &ColumnChooser::changed, this, &PiecesPanel::fitColumns);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
@@ -175,7 +175,7 @@ void PiecesPanel::makeTable() {
     dressList(*table_);
     table_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     table_->setSortingEnabled(true);
-    table_->sortByColumn(-1, Qt::AscendingOrder);  // the garment's order until asked otherwise
+    table_->sortByColumn(-1, Qt::AscendingOrder);  // in the garment's order by default
     table_->header()->setStretchLastSection(false);
     table_->header()->setMinimumSectionSize(46);
     table_->header()->setResizeContentsPrecision(kMeasuredRows);
@@ -281,7 +281,7 @@ void PiecesPanel::fillWidth() {
     }
     int spare = table_->viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
     const int least = table_->header()->minimumSectionSize();
-    while (spare < 0) {  // text is shortened in the widest columns, where least of it is lost
+    while (spare < 0) {  // shorten the widest columns, which loses least text
         const auto widest = std::max_element(widths.begin(), widths.end());
         if (*widest <= least) {
             break;
@@ -299,7 +299,7 @@ void PiecesPanel::fillWidth() {
 
 void PiecesPanel::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    layout()->activate();  // the table has its new width only then
+    layout()->activate();  // gives the table its new width
     fillWidth();
 }
 

@@ -17,17 +17,16 @@ class ColumnChooser;
 class Document;
 class PiecesModel;
 
-/// The table of pieces. What is changed in one of several selected rows is meant for all of them:
-/// a click into a cell that can be changed leaves the selection as it is. The edit key (F2) edits
-/// the name and the space bar turns the mirrored pair on and off, whichever cell has the
-/// keyboard.
+/// The table of pieces. An edit in one of several selected rows applies to all of them, so a click
+/// on an editable cell keeps the selection. The edit key (F2) edits the name and the space bar
+/// toggles the mirrored pair, whichever cell is current.
 class PiecesView : public QTreeView {
     Q_OBJECT
 
 public:
     explicit PiecesView(QWidget* parent = nullptr);
 
-    /// Opens the editor of a cell, once that of another is closed; not while one is about to open.
+    /// Closes the editor of any other cell first. Precondition: no editor is just being opened.
     void openEditor(const QModelIndex& cell);
 
 protected:
@@ -36,8 +35,8 @@ protected:
                                                          const QEvent* event) const override;
 };
 
-/// Table of the pieces with their figures; beside it the selected piece in words. The table's
-/// selection is the document's.
+/// Table of the pieces with their figures and details of the selected piece. The table and the
+/// document share one selection.
 class PiecesPanel : public QWidget {
     Q_OBJECT
 
@@ -45,15 +44,15 @@ public:
     explicit PiecesPanel(Document& document, QWidget* parent = nullptr);
 
     QTreeView& table();
-    /// Which columns there are to be.
+    /// Chooses which columns are shown.
     ColumnChooser& columns() { return *columns_; }
-    /// Lets the selected piece's name be typed; nothing where none is selected, or several are.
+    /// Edits the selected piece's name. Does nothing unless exactly one piece is selected.
     void editName();
-    /// Of all selected pieces.
+    /// Edits the quantity of all selected pieces.
     void editQuantity();
 
 signals:
-    /// A piece was double-clicked or Enter pressed on it: it is to be shown.
+    /// The user double-clicked a piece or pressed Enter on it, to see it.
     void activated();
 
 protected:
@@ -62,16 +61,16 @@ protected:
 private:
     void makeTable();
     void editCell(int piece, int column);
-    /// Columns that a person has to ask for: of figures that few want, and where nothing is wrong.
+    /// Columns hidden by default: rarely needed figures, and those that show no trouble.
     QStringList quietColumns() const;
-    /// Every column as wide as its contents; what is wanting is taken from the widest.
+    /// Fits every column to its contents. If space is short, the widest ones shrink.
     void fitColumns();
     void fillWidth();
     void onChanged(DocumentChanges what);
     void selectInTable();
     void selectInDocument();
     void updateDetails();
-    /// All that an edit of this piece's row is meant for.
+    /// The pieces that an edit of this piece's row applies to.
     std::vector<int> meantWith(int piece) const;
     QString details(int piece) const;
     QString detailsOfMany() const;
@@ -83,7 +82,7 @@ private:
     ColumnChooser* columns_;
     QLabel* details_;
     std::vector<int> wanted_;     ///< widths that the contents need, pixels; 0: hidden
-    bool synchronizing_ = false;  ///< keeps the two selections from answering each other
+    bool synchronizing_ = false;  ///< prevents recursion between the two selections
 };
 
 }  // namespace toile::app

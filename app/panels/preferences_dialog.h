@@ -16,19 +16,19 @@ namespace toile::app {
 
 class Preferences;
 
-/// Shows a colour; a click chooses another, or the usual one again.
+/// Shows a colour. A click offers another one or the default.
 class ColourButton : public QToolButton {
     Q_OBJECT
 
 public:
     explicit ColourButton(QWidget* parent = nullptr);
 
-    /// Invalid: the usual one.
+    /// Invalid for the default colour.
     QColor colour() const { return colour_; }
     void setColour(const QColor& colour);
 
 signals:
-    /// By the person; not by setColour.
+    /// The user chose a colour. Not emitted by setColour.
     void colourChosen(const QColor& colour);
 
 private:
@@ -37,8 +37,8 @@ private:
     QColor colour_;
 };
 
-/// What a person can choose about the program. Every change holds at once; Cancel puts back what
-/// was before the dialog opened, Reset takes what a new person has.
+/// The user's preferences. Changes apply at once. Cancel restores the values from when the dialog
+/// opened, Reset the defaults.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ private:
     void makeUnits(QFormLayout& form);
     void makeLook(QFormLayout& form);
     void makeWork(QFormLayout& form);
-    /// Fields begin at one line, whatever group they are in.
+    /// Lines up the fields of all groups.
     void alignLabels();
     QComboBox* makeCombo(const char* name, const QStringList& texts);
     QSpinBox* makeNumber(const char* name, int largest, int step);
@@ -67,7 +67,7 @@ private:
     ColourButton *selection_ = nullptr, *seam_ = nullptr;
     QSpinBox *autosave_ = nullptr, *heavy_ = nullptr;
     QLabel* restart_ = nullptr;
-    bool showing_ = false;  ///< fields are being filled in, not chosen from
+    bool showing_ = false;  ///< fields are changed by code, not by the user
 };
 
 }  // namespace toile::app

@@ -36,7 +36,7 @@ QStandardItem* makeHelp(const Finding& finding, const CutPlan& plan) {
     return item;
 }
 
-/// What to try, in words that know the button.
+/// What to try, with reference to the button in the row.
 QString adviceBeside(const Finding& finding, const CutPlan& plan) {
     if (finding.kind == FindingKind::NotFlat && isOfUnpreparedScan(finding, *plan.garment)) {
         return ProblemsModel::tr("Prepare the scan first: Garment > Read as > Scan");
@@ -47,7 +47,7 @@ QString adviceBeside(const Finding& finding, const CutPlan& plan) {
                   : problemAdvice(finding);
 }
 
-/// Tells what is found from all else, in the next list too.
+/// Identifies a finding, even after the list is rebuilt.
 QString keyOf(const Finding& finding) {
     const auto& [kind, id, name] = finding.subject;
     return QString("%1 %2 %3 ")
@@ -66,7 +66,7 @@ void ProblemsModel::show(const Readiness& readiness, const CutPlan& plan,
     clear();
     setHorizontalHeaderLabels({tr("Where"), tr("Problem"), tr("Help"), tr("What to try")});
     const auto& findings = readiness.findings;
-    // They are in order: those of a severity and kind stand together.
+    // Findings are sorted, so those of one severity and kind are adjacent.
     for (std::size_t i = 0; i < findings.size();) {
         std::vector<int> group;
         const Finding& first = findings[i];
@@ -104,7 +104,7 @@ void ProblemsModel::addGroup(const Readiness& readiness, const CutPlan& plan,
             break;
         }
         Row row = rowOf(finding(group[k]), plan, group[k]);
-        row[Advice]->setText({});  // said once, over all of them
+        row[Advice]->setText({});  // the group row has it
         parent.front()->appendRow(row);
     }
     appendRow(parent);

@@ -25,10 +25,10 @@ namespace toile::app {
 
 namespace {
 
-/// Kinds with more rows than this begin closed: they would hide what comes after them.
+/// Kinds with more rows than this start collapsed; they would push later kinds out of sight.
 constexpr int kOpenUpTo = 4;
 
-/// Paints what helps as a button. Which row it is in a click on its cell says.
+/// Paints a remedy as a button. The row comes from the click on the cell.
 class HelpDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -61,7 +61,7 @@ public:
 struct ProblemsPanel::Outlook {
     std::set<int> open, closed;  ///< kinds
     QString key;                 ///< of the current row
-    bool isSelected = false;     ///< it
+    bool isSelected = false;     ///< whether the current row is selected
     int scroll = 0;
 };
 
@@ -136,7 +136,7 @@ void ProblemsPanel::makeTable() {
     table_->setModel(model_);
     dressList(*table_);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setExpandsOnDoubleClick(false);  // the first click goes there
+    table_->setExpandsOnDoubleClick(false);  // the first click already goes to the finding
     table_->header()->setMinimumSectionSize(80);
     table_->setItemDelegateForColumn(ProblemsModel::Help, new HelpDelegate(table_));
     table_->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -18,9 +18,9 @@ namespace toile::app {
 class ProblemsModel;
 class ReadyChecker;
 
-/// Whether the garment is ready to cut, and what stands against it: the verdict, and every finding
-/// under it, the faults first. A click on one, or Enter, goes there; the button in its row, or
-/// Ctrl+Enter, does what helps; the context menu has all that may help.
+/// Whether the garment is ready to cut: the verdict, and below it every finding, faults first. A
+/// click on a finding, or Enter, goes to it. The button in its row, or Ctrl+Enter, applies its
+/// remedy; the context menu lists all remedies.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
 
@@ -28,17 +28,17 @@ public:
     explicit ProblemsPanel(ReadyChecker& checker, QWidget* parent = nullptr);
 
     QTreeView& table() { return *table_; }
-    /// What is selected is no finding any more. The keyboard stays where it is.
+    /// Clears the selected finding. The keyboard focus stays where it is.
     void selectNothing();
-    /// Faults and doubts, for the dock's title.
+    /// Number of faults and doubts, for the dock's title.
     int count() const;
 
 signals:
-    /// `count` may be another.
+    /// `count()` may have changed.
     void countChanged(int count);
-    /// These findings of the checker's readiness are to be shown; never empty.
+    /// The user wants to see these findings of the checker's readiness; never empty.
     void wanted(const QList<int>& findings);
-    /// This is to be done about them, after they were shown.
+    /// The user wants this remedy. Emitted after `wanted` with the findings that it is for.
     void remedyWanted(toile::app::Remedy remedy);
 
 protected:
@@ -47,15 +47,15 @@ protected:
 private:
     QWidget* makeHead();
     void makeTable();
-    /// Of the row: goes there.
+    /// Goes to the findings of the row.
     void goTo(const QModelIndex& index);
-    /// And does what its button says, if it has one.
+    /// Also applies the remedy of the row's button, if it has one.
     void help(const QModelIndex& index);
     void showMenu(const QPoint& at);
     void rebuild();
     void updateHead();
     void fitColumns();
-    /// What a person looks at: the row that is current, and which kinds are open.
+    /// What to restore after a rebuild: the current row and the expanded kinds.
     struct Outlook;
     Outlook outlook() const;
     void restore(const Outlook& before);

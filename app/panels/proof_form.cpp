@@ -135,12 +135,12 @@ void ProofForm::makeFold() {
 void ProofForm::take(const SettingChange& change) {
     document_.setProofPlan(fields_.changed(kProofFields, document_.state().proof, change),
                            change.text, change.gesture);
-    show();  // limited to its range
+    show();  // the value may have been limited to its range
 }
 
 void ProofForm::chooseUnit(int choice) {
     const int known = choice - kFirstUnit;
-    if (known < static_cast<int>(std::size(kLengthUnits))) {  // else the one that it has
+    if (known < static_cast<int>(std::size(kLengthUnits))) {  // else keep the current unit
         ProofPlan plan = document_.state().proof;
         plan.bodyUnit = known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
         document_.setProofPlan(std::move(plan), tr("Unit of the body"), -1);

@@ -13,8 +13,8 @@ namespace toile::app {
 class Document;
 class PatternProof;
 
-/// The settings of a proof; measured values of the cloth are below a fold. Each change is a step of
-/// the history.
+/// The settings of a proof, with measured values of the cloth in a collapsible part. Each change is
+/// one undo step.
 class ProofForm : public QWidget {
     Q_OBJECT
 

@@ -15,7 +15,7 @@ namespace toile::app {
 class Document;
 struct ShownProof;
 
-/// The pieces that are sewn, one a row, with what came of each.
+/// The sewn pieces, one per row, with the results of each.
 class ProofModel : public ColumnsModel {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
 
     explicit ProofModel(const Document& document, QObject* parent = nullptr);
 
-    /// @param shown  null: nothing
+    /// @param shown  null clears the table
     void show(std::shared_ptr<const ShownProof> shown);
     QVariant data(const QModelIndex& index, int role) const override;
     void writeAgain() { showAgain(); }

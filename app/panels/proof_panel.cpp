@@ -37,7 +37,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kSettingsPart = 3, kPiecesPart = 7, kMisfitsPart = 4;
-/// Sides of a seam that differ by less fit, mm.
+/// Sides of a seam fit if they differ by less, mm.
 constexpr double kWorthSlip = 0.5;
 constexpr int kProofSteps = 1000;
 
@@ -48,7 +48,7 @@ QString largeFirst(QString text) {
     return text;
 }
 
-/// Does what the action does, whenever that can be done, under a text of its own.
+/// The button triggers the action and follows its enabled state, with its own text.
 void standsFor(QAbstractButton& button, QAction& action) {
     QObject::connect(&button, &QAbstractButton::clicked, &action, &QAction::trigger);
     const auto follow = [&button, &action] { button.setEnabled(action.isEnabled()); };
@@ -321,8 +321,7 @@ void ProofPanel::showRun() {
     outdated_->setText(isOld ? tr("Of an earlier pattern") : tr("Sewn by other settings"));
     outdated_->setToolTip(isOld ? tr("The pattern, its fabric or its seams have changed since it "
                                      "was sewn: prove it again")
-                                : tr("On the left something else is said than what it was sewn by: "
-                                     "prove it again"));
+                                : tr("The settings have changed since it was sewn: prove it again"));
     sentence_->setEnabled(!isOld);
     table_->setEnabled(!isOld || isOfThis());
     empty_->setText(

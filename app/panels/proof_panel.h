@@ -24,24 +24,24 @@ class ProofForm;
 class ProofModel;
 struct ShownProof;
 
-/// What sewing the pattern back together has shown: how it is done, in one sentence what came of
-/// it, piece by piece, and what does not fit. A click on a row asks to go there.
+/// Result of sewing the pattern back together: settings, a summary in one sentence, the pieces, and
+/// whatever does not fit. A click on a row asks to show its place.
 class ProofPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param save  saves a report. All must outlive the panel.
+    /// @param save  the action that saves a report. All must outlive the panel.
     ProofPanel(Document& document, PatternProof& proof, QAction& prove, QAction& save,
                QWidget* parent = nullptr);
 
-    /// Where the keyboard goes.
+    /// The field that takes the keyboard focus.
     QWidget& firstField() const;
     ProofForm& form() { return *form_; }
 
 signals:
-    /// The largest gap of this piece is to be shown.
+    /// The user wants to see the largest gap of this piece.
     void pieceWanted(int piece);
-    /// These are to be shown, of something that does not fit. @param seam  -1: none
+    /// The user wants to see something that does not fit. @param seam  -1: none
     void placeWanted(const QList<int>& pieces, int seam);
 
 private:
@@ -60,7 +60,7 @@ private:
     void showMisfits();
     std::vector<Misfit> misfits() const;
     QString particulars() const;
-    /// Whether what is listed is of the garment that is open.
+    /// True if the listed result belongs to the open garment.
     bool isOfThis() const;
 
     Document& document_;
@@ -73,8 +73,8 @@ private:
     QPushButton* prove_;
     QToolButton* stop_;
     QProgressBar* progress_;
-    QStackedWidget* pages_;                    ///< what to do first, or the result
-    std::shared_ptr<const ShownProof> shown_;  ///< the last whole one
+    QStackedWidget* pages_;                    ///< instructions, or the result
+    std::shared_ptr<const ShownProof> shown_;  ///< the last complete one
     std::vector<Misfit> listed_;
 };
 

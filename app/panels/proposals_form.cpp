@@ -118,23 +118,23 @@ ProposalsForm::ProposalsForm(CutProposals& proposals, QWidget* parent)
 }
 
 QLayout* ProposalsForm::makeFields() {
-    auto* label = new QLabel(tr("&Enough"), this);
+    auto* label = new QLabel(tr("Stop at strai&n"), this);
     label->setBuddy(enough_);
     enough_->setObjectName("proposalsEnough");
-    enough_->setAccessibleName(tr("Enough"));
+    enough_->setAccessibleName(tr("Stop at strain"));
     enough_->setMaximumWidth(kFieldWidth);
     enough_->setToolTip(
         tr("The mean strain from which on no cut is worth its length, in percent. Empty: what the "
            "fabric allows, where that is known"));
     connect(enough_, &QLineEdit::editingFinished, this, [this] {
         if (!enough_->isModified()) {
-            return;  // what is shown is rounded
+            return;  // keep the exact value: the text is rounded
         }
         if (const auto entered = parsePercent(enough_->text())) {
             const auto fraction = entered->fraction;
             proposals_.stateEnough(fraction && *fraction > 0 ? fraction : std::nullopt);
         }
-        enough_->setModified(false);  // it shows what was understood
+        enough_->setModified(false);  // refresh() shows the value that was read
         refresh();
     });
     swap_->setObjectName("proposalsSwap");
@@ -169,7 +169,7 @@ QLayout* ProposalsForm::makeButtons() {
 
 void ProposalsForm::reject() {
     if (proposals_.isOpen()) {
-        proposals_.close();  // which closes this
+        proposals_.close();  // also closes this form
     } else {
         QDialog::reject();
     }
@@ -183,7 +183,7 @@ bool ProposalsForm::eventFilter(QObject* object, QEvent* event) {
         row.initFrom(table_);
         row.rect = table_->visualRect(index);
         row.features = QStyleOptionViewItem::HasCheckIndicator;
-        // Two clicks on a box are two clicks.
+        // A double click on a check box only toggles it twice; it must not activate the row.
         return index.column() == ProposedName &&
                table_->style()
                    ->subElementRect(QStyle::SE_ItemViewItemCheckIndicator, &row, table_)
@@ -279,7 +279,7 @@ void ProposalsForm::refresh() {
     for (int column = ProposedLength; column < ProposalColumnCount; ++column) {
         table_->resizeColumnToContents(column);
     }
-    table_->setEnabled(!isKnown || count > 0);  // as long as it may fill it keeps the keyboard
+    table_->setEnabled(!isKnown || count > 0);  // keep the focus while waiting
     chart_->setEnabled(isKnown && count > 0);
     saying_->setText(saying());
     progress_->setVisible(proposals_.state() == CutProposals::State::Asking);
@@ -293,7 +293,7 @@ void ProposalsForm::refresh() {
         const auto stated = proposals_.statedEnough(), used = proposals_.enough();
         enough_->setText(stated ? strainWord(*stated) : QString());
         enough_->setPlaceholderText(used ? tr("fabric: %1").arg(strainWord(*used))
-                                         : tr("not said"));
+                                         : tr("none"));
     }
     showChart();
     showSelection();

@@ -17,8 +17,8 @@ namespace toile::app {
 class CutChart;
 class CutProposals;
 
-/// What there is to say of proposed cuts, beside the garment: a chart of length against strain, a
-/// row for each, and what can be done with them. Closing it drops them; it closes where they go.
+/// The proposed cuts: a chart of strain against length, a row for each cut, and buttons to apply
+/// them. Closing the form discards the proposals. It closes itself when they are gone.
 class ProposalsForm : public QDialog {
     Q_OBJECT
 

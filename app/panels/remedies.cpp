@@ -10,12 +10,12 @@
 namespace toile::app {
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class RemedyWords {
     Q_DECLARE_TR_FUNCTIONS(Remedy)
 };
 
-/// Whether the file of a piece has a UV map that it has not been divided by.
+/// True if the file of a piece has a UV map that does not divide it.
 bool hasOtherIslands(const Finding& finding, const Garment& garment) {
     return std::ranges::any_of(finding.pieces, [&garment](int index) -> bool {
         const Piece& piece = *garment.pieces[static_cast<std::size_t>(index)];
@@ -30,7 +30,7 @@ bool isOpenedByCuts(const Finding& finding, const Garment& garment) {
     });
 }
 
-/// Tubes that branch, as tops and trousers do, are cut as tailors do rather than the shortest way.
+/// Branching tubes, such as tops and trousers, get tailors' cuts rather than the shortest ones.
 bool mayBeWorn(const Finding& finding, const Garment& garment) {
     constexpr std::size_t kOpenings = 3;
     return std::ranges::any_of(finding.pieces, [&garment](int piece) {
@@ -100,7 +100,7 @@ std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan) {
         case FindingKind::NotFlat: {
             std::vector<Remedy> remedies;
             if (isOfUnpreparedScan(finding, *plan.garment)) {
-                return remedies;  // the question above the views has the button
+                return remedies;  // the banner above the views has the button
             }
             if (hasOtherIslands(finding, *plan.garment)) {
                 remedies.push_back(Remedy::DivideByUv);

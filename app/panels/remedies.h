@@ -9,12 +9,12 @@
 
 namespace toile::app {
 
-/// What can be done about a finding at once, by the button in its row.
+/// What can be done about a finding with the button in its row.
 enum class Remedy {
     FlattenNow,
     DivideByUv,
     CutOpen,
-    ProposeCuts,  ///< shows tailors' cuts, to be made or not
+    ProposeCuts,  ///< shows cuts as tailors make them, as proposals
     SetUnit,
     SetUpAxis,
     TurnOver,
@@ -25,15 +25,15 @@ enum class Remedy {
     LayOutAgain,
 };
 
-/// The best first; empty where a person has to find the way himself.
-/// @param finding  of this plan
+/// Best remedy first. Empty if the user has to find a solution.
+/// @param finding  belongs to `plan`
 std::vector<Remedy> remediesFor(const Finding& finding, const CutPlan& plan);
 
-/// On a button: "Cut open".
+/// Button text: "Cut open".
 QString remedyText(Remedy remedy);
-/// What it will do, as a sentence without a full stop.
+/// What the remedy does, as a sentence without a full stop.
 QString remedyTip(Remedy remedy);
-/// What does it, on what the finding is about: one, or several to choose from.
+/// The actions that apply the remedy: one, or several for the user to choose from.
 std::vector<ActionId> actionsOf(Remedy remedy);
 
 }  // namespace toile::app

@@ -24,7 +24,7 @@ constexpr double kShortestEdge = 1;  // mm, of a new mesh
 constexpr double kUsualEdge = 10;    // mm, shown while the step is off
 constexpr int kTextWidth = 340, kLinesOfEffect = 6;
 
-/// What reading has done and could not do with the files, a line for each step.
+/// What reading did, and could not do, with the files: a line for each step.
 QString effectOf(const Garment& garment) {
     QStringList lines;
     for (const auto& file : garment.files) {
@@ -111,7 +111,7 @@ void ScanForm::makeLayout() {
 
 void ScanForm::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!isEnter) {  // Enter only ends the typing in a field
+    if (!isEnter) {  // Enter only commits a field; it must not accept the form
         QDialog::keyPressEvent(event);
     }
 }
@@ -164,7 +164,7 @@ void ScanForm::reject() {
     Document& document = workspace_.document();
     if (!isLeft_ && document.history().index() != step_) {
         const QScopedValueRollback trying(isTrying_, true);
-        document.edit(windowTitle(), before_, gesture_);  // one with those before, and so none
+        document.edit(windowTitle(), before_, gesture_);  // merged with the attempts: no step
     }
     leave();
 }

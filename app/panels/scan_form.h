@@ -11,10 +11,9 @@ namespace toile::app {
 
 class Workspace;
 
-/// The steps that make a sheet of a scan, each to be done or not, over the garment as they leave
-/// it: shown soon after every change, and flattened when the form is closed. All that is tried is
-/// one step of the history, which Cancel takes out again. What is done elsewhere meanwhile closes
-/// the form as it is.
+/// Edits the steps that prepare a scan; each step is optional. The views show the result soon after
+/// every change, and closing the form flattens it. All attempts form one undo step, which Cancel
+/// removes. Any other edit of the document closes the form and keeps the last attempt.
 class ScanForm : public QDialog {
     Q_OBJECT
 
@@ -34,17 +33,17 @@ private:
     /// Reads the garment with the current steps at once.
     void tryNow();
     void showEffect();
-    /// Something else is done: what is tried stays.
+    /// Another edit was made: closes the form and keeps the last attempt.
     void leave();
 
     Workspace& workspace_;
     DocumentState before_;
-    int step_;  ///< of the history, before this
+    int step_;  ///< undo index before this form
     int gesture_;
-    bool isTrying_ = false;  ///< the history changes by this
+    bool isTrying_ = false;  ///< this form is changing the history
     bool isLeft_ = false;
     QTimer soon_;
-    ScanSteps steps_{}, usual_{};  ///< usual: lengths of steps that are off
+    ScanSteps steps_{}, usual_{};  ///< usual: values shown for steps that are off
     SettingFields fields_;
     QLabel* effect_;
 };

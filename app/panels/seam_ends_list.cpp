@@ -23,7 +23,7 @@ SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
     setAccessibleName(tr("Seam ends"));
     setRootIsDecorated(false);
     dressList(*this);
-    setTextElideMode(Qt::ElideMiddle);  // seams begin alike: "panel 1 / panel 12"
+    setTextElideMode(Qt::ElideMiddle);  // seam names start alike: "panel 1 / panel 12"
     setColumnCount(ColumnCount);
     setHeaderLabels({tr("Seam end"), tr("At"), tr("Kink"), tr("Drawn")});
     headerItem()->setToolTip(Name, tr("Ticked: the kink there is taken out"));
@@ -50,13 +50,13 @@ SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
         }
     };
     connect(this, &QTreeWidget::currentItemChanged, this, choose);
-    connect(this, &QTreeWidget::itemClicked, this, choose);  // the current one once more
+    connect(this, &QTreeWidget::itemClicked, this, choose);  // a click on the current row, too
 }
 
 void SeamEndsList::show(const Document& document, const LineFacts& facts) {
     const QScopedValueRollback fills(fills_, true);
     const int place = verticalScrollBar()->value();
-    // Rows stay, so that a click that changes one does not take it from under the pointer.
+    // Reuse rows, so that a click that changes one does not delete it under the pointer.
     while (topLevelItemCount() > static_cast<int>(facts.ends.size())) {
         delete takeTopLevelItem(topLevelItemCount() - 1);
     }

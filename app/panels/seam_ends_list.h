@@ -9,8 +9,8 @@ namespace toile::app {
 
 class Document;
 
-/// The ends of seams where lines are to run on into each other, the largest kink first: a check
-/// box each for whether the kink is taken out.
+/// Lists seam ends where lines should continue smoothly, largest kink first. A check box per row
+/// removes the kink.
 class SeamEndsList : public QTreeWidget {
     Q_OBJECT
 
@@ -24,13 +24,13 @@ public:
     void select(std::optional<int> seam);
 
 signals:
-    /// @param end  its place in LineFacts::ends
+    /// @param end  index into LineFacts::ends
     void trueingWanted(int end, bool trued);
-    /// A person has chosen a row of this seam.
+    /// The user selected a row of this seam.
     void seamChosen(int seam);
 
 private:
-    bool fills_ = false;  ///< not a person
+    bool fills_ = false;  ///< rows are changed by code, not by the user
 };
 
 }  // namespace toile::app

@@ -19,7 +19,7 @@ namespace toile::app {
 namespace {
 
 constexpr QChar kDash(0x2013);
-/// Tint behind an error: strong enough to be seen, weak enough to be read on.
+/// Tint of an error's background: strong enough to notice, weak enough to read text on.
 constexpr float kTint = 0.30F;
 
 QString kindWord(SeamKind kind) {

@@ -19,7 +19,7 @@ namespace toile::app {
 class Document;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
-/// The ease of a seam can be edited, in percent; the model asks for it and shows what comes of it.
+/// The ease in percent is editable: the model emits `easeWanted` and then follows the document.
 class SeamsModel : public ColumnsModel {
     Q_OBJECT
 
@@ -47,13 +47,13 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-    /// One line about all seams: "26 seams · worst 0.00 mm". Empty where there is none.
+    /// One line about all seams: "26 seams · worst 0.00 mm". Empty if there are none.
     QString summary() const;
 
 signals:
-    /// @param ease a part of the right side's length; none: as the 3D lengths have it
+    /// @param ease  fraction of the right side's length; none: derived from the 3D lengths
     void easeWanted(int seam, std::optional<double> ease);
-    /// That the stated ease is drawn in the pattern, or no longer.
+    /// The user switched drawing of the stated ease in the pattern on or off.
     void drawingWanted(int seam, bool drawn);
 
 protected:
@@ -67,14 +67,14 @@ protected:
 private:
     void onChanged(DocumentChanges what);
     void measureAll();
-    /// Whether the rows are still of the same seams, in the same order.
+    /// True if the seams and their order are unchanged.
     bool hasTheSameRows() const;
     const Seam& seam(int row) const;
     QString tip(int row, int column) const;
     QVariant background(int row, int column) const;
 
     const Document& document_;
-    /// Whose seams the rows are: until a reset has begun, those before the change that led to it.
+    /// The garment whose seams the rows show. Until a reset begins, the one before the change.
     std::shared_ptr<const Garment> garment_;
     std::vector<std::optional<SeamMeasure>> measures_;  ///< one per seam
     std::vector<std::vector<LengthChange>> changes_;    ///< likewise

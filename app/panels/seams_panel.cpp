@@ -25,8 +25,8 @@ namespace toile::app {
 
 namespace {
 
-/// Edits a percentage in a table cell: empty at first where nothing is stated, with what the cell
-/// shows as a hint behind it.
+/// Edits a percentage in a table cell. Without a stated value the editor starts empty and shows the
+/// cell's value as a placeholder.
 class EaseDelegate : public CellDelegate {
 public:
     using CellDelegate::CellDelegate;
@@ -41,7 +41,7 @@ public:
         return editor;
     }
 
-    /// What is being typed stays, whatever becomes of the figures meanwhile.
+    /// Keeps text being typed when the figures change.
     void setEditorData(QWidget* editor, const QModelIndex& index) const override {
         const auto* line = qobject_cast<const QLineEdit*>(editor);
         if (!line || !line->isModified()) {
@@ -49,7 +49,7 @@ public:
         }
     }
 
-    /// Left as it was found it says nothing: what is shown is rounded.
+    /// Ignores an untouched editor: the shown value is rounded.
     void setModelData(QWidget* editor, QAbstractItemModel* model,
                       const QModelIndex& index) const override {
         const auto* line = qobject_cast<const QLineEdit*>(editor);
@@ -61,7 +61,7 @@ public:
 
 }  // namespace
 
-/// Sorts the seams and leaves free edges out unless they are asked for.
+/// Sorts the seams and hides free edges by default.
 class SeamsPanel::Filter : public QSortFilterProxyModel {
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -117,7 +117,7 @@ SeamsPanel::SeamsPanel(Document& document, const ActionRegistry& actions, QWidge
     connect(cuts, &CutsPanel::joinRemovalWanted, this, &SeamsPanel::joinRemovalWanted);
     connect(model_, &SeamsModel::easeWanted, this, &SeamsPanel::easeWanted);
     connect(model_, &SeamsModel::drawingWanted, &document_, &Document::setEaseDrawn);
-    // After the model's own connection: its rows are the new ones by then.
+    // Connected after the model's own slot, so that its rows are new by then.
     connect(&document_, &Document::changed, this, &SeamsPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
         updateHead();
@@ -196,7 +196,7 @@ void SeamsPanel::updateHead() {
 
 void SeamsPanel::fitColumns() {
     constexpr int kAir = 4, kLongestName = 380;
-    // The last column takes what is left: figures stand beside the names they belong to.
+    // The last column takes the spare width, so that figures stay next to their names.
     for (int column = 0; column < SeamsModel::Fit; ++column) {
         table_->resizeColumnToContents(column);
         const int width = table_->columnWidth(column) + kAir;
@@ -220,7 +220,7 @@ void SeamsPanel::selectInTable() {
     }
     QItemSelectionModel& selection = *table_->selectionModel();
     if (table_->currentIndex().row() == index.row() && selection.isRowSelected(index.row())) {
-        return;  // as it is: another current cell would close the editor of this one
+        return;  // changing the current cell would close its editor
     }
     selection.setCurrentIndex(index,
                               QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
@@ -241,7 +241,7 @@ void SeamsPanel::editEase() {
     if (!document_.seam()) {
         return;
     }
-    table_->setFocus();  // an open editor takes what was typed, and rows may change places
+    table_->setFocus();  // commits an open editor, which may reorder rows
     if (const std::optional<int> seam = document_.seam()) {
         const QPersistentModelIndex cell =
             sorted_->mapFromSource(model_->index(*seam, SeamsModel::Ease));

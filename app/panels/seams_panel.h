@@ -20,25 +20,25 @@ class ActionRegistry;
 class Document;
 class SeamsModel;
 
-/// The seam ledger: every seam with the lengths of its two sides, the worst first, and beside it
-/// the cuts that were made. The table's selected row is the document's selected seam.
+/// The seam ledger: every seam with the lengths of its two sides, the worst first, and the list of
+/// cuts. The table's selected row is the document's selected seam.
 class SeamsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive the panel.
     SeamsPanel(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
 
     QTreeView& table() { return *table_; }
-    /// Opens the editor for the selected seam's ease; does nothing where no seam is selected.
+    /// Opens the editor for the selected seam's ease. Does nothing if no seam is selected.
     void editEase();
 
 signals:
-    /// A seam was double-clicked or Enter pressed on it: it is to be shown.
+    /// The user double-clicked a seam or pressed Enter on it, to see it.
     void activated();
-    /// @param ease a part of the right side's length; none: as the 3D lengths have it
+    /// @param ease  fraction of the right side's length; none: derived from the 3D lengths
     void easeWanted(int seam, std::optional<double> ease);
-    /// A cut of the user's is to be taken back.
+    /// The user wants to remove one of their own cuts.
     void cutRemovalWanted(toile::CutId cut);
     void joinRemovalWanted(const std::string& name);
 
@@ -61,7 +61,7 @@ private:
     QLabel *summary_, *empty_;
     QCheckBox* free_;
     QStackedWidget* pages_;       ///< the table, or why it is empty
-    bool synchronizing_ = false;  ///< keeps the two selections from answering each other
+    bool synchronizing_ = false;  ///< prevents recursion between the two selections
 };
 
 }  // namespace toile::app

@@ -23,9 +23,9 @@ namespace toile::app {
 
 namespace {
 
-/// Limits of a typed length as parts of the length in 3D: what is beyond is a typing error.
+/// Limits of a typed length relative to the 3D length. Values beyond them are typing errors.
 constexpr double kShortest = 0.2, kLongest = 5;
-constexpr double kSameLength = 1e-5;  // mm: less than the field's digits
+constexpr double kSameLength = 1e-5;  // mm; below the precision of the field
 
 /// Settings in the form that are stored with a facing and with the seam.
 struct BesideSegment {
@@ -51,7 +51,7 @@ constexpr auto kBesideFields = [](auto& at, auto& beside) {
              beside.ease, -0.5, 1);
 };
 
-/// The notches of a seam, by share.
+/// The notches of a seam.
 std::vector<SeamNotch> notchesAlong(const Document& document, int seam) {
     std::vector<SeamNotch> notches;
     if (const auto& pattern = document.derived().pattern) {
@@ -249,7 +249,7 @@ void SegmentForm::showLengths() {
                      std::min(kMaxSegmentLength, kLongest * worn));
 }
 
-/// The seam and the strips along the segment.
+/// Shows the seam and the strips along the segment.
 void SegmentForm::showBeside() {
     const auto& seams = document_.garment()->seams.seams;
     const Seam* seam = shown_.seam >= 0 ? &seams[static_cast<std::size_t>(shown_.seam)] : nullptr;
@@ -319,7 +319,7 @@ void SegmentForm::take(const SettingChange& change) {
             ? withFacing(change.value.number)
             : withSettings(change.path, fields_.changed(kSegmentFields, shown_.settings, change));
     if (lines == before) {
-        show(*facts_);  // in place of what was typed
+        show(*facts_);  // restore the field
     } else {
         document_.setLines(lines, change.text, change.gesture);
     }
@@ -342,7 +342,7 @@ LineSettings SegmentForm::withSettings(const std::string& changed, SegmentSettin
     }
     if (changed == "length") {
         if (partner_) {
-            lines = withoutLength(std::move(lines), *partner_);  // one of both sides has it
+            lines = withoutLength(std::move(lines), *partner_);  // only one side stores the length
         }
         if (settings.length && std::abs(*settings.length - shown_.length()) < kSameLength) {
             settings.length.reset();

@@ -13,9 +13,9 @@ namespace toile::app {
 
 class Document;
 
-/// The selected segment of an outline: its length, its line, the allowance, extension and facing
-/// along it, the seam that it belongs to, and the turn point at a selected vertex. Edits are
-/// mirrored where the document mirrors them.
+/// The selected segment of an outline: its length, line, allowance, extension, facing and seam, and
+/// the turn point at a selected vertex. Edits also apply to the mirror image if the document
+/// mirrors edits.
 class SegmentForm : public QWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
     explicit SegmentForm(Document& document, QWidget* parent = nullptr);
 
     /// Shows the selection.
-    /// @param facts  of the document's garment as it is shown; must exist until the next call
+    /// @param facts  of the document's current garment; must exist until the next call
     void show(const LineFacts& facts);
     /// Shows no segment.
     void clear();
@@ -51,9 +51,9 @@ private:
     QString cornerHelp_{};
     const LineFacts* facts_ = nullptr;  ///< null if no segment is shown
     std::optional<SegmentAt> at_{};
-    Segment shown_{};                            ///< with the length that its partner has
-    std::optional<LineStretch> partner_{};       ///< of the segment that it is sewn to
-    int seam_ = -1;                              ///< to which it belongs; -1: it is not sewn
+    Segment shown_{};                            ///< may have its partner's length
+    std::optional<LineStretch> partner_{};       ///< the segment that it is sewn to
+    int seam_ = -1;                              ///< its seam; -1: it is not sewn
     std::optional<TurnPointSettings> vertex_{};  ///< at the selected vertex of an outline
 };
 

@@ -13,15 +13,15 @@ class QLineEdit;
 
 namespace toile::app {
 
-/// How a field shows one value for several pieces: what all have, or that they differ.
+/// How a field shows one value for several pieces: the common value, or that they differ.
 
-/// Stands for angles that differ, degrees.
+/// Value of an angle field if the angles differ, degrees.
 inline constexpr double kVariousAngle = -360;
 
-/// What fields say where the pieces differ.
+/// Text of a field if the pieces differ.
 QString variousText();
 
-/// What all have; nothing where they differ or there are none.
+/// The common value; empty if the pieces differ or there are none.
 template <class ValueOf>
 auto sharedValue(const std::vector<int>& pieces, const ValueOf& valueOf)
     -> std::optional<decltype(valueOf(0))> {
@@ -37,21 +37,21 @@ auto sharedValue(const std::vector<int>& pieces, const ValueOf& valueOf)
     return first;
 }
 
-/// The one of these angles, radians; nothing where they differ by more than rounding.
+/// The common angle, radians; empty if the angles differ by more than rounding.
 std::optional<double> sharedAngle(const std::vector<double>& angles);
 
-/// A field for angles from -180° to 180° that may differ.
+/// Sets up a field for angles from -180° to 180°, or for angles that differ.
 void dressAngle(AngleEdit& field);
-/// @param any  there are pieces; else the field is blank
+/// @param any  false if there are no pieces; the field is then blank
 void showAngle(AngleEdit& field, std::optional<double> radians, bool any);
-/// @param any  there are pieces; else the box is empty
+/// @param any  false if there are no pieces; the box is then empty
 void showChecked(QCheckBox& box, std::optional<bool> checked, bool any);
 
-/// Whether a person is typing there, so that it must not be written over.
+/// True if the user is typing in the field, so that it must not be overwritten.
 bool isTypedIn(const QLineEdit& field);
 bool isTypedIn(const QAbstractSpinBox& field);
 
-/// A field as the panels beside the views have them: as wide as numbers take, found by its name.
+/// Makes a field for the side panels: wide enough for numbers, and with an object name.
 template <class Field>
 Field* makeField(FieldGuard& guard, const char* name, const QString& label, QWidget* parent) {
     auto* field = new Field(parent);

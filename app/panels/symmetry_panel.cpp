@@ -30,10 +30,10 @@ namespace {
 constexpr int kSeamOfItem = Qt::UserRole;
 
 constexpr int kGap = 6;  // logical pixels, between the lists
-/// Spare width of the columns goes by these.
+/// Stretch factors of the columns.
 constexpr int kSettingsShare = 4, kPiecesShare = 6, kSeamsShare = 3;
 
-/// A number stays beside its unit where the text is wrapped.
+/// Keeps a number and its unit on one line.
 QString unbroken(QString figure) {
     return figure.replace(' ', QChar(QChar::Nbsp));
 }
@@ -122,7 +122,7 @@ void SymmetryPanel::makeSeamList() {
         }
     };
     connect(seams_, &QTreeWidget::currentItemChanged, this, choose);
-    connect(seams_, &QTreeWidget::itemClicked, this, choose);  // the current one once more
+    connect(seams_, &QTreeWidget::itemClicked, this, choose);  // a click on the current row, too
 }
 
 void SymmetryPanel::showEvent(QShowEvent* event) {

@@ -16,8 +16,8 @@ namespace toile::app {
 class Document;
 class MirroredPiecesList;
 
-/// The garment as its own mirror image: what becomes of mirrored pieces, whether edits are mirrored
-/// too, which pieces mirror each other and what has no counterpart.
+/// Symmetry of the garment: how mirrored pieces are drawn, whether edits are mirrored, which pieces
+/// mirror each other, and which seams have no counterpart.
 class SymmetryPanel : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     /// The document must outlive the panel.
     explicit SymmetryPanel(Document& document, QWidget* parent = nullptr);
 
-    /// Where the keyboard goes.
+    /// The field that takes the keyboard focus.
     QWidget& firstField() const;
 
 protected:
@@ -40,9 +40,9 @@ private:
     void showSeams();
     void setMirror(int choice);
     void setHalf(int row, bool byHalf);
-    /// What is known of the mirror plane, or why nothing is.
+    /// Describes the mirror plane, or why there is none.
     QString planeText() const;
-    /// What comes of pieces that are drawn equal.
+    /// How many pieces are drawn equal, and by how much that changes them.
     QString drawnText() const;
 
     Document& document_;
@@ -52,7 +52,7 @@ private:
     MirroredPiecesList* pieces_;
     QTreeWidget* seams_;  ///< without a counterpart
     SymmetryFacts facts_;
-    bool fills_ = false;  ///< not a person
+    bool fills_ = false;  ///< rows are changed by code, not by the user
     bool isStale_ = true;
 };
 

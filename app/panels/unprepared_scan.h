@@ -6,8 +6,8 @@
 
 namespace toile::app {
 
-/// Whether a finding is about pieces of a file that looks like a scan, while nobody has said how it
-/// is to be read: preparing it comes before anything that helps a piece.
+/// True if a finding is about pieces of a file that looks like a scan, and the user has not set how
+/// to read it. Preparing the scan comes before any remedy for a piece.
 bool isOfUnpreparedScan(const Finding& finding, const Garment& garment);
 
 }  // namespace toile::app

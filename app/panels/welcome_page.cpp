@@ -47,7 +47,7 @@ QLabel* makeText(const QString& text, double scale, bool bold, bool faint) {
     return label;
 }
 
-/// A file that was opened before: its name, its folder, when it was changed.
+/// A recent file: its name, its folder, and when it was changed.
 class RecentFileButton : public QPushButton {
 public:
     explicit RecentFileButton(const QString& path);
@@ -107,7 +107,7 @@ void RecentFileButton::paintEvent(QPaintEvent*) {
                      fontMetrics().elidedText(folder_, Qt::ElideMiddle, row.width()));
 }
 
-/// What a person calls a sample; one that nobody has named yet gets its file's name.
+/// Display name of a sample; an unknown sample gets its file name.
 QString sampleTitle(const QString& path) {
     constexpr std::pair<const char*, const char*> kTitles[] = {
         {"bodice", QT_TRANSLATE_NOOP("WelcomePage", "Bodice")},
@@ -168,7 +168,7 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
         lines->addWidget(samples, 0, Qt::AlignHCenter);
     }
     auto* layout = new QVBoxLayout(this);
-    // Between stretches rather than centred: else it would not be asked how high its texts are.
+    // Stretches, not an alignment: with one, the layout ignores height-for-width of the texts.
     auto* middle = new QHBoxLayout;
     middle->addStretch(1);
     middle->addWidget(column);
@@ -272,13 +272,13 @@ void WelcomePage::updateRecent() {
     while (QLayoutItem* row = recentRows_->takeAt(0)) {
         if (QWidget* widget = row->widget()) {
             widget->hide();
-            widget->deleteLater();  // it may be what was clicked
+            widget->deleteLater();  // it may be the sender of this click
         }
         delete row;
     }
     int shown = 0;
     const QList<QStringList> recent = preferences_.recentFiles();
-    QWidget* before = open_;  // the keyboard goes down the page
+    QWidget* before = open_;  // the tab order goes down the page
     for (const QStringList& files : recent) {
         const bool there = std::all_of(files.begin(), files.end(),
                                        [](const QString& path) { return QFileInfo::exists(path); });
@@ -293,7 +293,7 @@ void WelcomePage::updateRecent() {
         button->setObjectName(QString("recent-%1").arg(++shown));
         connect(button, &QPushButton::clicked, this, [this, files] { emit filesWanted(files); });
         recentRows_->addWidget(button);
-        if (window() == button->window()) {  // else the page is still being made
+        if (window() == button->window()) {  // false while the page is being made
             setTabOrder(before, button);
             before = button;
         }
@@ -318,7 +318,7 @@ void WelcomePage::keyPressEvent(QKeyEvent* event) {
 }
 
 void WelcomePage::showEvent(QShowEvent* event) {
-    updateRecent();  // files come and go
+    updateRecent();  // files may have been deleted meanwhile
     QWidget::showEvent(event);
 }
 

@@ -12,8 +12,7 @@ namespace toile::app {
 
 class Preferences;
 
-/// What the window shows before a garment is open: a friendly word, how to open one, what was
-/// opened last, the samples.
+/// Page shown until a garment is open: a greeting, how to open a file, recent files and samples.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
@@ -23,7 +22,7 @@ public:
 
 signals:
     void openWanted();
-    /// One that was opened before, or a sample.
+    /// The user chose a recent file or a sample.
     void filesWanted(const QStringList& files);
 
 protected:
@@ -36,13 +35,13 @@ private:
     QWidget* makeSamples();
     QWidget* makeRecent();
     void updateRecent();
-    /// In the colour of the theme, which may change.
+    /// Uses the theme's text colour, which may change.
     void tintFaintTexts();
 
     Preferences& preferences_;
     QPushButton* open_ = nullptr;
-    QLabel* advice_ = nullptr;   ///< what can be opened, or how to get it from where it is made
-    QWidget* recent_ = nullptr;  ///< heading and list; hidden where nothing was opened yet
+    QLabel* advice_ = nullptr;   ///< what can be opened, or how to export from another program
+    QWidget* recent_ = nullptr;  ///< heading and list; hidden if nothing was opened yet
     QVBoxLayout* recentRows_ = nullptr;
 };
 

@@ -13,13 +13,13 @@ namespace toile::python {
 
 namespace py = pybind11;
 
-/// The array as one that nobody writes to: what it shows is shared and immutable.
+/// Makes the array read-only, because its memory is shared and immutable.
 inline py::array readOnly(py::array array) {
     py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
     return array;
 }
 
-/// A matrix, row by row, or a vector as an array on the same memory. @param owner  keeps it alive
+/// An array view of a matrix (row by row) or vector. @param owner  keeps the memory alive
 template <class Matrix>
 py::array view(const Matrix& matrix, const py::handle& owner) {
     using Scalar = typename Matrix::Scalar;
@@ -43,7 +43,7 @@ inline py::array viewOfPairs(const std::vector<double>& values, const py::handle
     return readOnly(py::array_t<double>({rows, py::ssize_t{2}}, values.data(), owner));
 }
 
-/// An array on memory of its own, which takes the values over.
+/// An array that takes ownership of the values.
 template <class Values>
 py::array owned(Values values) {
     auto kept = std::make_unique<Values>(std::move(values));

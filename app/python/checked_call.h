@@ -5,10 +5,10 @@
 
 namespace toile::python {
 
-/// `threads` of a call. Throws UsageError where it is no whole number from 0 to 64.
+/// Checks `threads` of a call. Throws UsageError unless it is an integer from 0 to 64.
 int threadsOf(const pybind11::object& given);
 
-/// Throws UsageError where `progress` of a call is neither None nor to be called.
+/// Throws UsageError if `progress` of a call is neither None nor callable.
 void checkProgress(const pybind11::object& onProgress);
 
 }  // namespace toile::python

@@ -52,7 +52,7 @@ PyFlat flatten(const PyGarment& garment, int threads, const py::object& onProgre
     return {std::move(held)};
 }
 
-/// Of each triangle the principal strains, the larger one first.
+/// The principal strains of each triangle, the larger one first.
 py::object strainOf(const PieceResult& result) {
     if (!result.flat) {
         return py::none();
@@ -146,7 +146,7 @@ py::object flatSide(const PyFlatSeam& self) {
                         : py::object(py::none());
 }
 
-/// Of two sides: a free edge has one.
+/// Figures of sewn seams only: a free edge has just one side.
 template <double SeamMeasure::*figure>
 std::optional<double> figureOfBoth(const PyFlatSeam& self) {
     const bool isSewn = self.measure && self.seam().right.piece >= 0;

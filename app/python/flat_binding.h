@@ -11,15 +11,15 @@
 
 namespace toile::python {
 
-/// A flat garment and its pattern. Immutable, except that the pattern is made on first use; shared
-/// between threads.
+/// A flat garment and its pattern. Immutable and shared between threads; the pattern is made on
+/// first use.
 struct HeldFlat {
     std::shared_ptr<const HeldGarment> of;
-    app::Arguments arguments;  ///< of the garment, with how it was flattened
+    app::Arguments arguments;  ///< of the garment and its flattening
     PieceResults results;
 
     const Garment& garment() const { return of->garment; }
-    /// Made on first use; waits for another thread that is making it, without Python's lock.
+    /// Made on first use. Waits for another thread making it, with the GIL released.
     const FinishedPattern& pattern() const;
     const LaidOutPattern& laid() const { return pattern().laid; }
 
@@ -32,7 +32,6 @@ struct PyFlat {
     std::shared_ptr<const HeldFlat> held;
 };
 
-/// A piece of it.
 struct PyFlatPiece {
     std::shared_ptr<const PieceResult> result;
 };
@@ -44,13 +43,13 @@ inline Identity identityOf(const PyFlatPiece& piece) {
     return {piece.result.get(), 0};
 }
 
-/// `FlatPiece`, `FlatSeam`, what a flat garment has, and `Garment.flatten`.
+/// Binds `FlatPiece`, `FlatSeam`, `FlatGarment` and `Garment.flatten`.
 void bindFlat(py::module_& module, py::class_<PyGarment>& garment, py::class_<PyFlat>& flat);
-/// `Written` and `FlatGarment.write`.
+/// Binds `Written` and `FlatGarment.write`.
 void bindWriting(py::module_& module, py::class_<PyFlat>& flat);
-/// `Pattern` and its parts.
+/// Binds `Pattern` and its parts.
 void bindPattern(py::module_& module, py::class_<PyFlat>& flat);
-/// `Proof` and its parts, `FlatGarment.prove`.
+/// Binds `Proof` and its parts, and `FlatGarment.prove`.
 void bindProof(py::module_& module, py::class_<PyFlat>& flat);
 
 }  // namespace toile::python

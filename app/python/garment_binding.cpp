@@ -13,7 +13,7 @@
 namespace toile::python {
 namespace {
 
-/// A ten-thousandth of a millimetre in a metre: more than rounding, less than anybody means.
+/// A ten-thousandth of a millimetre per metre: above rounding, below any intended ease.
 constexpr double kNoEase = 1e-7;
 
 const Piece& pieceOf(const py::object& self) {
@@ -95,7 +95,7 @@ void bindPiece(py::module_& module) {
         });
 }
 
-/// Of the two sides of a seam, the same properties.
+/// Binds the same properties for one side of a seam.
 template <SeamSide Seam::*side>
 void bindSide(py::class_<PySeam>& seam, const std::string& prefix, const char* line) {
     seam.def_property_readonly((prefix + "_piece").c_str(),

@@ -19,12 +19,12 @@ namespace toile::python {
 
 namespace py = pybind11;
 
-/// Which thing a wrapper stands for: what holds it, and which of several. Each wrapper that Python
-/// may compare has a function `identityOf`.
+/// Identity of a wrapped object: its holder and an index. Each comparable wrapper has a function
+/// `identityOf`.
 using Identity = std::pair<const void*, std::size_t>;
 
-/// Wrappers of the same thing are equal and hash alike. What never changes is its own copy, and
-/// pickling says what to do instead. Precondition: `identityOf(Wrapper)`.
+/// Wrappers of the same object are equal and have the same hash. Copies return the immutable object
+/// itself; pickling raises an error with advice. Precondition: `identityOf(Wrapper)`.
 template <class Wrapper>
 void bindIdentity(pybind11::class_<Wrapper>& type) {
     type.def("__eq__",
@@ -49,15 +49,15 @@ void bindIdentity(pybind11::class_<Wrapper>& type) {
         });
 }
 
-/// A garment, and how it was read. Immutable, shared between threads.
+/// A garment and the options it was read with. Immutable, shared between threads.
 struct HeldGarment {
-    app::Arguments arguments;  ///< with what a project says
+    app::Arguments arguments;  ///< including the project's settings
     Garment garment;
-    Problems notes{};                   ///< of seams files and projects
-    std::vector<std::string> inputs{};  ///< files that it was read from
+    Problems notes{};                   ///< about seams files and projects
+    std::vector<std::string> inputs{};  ///< the files it was read from
 };
 
-/// What Python holds. Wrappers, since what they share is const.
+/// Objects visible to Python. They are wrappers, since the shared objects are const.
 struct PyGarment {
     std::shared_ptr<const HeldGarment> held;
 };
@@ -73,7 +73,7 @@ inline Identity identityOf(const PyPiece& piece) {
     return {piece.piece.get(), 0};
 }
 
-/// Of a garment.
+/// A seam of a garment.
 struct PySeam {
     std::shared_ptr<const HeldGarment> held;
     std::size_t index;
@@ -85,20 +85,19 @@ inline Identity identityOf(const PySeam& seam) {
     return {seam.held.get(), seam.index};
 }
 
-/// Its `easeOf`, without what rounding leaves of none.
+/// The seam's `easeOf`; rounding errors around zero become zero.
 double easeToldOf(const Seam& seam);
 
-/// `Garment`, `Piece`, `Seam`, `load` and `garment_of_arrays`.
+/// Binds `Garment`, `Piece`, `Seam`, `load` and `garment_of_arrays`.
 void bindGarment(py::module_& module, py::class_<PyGarment>& garment);
 
-/// What was to be said while it was read, in the order in which the command line says it.
+/// The problems found while reading, in the command line's order.
 Problems problemsOf(const HeldGarment& held);
 
-/// The bytes of a name; none where it cannot be that of anything.
+/// The bytes of a name; nullopt if no item can have it.
 std::optional<std::string> nameGiven(const py::object& key);
 
-/// By index, from the end where that is negative, or by name. Throws IndexError, KeyError,
-/// TypeError.
+/// Finds an item by index (negative: from the end) or name. Throws IndexError, KeyError, TypeError.
 template <class Item, class NameOf>
 const Item& itemOf(const std::vector<Item>& items, const py::object& key, NameOf nameOf) {
     if (py::isinstance<py::str>(key)) {
@@ -125,7 +124,7 @@ const Item& itemOf(const std::vector<Item>& items, const py::object& key, NameOf
     return items[static_cast<std::size_t>(index < 0 ? index + count : index)];
 }
 
-/// The same as Python has them; of a slice the list. @param wrapped  makes what Python holds
+/// The item as a Python object; a list for a slice. @param wrapped  makes the wrapper
 template <class Item, class NameOf, class Wrapped>
 py::object itemsOf(const std::vector<Item>& items, const py::object& key, NameOf nameOf,
                    Wrapped wrapped) {
@@ -144,7 +143,7 @@ py::object itemsOf(const std::vector<Item>& items, const py::object& key, NameOf
     return part;
 }
 
-/// Whether one of them has this name, or is this.
+/// Whether an item has this name or is this object.
 template <class Item, class NameOf, class Wrapped>
 bool hasItem(const std::vector<Item>& items, const py::object& key, NameOf nameOf,
              Wrapped wrapped) {

@@ -15,10 +15,10 @@ namespace toile::python {
 
 inline constexpr std::chrono::milliseconds kBetweenLooks{50};
 
-/// Does work on a thread of its own, without Python's lock. The caller waits, looks for signals
-/// (Ctrl-C) and says how far it is; an exception of either cancels the work and goes on.
-/// @param onProgress  called with the fraction done, in [0, 1], at last with 1; or None
-/// @param work  given a Progress&; touches no Python object
+/// Runs work on its own thread with the GIL released. The caller waits, checks for signals (Ctrl-C)
+/// and reports progress; an exception from either cancels the work and is rethrown.
+/// @param onProgress  called with the fraction done, in [0, 1], finally 1; or None
+/// @param work  takes a Progress&; must not use Python objects
 template <class Work>
 auto interruptible(const pybind11::object& onProgress, Work work) {
     checkProgress(onProgress);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Python module: a thin face over the pipeline, as the command line is. What it takes goes
-// through the command line's own parser; what it gives are views of what the core made.
+// The Python module: a thin layer over the pipeline, like the command line. It shares the command
+// line's parser and returns views of the core's data.
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -28,10 +28,10 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Ints = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-/// The text of a seams file; none if the arguments name a file.
+/// The text of a seams file; nullopt if the arguments name a file.
 using SeamsText = std::optional<std::string>;
 
-/// Takes a `seams` that is no path out of the options.
+/// Removes `seams` from the options if it is a mapping instead of a path.
 SeamsText takeSeams(py::kwargs& options) {
     const py::object mapping = py::module_::import("collections.abc").attr("Mapping");
     if (!options.contains("seams") || !py::isinstance(options["seams"], mapping)) {
@@ -97,7 +97,7 @@ PyGarment garmentOfArrays(const Doubles& positions, const Ints& faceStart, const
                           const std::string& name, int decimals, const py::object& onProgress,
                           py::kwargs options) {
     const SeamsText seams = takeSeams(options);
-    if (name.find('\0') != std::string::npos) {  // what is behind it would be left out
+    if (name.find('\0') != std::string::npos) {  // a path would end there
         throw Raised(app::usageRefusal("name has a zero byte, which no file's name can have"));
     }
     HeldGarment held{.arguments = readingArguments({"garment"}, options), .garment = {}};
@@ -121,7 +121,7 @@ PyGarment garmentOfArrays(const Doubles& positions, const Ints& faceStart, const
     });
 }
 
-/// `load` and `garment_of_arrays`.
+/// Binds `load` and `garment_of_arrays`.
 void bindLoading(py::module_& module) {
     module.def("load", &load, py::arg("paths"), py::arg("progress") = py::none(),
                "Reads files as one garment; see toile.load.");

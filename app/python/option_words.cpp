@@ -13,24 +13,24 @@ namespace {
 namespace py = pybind11;
 using Words = std::vector<std::string>;
 
-/// A mesh that is not read from a file stands for one.
+/// Placeholder argument for a mesh that was not read from a file.
 constexpr const char* kNoFile = "garment";
 
-/// Throws Raised: a keyword may be any text, and "output=a.svg" would be an option with a value.
+/// Throws Raised: any text can be a keyword, and "output=a.svg" would be an option with a value.
 std::string optionOf(const py::handle& keyword) {
     const bool isWord = keyword.attr("isidentifier")().cast<bool>();
     std::string key = pathOf(keyword);
     if (!isWord || key.starts_with('_')) {
         throw Raised(app::usageRefusal("\"" + shownText(key, kMaxOfPlace) + "\" is no option"));
     }
-    if (key.ends_with('_')) {  // of what Python keeps for itself: as_
+    if (key.ends_with('_')) {  // avoids Python's reserved words: as_
         key.pop_back();
     }
     std::ranges::replace(key, '_', '-');
     return "--" + key;
 }
 
-/// Numbers and arrays of numpy as Python's own.
+/// Converts NumPy numbers and arrays to Python's own.
 py::object plain(const py::handle& value) {
     return py::hasattr(value, "tolist") ? py::object(value.attr("tolist")())
                                         : py::reinterpret_borrow<py::object>(value);
@@ -53,7 +53,7 @@ std::string valueOf(const py::handle& given) {
     return pathOf(py::str(value));
 }
 
-/// A unit that is a number, as `Garment.unit` is.
+/// Whether a unit is given as a number, like `Garment.unit`.
 bool isMillimetres(const std::string& option, const py::handle& value) {
     return (option == "--unit" || option == "--body-unit") &&
            (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value));
@@ -98,7 +98,7 @@ app::Arguments flatteningArguments(int threads, const py::kwargs& options) {
 app::Arguments writingArguments(const Words& inputs, const Words& outputs,
                                 const py::kwargs& options) {
     Words words = wordsOf(options);
-    parsed("flatten", {kNoFile}, words, app::kExporting);  // no files among them
+    parsed("flatten", {kNoFile}, words, app::kExporting);  // must not contain files
     for (const std::string& output : outputs) {
         words.push_back("--output=" + output);
     }

@@ -39,7 +39,7 @@ const PatternPiece& patternPiece(const py::object& self) {
     return self.cast<const PyPatternPiece&>().piece();
 }
 
-/// The 2 x 3 matrix that takes points of the piece to the sheet: [x y 1].
+/// The 2 x 3 matrix that maps points of the piece to the sheet: [x y 1].
 py::object placeOf(const PyPatternPiece& self) {
     for (const PlacedCopy& copy : self.held->laid().marker.copies) {
         if (copy.piece == static_cast<int>(self.index)) {

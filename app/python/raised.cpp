@@ -9,7 +9,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Of `toile.errors`.
+/// Name of the class in `toile.errors`.
 const char* className(std::string_view code) {
     if (code == app::kWrongUsage || code == app::kNotProved) {
         return "UsageError";

@@ -12,8 +12,7 @@
 
 namespace toile::python {
 
-/// A refusal on its way to Python: the one thing here that is thrown. Its class follows from its
-/// code.
+/// A refusal thrown to Python, the only exception type here. The code selects the Python class.
 struct Raised : std::exception {
     explicit Raised(app::Refusal refused) : why(std::move(refused)) {}
 
@@ -22,10 +21,10 @@ struct Raised : std::exception {
     app::Refusal why;
 };
 
-/// Text for Python: bytes of file names that are not UTF-8 as `os.fsdecode` has them.
+/// Python text; bytes of file names that are not UTF-8 are decoded as in `os.fsdecode`.
 pybind11::str textOf(const std::string& text);
 
-/// The value, or the error or refusal thrown.
+/// Returns the value, or throws the error or refusal.
 template <class Value>
 Value orRaise(app::Answer<Value> answer) {
     if (!answer) {
@@ -41,7 +40,7 @@ Value orRaise(Result<Value> result) {
     return *std::move(result);
 }
 
-/// `Problem`, and how errors become exceptions of the package.
+/// Binds `Problem` and translates errors to the package's exceptions.
 void bindProblems(pybind11::module_& module);
 
 }  // namespace toile::python

@@ -9,7 +9,7 @@
 
 #include "app/python/raised.h"
 
-// Present where OpenBLAS stands in for the BLAS; declared weak because it need not.
+// Only exists if the BLAS is OpenBLAS, so it is declared weak.
 #ifdef __ELF__
 extern "C" {
 // NOLINTBEGIN(readability-identifier-naming): OpenBLAS names them
@@ -28,12 +28,12 @@ namespace {
 namespace py = pybind11;
 
 constexpr std::chrono::milliseconds kBetweenLooksAtEnd{5};
-constexpr std::chrono::seconds kLongestEnd{30};  // for a callback that waits for who has ended
+constexpr std::chrono::seconds kLongestEnd{30};  // a callback may wait for an ended thread
 
-// Python's lock guards them.
+// Guarded by the GIL.
 std::vector<Progress*> runningNow;
-std::thread::id endedBy;          ///< none: the interpreter lives
-std::uint64_t lastBeforeEnd = 0;  ///< Python's number of the youngest thread that lived then
+std::thread::id endedBy;          ///< empty while the interpreter lives
+std::uint64_t lastBeforeEnd = 0;  ///< highest Python thread id at that time
 int blasThreadsBefore = 0;
 
 void endCalls() {
@@ -52,13 +52,13 @@ void endCalls() {
     }
 }
 
-/// Of a thread that somebody has started since the end, who may wait for it.
+/// Whether this thread was started after the interpreter's end. Others may wait for it.
 bool isStartedSinceEnd() {
     return endedBy != std::thread::id() && PyThreadState_GetID(PyThreadState_Get()) > lastBeforeEnd;
 }
 
-/// Of a daemon thread after the end: it waits for the process to end. Asking for Python's lock
-/// would end it instead, in the midst of C++, which ends the process by std::terminate.
+/// Blocks a daemon thread after the interpreter's end until the process exits. Taking the GIL would
+/// kill the thread inside C++ code, and so call std::terminate.
 void stayWhereEnded() {
     if (endedBy == std::thread::id() || endedBy == std::this_thread::get_id()) {
         return;
@@ -92,7 +92,7 @@ RunningCall::~RunningCall() {
 
 void endCallsWithInterpreter() {
     py::module_::import("atexit").attr("register")(py::cpp_function(&endCalls));
-    // Of a process that is forked only the thread lives on that forked it.
+    // After a fork, the child only has the forking thread.
     py::module_::import("os").attr("register_at_fork")(
         py::arg("after_in_child") = py::cpp_function([] { runningNow.clear(); }));
 }

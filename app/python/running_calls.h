@@ -7,14 +7,13 @@
 
 namespace toile::python {
 
-/// A call that gives Python's lock away meanwhile, from here to its end. With Python's lock held
-/// when it is made and when it goes. While any lives, the BLAS that numpy shares has one thread;
-/// after the last it has as many as before the first.
+/// A call that releases the GIL meanwhile. Construct and destroy it with the GIL held. While any
+/// exists, the BLAS shared with numpy uses one thread; the last one restores the previous number.
 class RunningCall {
 public:
-    /// @param progress  of the call; outlives this. Once the interpreter ends no thread but the one
-    /// that ends it comes back, from here or from the end; but one that is started after that gets
-    /// Raised from here, Cancelled
+    /// @param progress  of the call; outlives this. After the interpreter's end, only the thread
+    /// that ends it returns from here or the destructor. A thread started after that gets Raised
+    /// with Cancelled from here
     explicit RunningCall(Progress& progress);
     ~RunningCall();
     RunningCall(const RunningCall&) = delete;
@@ -24,8 +23,8 @@ private:
     Progress* progress_;
 };
 
-/// From now on the end of the interpreter cancels the calls of daemon threads and waits for them:
-/// a thread that asks for Python's lock after the end is ended itself, in the midst of C++.
+/// At exit, the interpreter cancels the calls of daemon threads and waits for them. Otherwise a
+/// thread that requests the GIL after the end would be killed inside C++ code.
 void endCallsWithInterpreter();
 
 }  // namespace toile::python

@@ -38,7 +38,7 @@ std::vector<Exported> write(const PyFlat& flat, const py::args& paths, const py:
     });
 }
 
-/// The bytes of an export, without a file.
+/// Exports to bytes instead of a file.
 std::string bytesAs(const PyFlat& flat, FormatId format, const ExportOptions& options = {}) {
     return interruptible(py::none(), [&](Progress&) {
         ExportedFiles files = orRaise(formatOf(format).write(flat.held->pattern().source(options)));

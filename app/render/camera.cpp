@@ -15,20 +15,20 @@ namespace toile::app {
 
 namespace {
 
-/// From a kilometre to a micrometre in view: beyond, floats and people lose their way.
+/// Zoom range, from a kilometre to a micrometre in view. Beyond it, float precision fails.
 constexpr double kMinScale = 1e-6, kMaxScale = 1e6;
 
-/// Vertical opening: narrow enough that a sleeve near the eye does not swell.
+/// Vertical angle: narrow enough to avoid perspective distortion of near sleeves.
 constexpr double kFieldOfView = 30.0 * std::numbers::pi / 180.0;
-/// Straight down or up; beyond, the garment would hang upside down.
+/// Straight down or up; beyond, the garment would be upside down.
 constexpr double kSteepest = std::numbers::pi / 2;
-/// From where rays start that have no eye to start from, mm before the target: before all cloth.
+/// Start of orthographic rays, mm in front of the target: in front of all cloth.
 constexpr double kFarBefore = 2e4;
-/// In a wrongly read unit a garment is larger than that: then so many times the eye's distance.
+/// For garments read in a wrong, larger unit: the start as a multiple of the distance.
 constexpr double kFarBeforeOfDistance = 100;
-/// How near to the target the eye may come by zooming, and how far from it, mm.
+/// Limits of the eye's distance from the target when zooming, mm.
 constexpr double kNearest = 1e-3, kFarthest = 1e7;
-/// Room left around a framed box.
+/// Margin factor around a framed box.
 constexpr double kFrameMargin = 1.08;
 
 }  // namespace
@@ -53,7 +53,7 @@ void Camera2D::frame(const Eigen::AlignedBox2d& box, const Margins& margins) {
         return;
     }
     const Eigen::Vector2d size = box.sizes().cwiseMax(1e-9);
-    // A viewport smaller than its margins gives half of itself to the box all the same.
+    // If the viewport is smaller than its margins, use half of it for the box.
     const double across = std::max(width_ / 2, width_ - 2 * margins.sides);
     const double along = std::max(height_ / 2, height_ - margins.top - margins.bottom);
     scale_ = std::clamp(std::min(across / size.x(), along / size.y()), kMinScale, kMaxScale);
@@ -96,7 +96,7 @@ void Camera3D::setDirection(double yaw, double pitch) {
 }
 
 void Camera3D::moveTowards(const Camera3D& other, double share) {
-    target_ = (1 - share) * target_ + share * other.target_;  // exactly the other at 1
+    target_ = (1 - share) * target_ + share * other.target_;  // equals the other at 1
     distance_ = std::exp(std::lerp(std::log(distance_), std::log(other.distance_), share));
 }
 
@@ -108,7 +108,7 @@ void Camera3D::pan(double dx, double dy) {
 
 void Camera3D::zoomAt(const Eigen::Vector3d& anchor, double factor) {
     factor = distance_ / std::clamp(distance_ / factor, kNearest, kFarthest);
-    // Eye and target shrink towards the anchor alike, so every direction from the eye is kept.
+    // Scaling eye and target towards the anchor keeps every direction from the eye.
     target_ = anchor + (target_ - anchor) / factor;
     distance_ /= factor;
 }
@@ -197,7 +197,7 @@ Camera3D::DepthRange Camera3D::depthRange(const Eigen::AlignedBox3d& box) const 
         return {depth - 1.01 * radius, depth + 1.01 * radius};
     }
     const double farthest = std::max(depth + radius, distance_) * 1.01;
-    // Never closer than a thousandth of the far plane: depth would run out of digits.
+    // Keep the near plane beyond a thousandth of the far plane, or depth loses precision.
     return {std::max(depth - radius * 1.01, farthest * 1e-3), farthest};
 }
 
@@ -218,8 +218,8 @@ double Camera3D::depthShift(const Eigen::AlignedBox3d& box, double share) const 
     if (!(extent > 0)) {
         return 0;
     }
-    // With perspective depth falls as the inverse of the distance w, and clip space multiplies by
-    // w: a share of the distance is the same number near and far.
+    // In perspective, depth is the inverse of the distance w, and clip space multiplies by w. So a
+    // share of the distance is the same number everywhere.
     return orthographic_ && !box.isEmpty() ? 2 * share * distance_ / extent
                                            : 2 * share * range.nearest * range.farthest / extent;
 }

@@ -9,16 +9,16 @@
 
 namespace toile::app {
 
-/// Looks straight at the pattern plane, y up. A millimetre has the same size on both axes. Screen
-/// places in logical pixels from the upper left corner.
+/// Looks straight at the pattern plane, y up. Scales both axes alike. Screen places are logical
+/// pixels from the upper left corner.
 class Camera2D {
 public:
     void setViewport(double width, double height);
 
     void pan(double dx, double dy);
-    /// Enlarges (factor > 1) about a pixel, which keeps showing the same point.
+    /// Enlarges (factor > 1) around a pixel, which keeps showing the same point.
     void zoomAt(double x, double y, double factor);
-    /// Centres the box and makes it fill the viewport less these margins in pixels.
+    /// Centres the box and fits it into the viewport inside these margins, in pixels.
     struct Margins {
         double sides = 0, top = 0, bottom = 0;
     };
@@ -27,7 +27,7 @@ public:
     Eigen::Vector2d toWorld(double x, double y) const;
     Eigen::Vector2d toScreen(const Eigen::Vector2d& point) const;
     double pixelsPerMillimetre() const { return scale_; }
-    /// What is in view, mm.
+    /// The visible area, mm.
     Eigen::AlignedBox2d visible() const;
     glm::dmat4 projection() const;
 
@@ -37,60 +37,60 @@ private:
     double width_ = 1, height_ = 1;
 };
 
-/// A half-line from the eye, in the scene's coordinates.
+/// A half-line from the eye in scene coordinates.
 struct Ray {
     Eigen::Vector3d origin;
     Eigen::Vector3d direction;  ///< unit
 };
 
-/// A turntable around a target, y up: the garment stands upright however it is turned. Lengths in
-/// mm, screen places in logical pixels from the upper left corner.
+/// A turntable camera around a target: y stays up. Lengths are in mm, screen places in logical
+/// pixels from the upper left corner.
 class Camera3D {
 public:
     void setViewport(double width, double height);
-    /// Of the slider over the lower edge of the garment's view, logical pixels.
+    /// Height of the slider at the bottom of the garment view, logical pixels.
     static constexpr double kSliderRoom = 46;
-    /// What framing leaves free at the upper and lower edge, logical pixels.
+    /// Sets the margin of framing at the upper and lower edge, logical pixels.
     void setFreeEdges(double pixels) { freeEdges_ = pixels; }
 
-    /// Turns by a drag of so many pixels; half a viewport height is a quarter turn.
+    /// Turns by a drag in pixels; half a viewport height is a quarter turn.
     void orbit(double dx, double dy);
-    /// Moves so that what lies at the target's depth follows the pointer.
+    /// Moves so that points at the target's depth follow the pointer.
     void pan(double dx, double dy);
-    /// Brings the eye nearer to `anchor` (factor > 1) without moving it on the screen.
+    /// Brings the eye closer to `anchor` (factor > 1), which stays put on the screen.
     void zoomAt(const Eigen::Vector3d& anchor, double factor);
-    /// Keeps the direction and moves back until all boxes just fit, with a margin. Several small
-    /// boxes hug a garment closer than one around all; empty ones are passed by.
+    /// Keeps the direction and moves back until all boxes fit, with a margin. Several small boxes
+    /// fit a garment more tightly than one around all. Ignores empty boxes.
     void frame(std::span<const Eigen::AlignedBox3d> boxes);
-    /// Direction of view in radians: yaw around y from the front, pitch upwards.
+    /// View direction in radians: yaw around y from the front, pitch upwards.
     void setDirection(double yaw, double pitch);
     double yaw() const { return yaw_; }
     double pitch() const { return pitch_; }
-    /// Without perspective: what is parallel stays so; sizes are those at the target's depth.
+    /// Turns perspective off. Sizes are then those at the target's depth.
     void setOrthographic(bool on) { orthographic_ = on; }
     bool isOrthographic() const { return orthographic_; }
-    /// Comes nearer to another camera's target and distance, keeping its own direction; share 0 to
+    /// Interpolates target and distance towards another camera, keeping the direction; share 0 to
     /// 1.
     void moveTowards(const Camera3D& other, double share);
 
-    /// Starts before all cloth, at the eye where there is perspective.
+    /// Starts at the eye; without perspective, in front of all cloth.
     Ray ray(double x, double y) const;
-    /// Point on the ray through a pixel at the target's depth.
+    /// The point at the target's depth on the ray through a pixel.
     Eigen::Vector3d pointAtTargetDepth(double x, double y) const;
-    /// Screen place of a point, in pixels; meaningless behind the eye.
+    /// Screen position of a point, in pixels; meaningless behind the eye.
     Eigen::Vector2d project(const Eigen::Vector3d& point) const;
 
-    /// True where the point lies before the eye.
+    /// True if the point is in front of the eye.
     bool isBefore(const Eigen::Vector3d& point) const;
-    /// Of what lies at the target's depth.
+    /// Scale at the target's depth.
     double pixelsPerMillimetre() const { return pixelsPerUnitAtDepthOne() / distance_; }
 
     glm::dmat4 view() const;
-    /// @param box what is to be seen: near and far are set around it
+    /// @param box the visible extent: near and far planes are set around it
     glm::dmat4 projection(const Eigen::AlignedBox3d& box) const;
-    /// What has to be taken from z in the clip space of that projection to come nearer to the eye
-    /// by a share of the distance to it, wherever that is; without perspective by that share of
-    /// the distance to the target.
+    /// Offset to subtract from z in the clip space of that projection. It moves a point towards the
+    /// eye by a share of its distance; without perspective, by that share of the distance to the
+    /// target.
     double depthShift(const Eigen::AlignedBox3d& box, double share) const;
     Eigen::Vector3d eye() const;
     double distance() const { return distance_; }
@@ -101,9 +101,9 @@ private:
         double nearest, farthest;
     };
     DepthRange depthRange(const Eigen::AlignedBox3d& box) const;
-    /// From where rays start that have no eye to start from, before the target.
+    /// Distance in front of the target where orthographic rays start.
     double farBefore() const;
-    /// Distance from the target at which the box fits, as seen from the present direction.
+    /// Distance from the target at which the box fits in the current direction.
     double distanceToFit(const Eigen::AlignedBox3d& box) const;
     double pixelsPerUnitAtDepthOne() const;
 

@@ -41,8 +41,8 @@ ColourMap interpolate(std::span<const Stop> stops) {
     return map;
 }
 
-/// Share of the values that lies within the bar: the few worst triangles at a dart's tip would
-/// otherwise wash out everything else.
+/// Share of values inside the bar. Otherwise the few worst triangles at a dart's tip would compress
+/// the colours of all others.
 constexpr double kShownShare = 0.98;
 
 double roundedUpAmong(std::initializer_list<double> steps, double value) {
@@ -51,7 +51,7 @@ double roundedUpAmong(std::initializer_list<double> steps, double value) {
     }
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
     for (const double step : steps) {
-        // The slack keeps 0.2 at 0.2 although 2 * 0.1 may come out a digit below it.
+        // The tolerance absorbs rounding, for instance of 2 * 0.1.
         if (value <= step * decade * (1 + 1e-9)) {
             return step * decade;
         }

@@ -15,36 +15,36 @@ struct Rgb {
     bool operator==(const Rgb&) const = default;
 };
 
-/// Entries of a colour map as uploaded and as drawn by the colour bar.
+/// Entries of a colour map, as uploaded and as drawn by the colour bar.
 inline constexpr int kColourMapSize = 256;
 using ColourMap = std::array<Rgb, kColourMapSize>;
 
-/// Blue (surplus) over light grey (0) to orange-red (stretch): told apart by all common kinds of
-/// colour blindness, and symmetric in lightness, so that neither side looks worse than the other.
+/// Blue (surplus) over light grey (0) to orange-red (stretch). Suitable for common kinds of colour
+/// blindness, and symmetric in lightness, so that both signs look equally strong.
 const ColourMap& divergingMap();
 /// Light grey (0) to deep purple, darkening evenly.
 const ColourMap& sequentialMap();
 /// The map of a measured overlay.
 const ColourMap& colourMap(Overlay overlay);
 
-/// Cloth colour of a piece: calm hues of like lightness that repeat, lighter and darker, after
-/// kHueCount.
+/// Cloth colour of a piece: calm hues of similar lightness. After kHueCount pieces they repeat in
+/// other lightnesses.
 Rgb pieceColour(int piece);
-/// Pieces that are not flat.
+/// For pieces that are not flat.
 Rgb neutralColour();
 
-/// The span of values a colour bar covers, in the unit shown (percent, degrees, or none).
+/// The range of values of a colour bar, in the displayed unit (percent, degrees, or none).
 struct OverlayScale {
     double low = 0, high = 1;
     bool below = false, above = false;  ///< some values lie outside and are clamped
-    bool limited = false;               ///< the ends are the limits of the fabric
+    bool limited = false;               ///< the ends are the fabric's limits
 
-    /// Place of a value on the bar, in even steps, clamped to [0, 1].
+    /// Linear position of a value on the bar, clamped to [0, 1].
     double position(double value) const;
-    /// Place of a value in the colour map, clamped to [0, 1]: where the scale has two sides, 0 is
-    /// always in the middle and either end is full colour, however unlike the two ends are.
+    /// Position of a value in the colour map, clamped to [0, 1]. On a scale with both signs, 0 is
+    /// always in the middle and both ends have full colour, even if they differ in size.
     double shade(double value) const;
-    /// How near a value is to the end on its side: 1 at the end, more beyond it.
+    /// Ratio of a value to the end on its side: 1 at the end, more beyond it.
     double severity(double value) const;
     /// True beyond an end by more than rounding.
     bool isBeyond(double value) const { return severity(value) > StrainBounds::kSlack; }
@@ -57,9 +57,9 @@ double roundedUp(double value);
 /// The same among 1, 1.5, 2, 3, 4, 5, 6 and 8 times a power of ten: closer, still easy to read.
 double roundedUpClosely(double value);
 
-/// A scale that shows 98 % of the values: symmetric about 0 where `signedValues`, else from 0, its
-/// end rounded up, and never finer than `finest`, so that rounding noise of a perfectly flat piece
-/// is not blown up into colours.
+/// A scale that shows 98 % of the values, with its end rounded up: symmetric around 0 if
+/// `signedValues`, else from 0. It is never smaller than `finest`, so that rounding noise of a
+/// perfectly flat piece does not show up as colours.
 OverlayScale robustScale(std::vector<float> values, bool signedValues, double finest);
 
 }  // namespace toile::app

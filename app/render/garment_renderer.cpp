@@ -9,15 +9,14 @@ namespace toile::app {
 
 namespace {
 
-/// Lifts lines off the cloth, as a part of their distance from the eye: half a pixel or so.
+/// Lifts lines off the cloth by about half a pixel, as a share of their distance from the eye.
 constexpr double kLineDepthShift = 3e-4;
 
 constexpr int kMorphTableUnit = 3;
-/// How much is seen of a sheet of cloth where it lets what is behind it be seen: of the nearest, so
-/// that its colours can be read, and of those behind.
+/// Opacity in x-ray mode, of the nearest layer (whose colours stay readable) and of those behind.
 constexpr float kXrayNearest = 0.58F, kXrayBehind = 0.34F;
 
-/// The camera turns the sheet only once pieces are on their way to it.
+/// The table depends on the camera only once pieces fly to the sheet.
 bool needNewTable(const Morph& now, const Morph& before) {
     return now.flight() != before.flight() ||
            (now.flight() > 0 &&
@@ -68,15 +67,14 @@ void GarmentRenderer::paint(const Camera3D& camera, const ViewState& view, const
     paintCloth(frame, camera);
 
     if (morph.way == 0 &&
-        sewnWay_ == 0) {  // strokes on the garment, which do not come along to the sheet
-        // Apart as they are where the camera looks; nearer and farther ones come along with the
-        // cloth.
+        sewnWay_ == 0) {  // strokes on the garment that do not follow it to the sheet
+        // Spacing is chosen at the target's depth; glyphs nearer or farther follow the perspective.
         const Eigen::Vector3d here = camera.pointAtTargetDepth(0, 0);
         constexpr double kPixels = 100;
         paintCrosses(frame, depthShift,
                      (camera.pointAtTargetDepth(kPixels, 0) - here).norm() / kPixels);
     }
-    if (morph.way == 0) {  // it does not lie flat anywhere
+    if (morph.way == 0) {  // leftovers have no flat position
         paintLeftOut(frame, -depthShift);
     }
     paintLines(frame, depthShift);
@@ -101,11 +99,11 @@ void GarmentRenderer::paintCloth(const Frame& frame, const Camera3D& camera) {
 
 void GarmentRenderer::paintSheets(ShaderProgram& cloth) {
     beginBlending();
-    // Where the nearest sheet is: nothing of it is seen yet.
+    // Fill the depth buffer with the nearest layer, still invisible.
     cloth.setUniformValue("clothAlpha", 0.0F);
     mesh_.drawTriangles();
     glDepthMask(GL_FALSE);
-    // What lies behind it; what faces away first, for most of that is farther back.
+    // Draw the layers behind it, back faces first, since most of them are farther away.
     glDepthFunc(GL_GREATER);
     cloth.setUniformValue("clothAlpha", kXrayBehind);
     glEnable(GL_CULL_FACE);
@@ -119,7 +117,7 @@ void GarmentRenderer::paintSheets(ShaderProgram& cloth) {
     mesh_.drawTriangles();
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    glClear(GL_DEPTH_BUFFER_BIT);  // lines are seen through all sheets
+    glClear(GL_DEPTH_BUFFER_BIT);  // draw lines over all layers
 }
 
 void GarmentRenderer::synchronizeMorph(const Morph& morph) {

@@ -9,13 +9,13 @@
 
 namespace toile::app {
 
-/// Draws the garment in 3D: lit cloth, outlines, selection. A fixed number of draw calls whatever
-/// the number of pieces.
+/// Draws the garment in 3D: lit cloth, outlines, selection. The number of draw calls does not
+/// depend on the number of pieces.
 class GarmentRenderer : public SceneRenderer {
 public:
-    /// Into the bound framebuffer. @param width, height device pixels
-    /// @param morph  how far the garment is on its way to the pattern
-    /// @param sewnWay  how far from the design to the cloth that is sewn, 0 to 1
+    /// Paints into the bound framebuffer. @param width, height device pixels
+    /// @param morph  position between garment and pattern
+    /// @param sewnWay  position between the design and the sewn cloth, 0 to 1
     void paint(const Camera3D& camera, const ViewState& view, const RenderStyle& style, int width,
                int height, double pixelRatio, const Morph& morph = {}, double sewnWay = 0);
 
@@ -33,14 +33,14 @@ protected:
 private:
     void synchronizeMorph(const Morph& morph);
     void paintCloth(const Frame& frame, const Camera3D& camera);
-    /// Cloth that is seen through, with the program bound.
+    /// Paints translucent cloth; the program is bound.
     void paintSheets(ShaderProgram& cloth);
 
-    /// Motions of the pieces on their way to the sheet: three texels each.
+    /// Motions of the pieces to the sheet: three texels each.
     TableTexture morphTable_{counts_};
     float bend_ = 0, sewnWay_ = 0;
     bool xray_ = false;
-    /// What the table was made for.
+    /// The morph and content of the current table.
     Morph tableMorph_;
     int tableContent_ = -1;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// OpenGL by libepoxy: each function is found in whichever context is current, Qt's or one of
-// offscreen.h. It wants to be there before GL/gl.h, which Qt's headers bring. Where Qt's
-// were first, the two say the same but for the parameter of one extension.
+// OpenGL through libepoxy, which resolves functions for the current context (Qt or offscreen.h). It
+// must be included before GL/gl.h, which Qt's headers include. If Qt's came first, the declarations
+// differ in one extension's parameter only.
 #undef __gl_h_
 #undef __glext_h_
 #define PFNGLPATHGLYPHINDEXRANGENVPROC EpoxyPathGlyphIndexRange

@@ -86,7 +86,7 @@ bool hasGl() {
 
 void beginBlending() {
     glEnable(GL_BLEND);
-    // Alpha of the framebuffer stays 1: the window is not to shine through.
+    // Keep the framebuffer's alpha at 1, or the window would be translucent.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
 }
 

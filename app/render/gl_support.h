@@ -7,33 +7,32 @@
 
 namespace toile::app {
 
-/// Samples per pixel, in windows and pictures alike: 4, or what the environment says in
-/// TOILE_SAMPLES (1 halves the work where a processor draws, and edges show steps).
+/// Samples per pixel, in windows and pictures: 4, or the value of TOILE_SAMPLES. A value of 1
+/// halves the work of software rendering, but edges look jagged.
 int samplesPerPixel();
 
-/// OpenGL 3.3 core with depth and so many samples per pixel: what every view asks for.
+/// The format of every view: OpenGL 3.3 core with depth and multisampling.
 QSurfaceFormat sceneSurfaceFormat();
 
-/// False on platforms of Qt without a screen. Some make contexts where an X display answers too,
-/// but no widget can be drawn by them: Qt ends with a signal.
+/// False on Qt platforms without a screen. Some of them create contexts if an X display answers,
+/// but Qt aborts when a widget is drawn with one.
 bool hasScreen();
 
-/// Tries to make a context. @return what is missing, as a sentence for a person; empty if all is
-/// well. GUI thread.
+/// Tries to create a context. @return a message about the problem; empty if there is none. GUI
+/// thread.
 QString glProblem();
 
-/// Version and maker of OpenGL here, "4.5 (Core Profile) Mesa 22.3.6, llvmpipe"; empty where there
-/// is none. GUI thread.
+/// Version and vendor of OpenGL, "4.5 (Core Profile) Mesa 22.3.6, llvmpipe"; empty without OpenGL.
+/// GUI thread.
 QString glDescription();
 
-/// Whether a context is current, be it Qt's or one of offscreen.h, and has OpenGL 3.3.
+/// Whether a context of Qt or of offscreen.h is current and has OpenGL 3.3.
 bool hasGl();
 
-/// What is drawn next covers by its alpha.
+/// Turns on alpha blending.
 void beginBlending();
 
-/// What the frames of one renderer have asked of the graphics driver so far. Writing over the view
-/// is not in it.
+/// Totals of one renderer's requests to the graphics driver, without the text over the view.
 struct FrameCounts {
     int drawCalls = 0;
     std::size_t uploadedBytes = 0;  ///< to buffers and textures

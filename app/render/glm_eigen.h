@@ -6,7 +6,7 @@
 
 namespace toile::app {
 
-/// The one crossing between the core's Eigen and the cameras' GLM.
+/// The only conversion from the core's Eigen types to the cameras' GLM types.
 
 inline glm::dvec3 toGlm(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};

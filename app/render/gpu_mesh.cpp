@@ -33,20 +33,20 @@ constexpr VertexAttribute kGlyphAttributes[] = {
     {6, 1, offsetof(GlyphVertex, piece)},
 };
 
-/// What goes into a buffer.
+/// Contents of a buffer.
 struct BufferData {
     const void* data;
     std::size_t bytes, stride;
     GLenum usage;
 };
 
-/// Bytes into the bound buffer, which OpenGL takes as a pointer.
+/// Offset into the bound buffer, which OpenGL takes as a pointer.
 const void* bufferOffset(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr)
 }
 
-/// Fills a buffer and tells the bound vertex array, which it leaves, where the attributes lie;
-/// without bytes every vertex has zeros.
+/// Fills a buffer and sets the attributes of the bound vertex array, then unbinds it. Without
+/// bytes, the attributes are zero.
 void fill(GLuint buffer, const BufferData& from, std::span<const VertexAttribute> attributes) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(from.bytes), from.data, from.usage);
@@ -95,7 +95,7 @@ void GpuBuffers::uploadIndices(std::initializer_list<Indices> lists) {
     }
     glGenBuffers(1, &indices_);
     glBindVertexArray(array_);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // stays with the vertex array
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_);  // part of the vertex array's state
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(total), nullptr, GL_STATIC_DRAW);
     std::size_t offset = 0;
     for (const Indices& list : lists) {

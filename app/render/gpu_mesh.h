@@ -19,11 +19,11 @@ struct VertexAttribute {
     std::size_t offset;
 };
 
-/// The GPU's copy of vertices, and of indices into them where there are any. Every call needs the
-/// same context current; `release` must be called before that context goes.
+/// The GPU's copy of vertices and optional indices. All calls need the same context current. Call
+/// `release` before that context is destroyed.
 class GpuBuffers {
 public:
-    /// Draw calls and uploads are counted there; must outlive this object.
+    /// Counts draw calls and uploads in `counts`, which must outlive this object.
     explicit GpuBuffers(FrameCounts& counts) : counts_(counts) {}
 
     void release();
@@ -31,24 +31,24 @@ public:
 protected:
     using Indices = std::span<const std::uint32_t>;
 
-    /// Replaces what was there.
+    /// Replaces the vertices.
     template <class Vertex>
     void uploadVertices(const std::vector<Vertex>& vertices,
                         std::span<const VertexAttribute> attributes) {
         uploadBytes(vertices.data(), vertices.size() * sizeof(Vertex), sizeof(Vertex), attributes);
     }
-    /// More of the same vertices, in a buffer of their own; replaces what was there of these.
-    /// After the vertices themselves.
+    /// Uploads or replaces additional attributes of the same vertices in a separate buffer. Call
+    /// after uploading the vertices.
     template <class Vertex>
     void uploadBeside(const std::vector<Vertex>& vertices,
                       std::span<const VertexAttribute> attributes) {
         besideBytes(vertices.data(), vertices.size() * sizeof(Vertex), sizeof(Vertex), attributes);
     }
-    /// One list after the other.
+    /// Concatenates the lists.
     void uploadIndices(std::initializer_list<Indices> lists);
-    /// Vertices by so many indices from the first on.
+    /// Draws `count` indices, beginning at `first`.
     void draw(GLenum mode, std::size_t first, std::size_t count) const;
-    /// The first vertices, each as a point.
+    /// Draws the first vertices as points.
     void drawPoints(std::uint32_t count) const;
 
 private:
@@ -62,41 +62,39 @@ private:
     GLuint array_ = 0, vertices_ = 0, indices_ = 0, beside_ = 0;
 };
 
-/// The GPU's copy of the cloth.
 class GpuMesh : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
-    /// Replaces what was there.
+    /// Replaces the mesh.
     void upload(const std::vector<ClothVertex>& vertices, const MeshIndices& mesh);
-    /// Where the same vertices lie once sewn; none: takes that away. After `upload`.
+    /// Uploads the vertices' sewn positions; an empty list removes them. Call after `upload`.
     void uploadSewn(const std::vector<SewnVertex>& vertices);
 
     void drawTriangles() const { draw(GL_TRIANGLES, 0, triangles_); }
     void drawEdges() const { draw(GL_LINES, triangles_, edges_); }
     void drawOutline() const { draw(GL_LINES, triangles_ + edges_, outline_); }
 
-    /// How often a mesh was sent to the GPU: a camera that moves must not raise it.
+    /// Number of mesh uploads; camera moves must not raise it.
     int uploads() const { return uploads_; }
 
 private:
-    std::size_t triangles_ = 0, edges_ = 0, outline_ = 0;  ///< indices, one list after the other
+    std::size_t triangles_ = 0, edges_ = 0, outline_ = 0;  ///< counts of indices
     int uploads_ = 0;
 };
 
-/// The GPU's copy of lines, cut into segments so that any number of polylines that follow
-/// each other take one draw call.
+/// The GPU's copy of lines, split into segments, so that consecutive polylines take one draw call.
 class GpuLines : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
-    /// Replaces what was there.
+    /// Replaces the lines.
     void upload(const std::vector<LineVertex>& vertices, const LineRuns& runs);
-    /// As `GpuMesh::uploadSewn`.
+    /// See `GpuMesh::uploadSewn`.
     void uploadSewn(const std::vector<SewnVertex>& vertices);
 
     void drawSeams() const { drawSegments(seams_); }
-    /// Both its sides.
+    /// Draws both sides.
     void drawSeam(int seam) const;
     void drawReference() const { drawSegments(reference_); }
     void drawExact() const { drawSegments(exact_); }
@@ -105,12 +103,12 @@ public:
     void drawInternal() const { drawSegments(internal_); }
     bool hasLeftOut() const { return leftOut_.count > 0; }
     void drawLeftOut() const { drawSegments(leftOut_); }
-    /// Edges of a piece's boundary, as counted by OutlineRun, as they are drawn: it may pass the
-    /// outline's beginning.
+    /// Draws edges of a piece's boundary, counted as in OutlineRun. The range may wrap past the
+    /// outline's start.
     void drawOutline(int piece, int first, int count) const;
 
 private:
-    /// Segments in the index buffer.
+    /// A range of segments in the index buffer.
     struct Range {
         std::size_t first = 0, count = 0;
     };
@@ -124,13 +122,13 @@ private:
     std::vector<std::vector<std::uint32_t>> boundaryAt_;  ///< LineRuns::boundaryAt
 };
 
-/// The GPU's copy of the principal strains' glyphs: one draw call, as many places as the scale of
-/// the view has room for, and nothing uploaded when that changes.
+/// The GPU's copy of the principal strain glyphs. One draw call shows as many glyphs as fit at the
+/// view's scale; changing the scale uploads nothing.
 class GpuGlyphs : public GpuBuffers {
 public:
     using GpuBuffers::GpuBuffers;
 
-    /// Replaces what was there.
+    /// Replaces the glyphs.
     void upload(const StrainGlyphs& glyphs);
     void draw(const GlyphRange& run) const { drawPoints(run.count); }
 };

@@ -19,14 +19,14 @@ namespace toile::app {
 
 namespace {
 
-/// What all vertices of a line have in common.
+/// Properties shared by all vertices of a line.
 struct LineKind {
     int piece;
     float tint;
 };
 
-/// @param flat   where the piece lies flat; empty where it does not
-/// @param space  relative to the scene's origin; empty where the line is drawn in the pattern only
+/// @param flat   flat points; empty if the piece is not flat
+/// @param space  relative to the scene's origin; empty if the line is drawn in the pattern only
 VertexRun addLine(Scene& scene, const Points3& space, const Points2& flat, const LineKind& kind) {
     const std::size_t first = scene.lineVertices.size();
     double along = 0;
@@ -47,7 +47,7 @@ VertexRun addLine(Scene& scene, const Points3& space, const Points2& flat, const
             static_cast<std::uint32_t>(scene.lineVertices.size() - first)};
 }
 
-/// The points of a loop, the first once more at the end.
+/// The points of a loop, with the first repeated at the end.
 template <class Points>
 Points closedLine(const Points& points, const std::vector<int>& loop) {
     const auto n = static_cast<Eigen::Index>(loop.size());
@@ -58,8 +58,8 @@ Points closedLine(const Points& points, const std::vector<int>& loop) {
     return line;
 }
 
-/// Which points of a drawn outline are the vertices of the boundary, and the last point.
-/// @param worn  the outline in space, through all of these vertices
+/// Indices of the boundary's vertices in a drawn outline, plus its last point.
+/// @param worn  the outline in 3D, through all boundary vertices
 std::vector<std::uint32_t> boundaryOn(const Points3& worn, const Piece& piece) {
     const Points3 vertices = closedLine<Points3>(piece.mesh.V, piece.boundary);
     std::vector<std::uint32_t> at{0};
@@ -78,7 +78,7 @@ std::vector<std::uint32_t> boundaryOn(const Points3& worn, const Piece& piece) {
     return at;
 }
 
-/// A circle with its first point once more at the end; a stroke as it is.
+/// Closes a circle by repeating its first point; leaves a stroke unchanged.
 Points2 closedIfRound(Points2 line) {
     if (line.rows() > 2) {
         line.conservativeResize(line.rows() + 1, 2);
@@ -87,8 +87,7 @@ Points2 closedIfRound(Points2 line) {
     return line;
 }
 
-/// Strokes about a point as they are drawn flat, laid on the worn cloth in the plane of its
-/// triangle.
+/// Maps flat strokes around a point to the worn cloth, in the plane of its triangle.
 Points3 onCloth(const MeshArrays& mesh, const SurfacePoint& point, const Points2& stroke) {
     const Eigen::RowVector3d p = mesh.V.row(mesh.F(point.face, 0)),
                              q = mesh.V.row(mesh.F(point.face, 1)),
@@ -99,7 +98,7 @@ Points3 onCloth(const MeshArrays& mesh, const SurfacePoint& point, const Points2
            positionOf(mesh, point).transpose();
 }
 
-/// A line or drill point in space and, where its piece is flat, in the pattern.
+/// Adds a line or drill point in 3D and, if its piece is flat, in the pattern.
 void addInternal(Scene& scene, const PieceInternal& internal, const MeshArrays& mesh,
                  const FlatPiece* flat, const LineKind& kind) {
     const auto add = [&](Points3 worn, const Points2& line) {
@@ -259,7 +258,7 @@ void addInternalLines(const Garment& garment, const PieceResults& results, const
 }
 
 void addLeftOut(const Garment& garment, Scene& scene) {
-    constexpr Eigen::Index kMaxEdges = 50'000;  // more are a grey surface
+    constexpr Eigen::Index kMaxEdges = 50'000;  // more would look like a grey surface
     const int none = static_cast<int>(garment.pieces.size());
     for (const auto& file : garment.files) {
         const MeshArrays& mesh = file->reading.leftOut;

@@ -9,14 +9,14 @@ namespace toile::app {
 
 namespace {
 
-/// Even at both ends, so that the halves of the way join without a jerk.
+/// Zero slope at both ends, so that the two halves of the morph join smoothly.
 double eased(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
 }
 
-/// A piece on its sheet that stands before the eye. A mirrored piece lies with its other side up,
-/// which in space is a turn too.
+/// Places a piece on the sheet that faces the eye upright. Mirroring a piece is a rotation in
+/// space.
 SpaceMotion onStandingSheet(const Placement& placement, const Eigen::Vector2d& sheetMiddle,
                             const Morph& morph) {
     const Eigen::Matrix<double, 3, 2> axes = morph.sheetAxes.leftCols<2>();
@@ -67,8 +67,8 @@ SpaceMotion bestRest(const Points2& flat, const Points3& worn, const Eigen::Vect
     if (!covariance.allFinite()) {
         return motion;
     }
-    // The nearest pair of orthogonal unit vectors; the third follows, so nothing is flipped. Padded
-    // with zeros: for 3 x 3 the decomposition compiles eight times as fast.
+    // The nearest orthonormal pair; the cross product gives the third, so nothing is mirrored.
+    // Padding with zeros makes this compile eight times as fast: 3 x 3 is a special case.
     Eigen::Matrix3d padded = Eigen::Matrix3d::Zero();
     padded.leftCols<2>() = covariance;
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(padded, Eigen::ComputeFullU | Eigen::ComputeFullV);

@@ -10,45 +10,42 @@
 
 namespace toile::app {
 
-/// The way from the garment to the pattern, 0 to 1, as the garment view shows it: in the first half
-/// every flat piece flattens where it is worn, in the second it flies to its place on the sheet.
-/// The sheet stands upright before the eye.
+/// The morph from garment (0) to pattern (1). In the first half, every flat piece flattens in
+/// place. In the second, it flies to its place on the sheet, which faces the eye upright.
 struct Morph {
     double way = 0;
     Eigen::Matrix3d sheetAxes = Eigen::Matrix3d::Identity();  ///< columns: x, y, towards the eye
-    Eigen::Vector3d sheetCentre = Eigen::Vector3d::Zero();    ///< where the sheet's middle stands
+    Eigen::Vector3d sheetCentre = Eigen::Vector3d::Zero();    ///< position of the sheet's middle
 
-    /// How flat the cloth is, 0 to 1, and how far pieces have flown.
+    /// Flatness of the cloth, 0 to 1, and progress of the flight.
     double bend() const;
     double flight() const;
 
     bool operator==(const Morph&) const = default;
 };
 
-/// The motion that brings the flat points nearest to the worn ones (least squares), without
-/// turning over. Cost: linear. Pure.
+/// The rigid motion, without mirroring, that brings flat points nearest to worn ones in the least
+/// squares sense. Cost: linear. Pure.
 SpaceMotion bestRest(const Points2& flat, const Points3& worn, const Eigen::Vector3d& origin);
 
-/// Where each flat piece lies in space on that way, once it is flat: turning evenly, about its
-/// middle. Cost: linear in the pieces. Pure.
+/// The rigid motion of each flat piece at this state, rotating evenly around its middle. Cost:
+/// linear in the pieces. Pure.
 std::vector<SpaceMotion> morphMotions(const Scene& scene, const SheetPlaces& places,
                                       const Morph& morph);
 
-/// A worn point on the way. @param motion of its piece, from `morphMotions`
+/// A worn point during the morph. @param motion of its piece, from `morphMotions`
 Eigen::Vector3d morphed(const Morph& morph, const SpaceMotion& motion, const Eigen::Vector3d& worn,
                         const Eigen::Vector2d& flat);
 
-/// Around everything that is shown on the way, for framing: pieces that are not flat stay where
-/// they are.
+/// Boxes of everything shown during the morph, for framing. Pieces that are not flat stay in place.
 std::vector<Eigen::AlignedBox3d> morphBoxes(const Scene& scene, const SheetPlaces& places,
                                             const Morph& morph);
 
-/// The state of the morph before this camera: the sheet stands upright in front of it.
+/// The morph's state for this camera: the sheet faces it upright.
 /// @param scene  may be null
 Morph morphBefore(const Camera3D& camera, const Scene* scene, double way);
 
-/// Brings pieces into sight, in the view and in pictures of it. The camera's viewport is set
-/// before.
+/// Frames pieces, in the view and in pictures of it. Precondition: the camera's viewport is set.
 /// @param pieces  indices into Scene::pieces, never empty
 /// @param way  of the morph
 void frameGarment(Camera3D& camera, const Scene& scene, const SheetPlaces& places,

@@ -20,7 +20,7 @@ namespace {
 
 class QtContext : public OffscreenContext {
 public:
-    /// @return whether it is current and good enough
+    /// @return whether it is current and has the required version
     bool make() {
         context_.setFormat(sceneSurfaceFormat());
         if (!context_.create()) {
@@ -45,7 +45,7 @@ public:
     ~EglContext() override {
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         eglDestroyContext(display_, context_);
-        // The display stays initialised: it is one for the whole process.
+        // Do not terminate the display: the whole process shares it.
     }
 
 private:
@@ -70,7 +70,7 @@ EGLDisplay surfacelessDisplay() {
     if (!has(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
         return EGL_NO_DISPLAY;
     }
-    // Of EGL 1.5, or an extension of the version before.
+    // Core in EGL 1.5, an extension before that.
     const auto display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
         eglGetProcAddress("eglGetPlatformDisplayEXT"));
     return display ? display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)
@@ -79,7 +79,7 @@ EGLDisplay surfacelessDisplay() {
 
 #endif
 
-constexpr int kFlags = 8;  ///< of errors, more than OpenGL has
+constexpr int kFlags = 8;  ///< clears of the error flag, more than OpenGL has flags
 
 GLuint makeRenderbuffer(int samples, GLenum format, int width, int height) {
     GLuint buffer = 0;
@@ -189,7 +189,7 @@ bool Framebuffer::make(int width, int height) {
     width_ = width;
     height_ = height;
     for (int i = 0; i < kFlags && glGetError() != GL_NO_ERROR; ++i) {
-        // What came before is not ours.
+        // Discard earlier errors.
     }
     return makeTarget(resolved_, 0, false) &&
            makeTarget(drawn_, std::min(samplesPerPixel(), samples), true);

@@ -9,28 +9,27 @@
 
 namespace toile::app {
 
-/// A context of OpenGL 3.3 to draw in without a window. It is current on the thread that made it
-/// until it goes.
+/// An OpenGL 3.3 context for drawing without a window. It stays current on the creating thread
+/// until destroyed.
 class OffscreenContext {
 public:
     virtual ~OffscreenContext() = default;
 };
 
-/// Makes a context and makes it current: of the display where Qt has one that offers OpenGL, else
-/// one that needs no display. Needs a QGuiApplication; GUI thread.
-/// @param problem  receives a sentence for a person where null is returned
+/// Creates a context and makes it current: on Qt's display if that offers OpenGL, else one that
+/// needs no display. Requires a QGuiApplication; GUI thread.
+/// @param problem  receives a message if null is returned
 std::unique_ptr<OffscreenContext> makeOffscreenContext(QString& problem);
 
-/// A context of OpenGL 3.3 core that needs neither display nor surface, made current on this thread
-/// (EGL with Mesa's surfaceless platform: a graphics card where one may be used, else the
-/// processor). Null where there is no such thing, or Toile was built without EGL.
+/// Creates an OpenGL 3.3 core context without display or surface, current on this thread. Uses EGL
+/// with Mesa's surfaceless platform, on a graphics card if available, else in software. Null if
+/// that is not possible or Toile was built without EGL.
 std::unique_ptr<OffscreenContext> makeEglContext();
 
-/// Whether a context of EGL is current on this thread.
 bool isEglCurrent();
 
-/// Something to draw on that is no window: colour with `samplesPerPixel()`, and depth.
-/// Every call, the destructor's too, needs the same context current.
+/// A render target without a window: colour with `samplesPerPixel()`, and depth.
+/// All calls, including the destructor, need the same context current.
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -38,10 +37,10 @@ public:
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
 
-    /// Makes the buffers and binds them for drawing; once.
-    /// @return false where they are larger than the driver allows, or there is no room for them
+    /// Creates the buffers and binds them for drawing. Call once.
+    /// @return false if they exceed the driver's limits or its memory
     bool make(int width, int height);
-    /// What has been drawn, opaque, top row first.
+    /// The drawn image, opaque, top row first.
     QImage read();
 
 private:

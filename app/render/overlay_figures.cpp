@@ -9,8 +9,8 @@ namespace toile::app {
 
 namespace {
 
-/// What the overlay shows of every flat triangle by itself: visit(face of the pattern, value, the
-/// piece's scale).
+/// Calls visit(face of the pattern, value, the piece's scale) with the overlay's value of every
+/// flat triangle.
 template <class Visit>
 void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay,
                   const OverlayScale& scale, const SewnCloth* sewn, const Visit& visit) {
@@ -32,10 +32,10 @@ void forEachValue(const Scene& scene, const SheetPlaces& places, Overlay overlay
     }
 }
 
-/// @param own  the piece's
+/// @param own  scale of the piece
 void count(Histogram& histogram, const OverlayScale& scale, const OverlayScale& own, double value,
            double area) {
-    // Where the ends are limits, cloth that has none is beyond nothing.
+    // If the ends are limits, cloth without limits is never beyond them.
     if (own.isBeyond(value) && (own.limited || !scale.limited)) {
         (value < own.low ? histogram.below : histogram.above) += area;
         return;
@@ -44,17 +44,17 @@ void count(Histogram& histogram, const OverlayScale& scale, const OverlayScale& 
     histogram.bins[static_cast<std::size_t>(std::clamp(bin, 0, kHistogramBins - 1))] += area;
 }
 
-/// Parts of the end of the side: what is nearer to nothing than this is no trouble.
+/// Share of the scale's end below which a value is no worst spot.
 constexpr float kMinSeverity = 0.25F;
-/// Between spots of one piece: a part of the diagonal of its box, and millimetres.
+/// Minimum distance of spots on a piece: a share of its box's diagonal, and mm.
 constexpr double kApartShare = 0.15, kApart = 10;
-/// A neighbour that is higher by less is as high: rounding makes no peaks.
+/// Ignore differences below this, so that rounding makes no peaks.
 constexpr float kSame = 1e-4F;
 
-/// Of the triangles around each vertex the worst, by severity, and its number.
+/// Per vertex the worst triangle around it, by severity.
 struct Field {
     std::vector<float> severity, value;
-    std::vector<std::uint32_t> face;  ///< the triangle it is of
+    std::vector<std::uint32_t> face;  ///< the triangle with that value
 };
 
 Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
@@ -79,7 +79,7 @@ Field fieldOf(const Scene& scene, const SheetPlaces& places, Overlay overlay,
     return field;
 }
 
-/// Vertices that no neighbour is higher than, and some neighbour lower; the highest of all too.
+/// Local maxima that have a lower neighbour, and the global maximum.
 std::vector<std::uint32_t> peaks(const Scene& scene, const Field& field) {
     enum : char { kLower = 1, kHigher = 2 };
     std::vector<char> neighbours(field.severity.size(), 0);

@@ -14,7 +14,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kPercent = 100;
-/// A limit of 0 would leave no room for any colour on its side, in percent.
+/// Minimum size of a limit, in percent: 0 would leave no colours on its side.
 constexpr double kMinLimit = 0.01;
 
 MetricTensor metricOf(const OverlaySample& sample) {
@@ -67,7 +67,7 @@ double unbounded(Overlay overlay, const OverlaySample& sample, const Eigen::Vect
     return 0;
 }
 
-/// The mean of the triangle's vertices, weighted.
+/// Weighted mean of the triangle's vertices.
 OverlaySample blended(const Scene& scene, std::size_t face, const Eigen::Vector3d& weights) {
     OverlaySample sum{};
     for (int k = 0; k < 3; ++k) {

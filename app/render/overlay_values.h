@@ -17,39 +17,38 @@ struct Fabric;
 
 namespace toile::app {
 
-/// What the fabric allows of a quantity; none where it sets no limit to it or is not stated. A
-/// strain that has no direction is held to the tightest limits of all directions. In percent.
+/// Limits of the fabric for a quantity, in percent; nullopt if it has none or is not chosen. Strain
+/// without a direction uses the tightest limits of all directions.
 struct OverlayLimits {
     double least = 0, most = 0;
 };
 
 std::optional<OverlayLimits> fabricLimits(Overlay overlay, const Fabric& fabric);
 
-/// The ends of the colour bar: the fabric's limits where it sets any, else the span that shows 98 %
-/// of the garment's values. Cost: none to speak of.
-/// @param sewn  for the overlays that are of it; null: there is none
+/// The ends of the colour bar: the fabric's limits if it has any, else the range of 98 % of the
+/// garment's values. Cost: negligible.
+/// @param sewn  needed by the overlays of sewn cloth; may be null
 OverlayScale overlayScale(const Scene& scene, Overlay overlay, const Fabric& fabric,
                           const SewnCloth* sewn = nullptr);
 
-/// The same on one piece: of one that is cut from another fabric than the garment, with the limits
-/// of that, or without any where that is not stated.
+/// The scale on one piece: with the limits of the piece's own fabric, or without limits if that has
+/// none.
 OverlayScale scaleOn(const SheetPlace& place, Overlay overlay, const OverlayScale& scale);
 
-/// What the mesh knows of a place: what its vertices and triangles carry.
+/// The data that a vertex or triangle of the mesh carries.
 struct OverlaySample {
     float values[4];  ///< area change %, angle change degrees, largest and least edge strain %
     float metric[3];  ///< E, F, G
 };
 
-/// The number an overlay shows, in its unit; 0 for one that shows none, or that of sewn cloth
-/// (`sewnValue`). Of two numbers (the
-/// edges, the diagonals, the principal strains) the one nearer to the end of its side. The same
-/// formulas as in resources/shaders/surface.glsl.
-/// @param grain direction of the warp in the piece's coordinates, a unit vector
+/// The overlay's value, in its unit; 0 for overlays without numbers and for sewn cloth
+/// (`sewnValue`). If there are two values (edges, diagonals, principal strains), returns the one
+/// with the larger severity. The formulas match those in resources/shaders/surface.glsl.
+/// @param grain direction of the warp in the piece's coordinates, unit vector
 double overlayValue(Overlay overlay, const OverlaySample& sample, const Eigen::Vector2d& grain,
                     const OverlayScale& scale);
 
-/// Of a vertex, or of a triangle alone.
+/// The sample of a single vertex or triangle.
 template <class Carrier>
 OverlaySample sampleOf(const Carrier& carrier) {
     OverlaySample sample{};
@@ -58,27 +57,27 @@ OverlaySample sampleOf(const Carrier& carrier) {
     return sample;
 }
 
-/// What is drawn in the middle of a triangle, or elsewhere in it.
-/// @param face        counted in Scene::pattern
-/// @param perTriangle as ViewState::valuesPerTriangle
+/// The sample drawn at a place in a triangle.
+/// @param face        index in Scene::pattern
+/// @param perTriangle see ViewState::valuesPerTriangle
 OverlaySample sampleOf(const Scene& scene, std::size_t face, const Eigen::Vector3d& barycentric,
                        bool perTriangle);
 
-/// Direction of the warp as a vector.
+/// Direction of the warp as a unit vector.
 Eigen::Vector2d grainVector(const SheetPlaces& places, int piece);
 
-/// What is drawn at a place, as a number; none where the piece is not flat, the overlay shows no
-/// number or the place is not on the piece. Cost: none to speak of.
+/// The value drawn at a place; nullopt if the piece is not flat, the overlay has no numbers or the
+/// place is not on the piece. Cost: negligible.
 /// @param scale       of the garment
-/// @param perTriangle as ViewState::valuesPerTriangle
+/// @param perTriangle see ViewState::valuesPerTriangle
 std::optional<double> valueAt(const Scene& scene, const SheetPlaces& places,
                               const SurfaceHit& place, Overlay overlay, const OverlayScale& scale,
                               bool perTriangle, const SewnCloth* sewn = nullptr);
 
-/// How much of a garment its fabrics cannot do, as parts of its flat area. What counts as beyond is
-/// every triangle that the overlays' histograms of warp, weft and bias count so.
+/// Strain beyond the fabrics' limits, as shares of the garment's flat area. Counts triangles as the
+/// histograms of warp, weft and bias do.
 struct FabricFit {
-    /// The piece of which the largest part is strained beyond the fabric, in any direction.
+    /// The piece with the largest share of strain beyond the limits in any direction.
     struct WorstPiece {
         int piece = -1;
         double share = 0;  ///< of its own flat area
@@ -87,23 +86,23 @@ struct FabricFit {
     };
 
     double warp = 0, weft = 0, bias = 0;
-    double any = 0;                     ///< beyond in one of the directions at least
-    std::optional<WorstPiece> worst{};  ///< none where nothing is beyond
+    double any = 0;                     ///< beyond in at least one direction
+    std::optional<WorstPiece> worst{};  ///< nullopt if nothing is beyond the limits
 
     bool operator==(const FabricFit&) const = default;
 };
 
-/// All that the fit depends on.
+/// All inputs of the fit.
 struct FabricQuestion {
     std::shared_ptr<const Scene> scene{};  ///< may be null
-    SheetPlaces places{};                  ///< for the grain and the materials' fabrics
-    Fabric fabric{};                       ///< of the other pieces
+    SheetPlaces places{};                  ///< for grain and materials' fabrics
+    Fabric fabric{};                       ///< for pieces without their own
 };
 
-/// True where the answer is the same: places on the sheet do not matter, grain and fabric do.
+/// True if the answer is the same: placement does not matter, grain and fabric do.
 bool isSameQuestion(const FabricQuestion& one, const FabricQuestion& other);
 
-/// None where there is no flat cloth. Pure, thread-safe. Cost: linear, some tenths of a second at a
+/// Nullopt without flat cloth. Pure, thread-safe. Cost: linear, some tenths of a second for a
 /// million triangles.
 std::optional<FabricFit> fabricFit(const FabricQuestion& question);
 

@@ -8,14 +8,14 @@ namespace toile::app {
 
 namespace {
 
-/// Strong lines are at least this far apart on the screen; fine ones begin to show at a tenth.
+/// Minimum screen distance of strong lines; fine lines fade in over the range below.
 constexpr double kMajorPixels = 34.0;
 constexpr double kMinorFrom = 6.0, kMinorFull = 24.0;
 
 }  // namespace
 
 GridSteps gridSteps(double pixelsPerMillimetre, LengthUnit unit) {
-    // Powers of ten of the unit; parts of an inch are halved and halved again.
+    // Powers of ten of the unit; fractions of an inch are halved repeatedly.
     const bool isInch = unit == LengthUnit::Inch;
     const double one = isInch ? millimetresPer(unit) : 1;
     const double least = kMajorPixels / pixelsPerMillimetre / one;
@@ -42,12 +42,12 @@ void PatternRenderer::setGrid(const Camera2D& camera, bool shown, double pixelRa
     ShaderProgram& program = backdropProgram();
     program.bind();
     program.setUniformValue("gridStrength", shown ? 0.75F : 0.0F);
-    // From the lower left corner, device pixels.
+    // Position of the sheet's origin from the lower left corner, device pixels.
     const Eigen::Vector2d origin = -corner * camera.pixelsPerMillimetre() * pixelRatio;
     program.setUniformValue("sheetOrigin", static_cast<float>(origin.x()),
                             static_cast<float>(origin.y()));
     program.setUniformValue("axisWidth", static_cast<float>(pixelRatio));
-    // Whole steps are taken off in double precision: only the remainder fits a float's digits.
+    // Subtract whole steps in double precision, because only the remainder fits a float.
     program.setUniformValue(
         "gridOrigin",
         static_cast<float>(corner.x() - steps.major * std::floor(corner.x() / steps.major)),

@@ -7,9 +7,9 @@
 
 namespace toile::app {
 
-/// Distance between the grid's strong lines (mm) at a scale, into how many parts the fine lines
-/// divide it, and how visible these are, 0 to 1. At the usual scales 100 mm in tenths; where
-/// lengths are in inches 10 in in tenths, or an inch in eighths.
+/// Grid at a scale: distance of the strong lines (mm), number of parts between them, and visibility
+/// of the fine lines, 0 to 1. At usual scales 100 mm in tenths; for inches 10 in in tenths, or one
+/// inch in eighths.
 struct GridSteps {
     double major;
     int parts;
@@ -20,13 +20,13 @@ struct GridSteps {
 
 GridSteps gridSteps(double pixelsPerMillimetre, LengthUnit unit = LengthUnit::Millimetre);
 
-/// Draws the flat pieces at their places on the sheet, over a grid.
+/// Draws the flat pieces on the sheet, over a grid.
 class PatternRenderer : public SceneRenderer {
 public:
-    /// Into the bound framebuffer. @param width, height device pixels
+    /// Paints into the bound framebuffer. @param width, height device pixels
     void paint(const Camera2D& camera, const ViewState& view, const RenderStyle& style, int width,
                int height, double pixelRatio);
-    /// What the grid counts in from the next painting on; millimetres at first.
+    /// Sets the unit of the grid; millimetres by default.
     void setGridUnit(LengthUnit unit) { gridUnit_ = unit; }
 
 protected:

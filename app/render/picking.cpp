@@ -12,21 +12,21 @@ namespace toile::app {
 
 namespace {
 
-/// Slab test: how far along the half-line the box begins, a little less rather than more (a flat
-/// piece of cloth has a box without any depth); infinite where it is missed or beyond `farthest`.
+/// Slab test: where the ray enters the box, rounded down (a flat piece has a box without depth).
+/// Infinite if it misses the box or enters beyond `farthest`.
 double distanceTo(const Ray& ray, const geometry::TriangleTree<3>::Box& box, double farthest) {
     constexpr double kSlack = 1e-9;
     double from = 0, to = farthest;
     for (int k = 0; k < 3; ++k) {
-        const double inverse = 1.0 / ray.direction[k];  // infinite where parallel: still right
+        const double inverse = 1.0 / ray.direction[k];  // infinite if parallel, which still works
         const auto at = static_cast<std::size_t>(k);
-        // By the sign, so that the empty boxes at a tree's end are missed.
+        // Choose by sign, so that the inverted empty boxes at the tree's end are missed.
         const auto& [first, last] =
             inverse < 0 ? std::tie(box.high, box.low) : std::tie(box.low, box.high);
         const double a = (static_cast<double>(first[at]) - ray.origin[k]) * inverse;
         const double b = (static_cast<double>(last[at]) - ray.origin[k]) * inverse;
         if (std::isnan(a) || std::isnan(b)) {
-            continue;  // parallel and within the slab's plane
+            continue;  // parallel and inside the slab
         }
         from = std::max(from, a);
         to = std::min(to, b);
@@ -34,19 +34,19 @@ double distanceTo(const Ray& ray, const geometry::TriangleTree<3>::Box& box, dou
     return from <= to + kSlack * std::abs(to) ? from : std::numeric_limits<double>::infinity();
 }
 
-/// The face of lowest number among those found, as a search one by one would find it.
+/// Prefers the lowest face number among equals, as a linear search would.
 bool isBetter(const std::optional<SurfaceHit>& best, int piece, int face, double distance) {
     return !best || distance < best->distance ||
            (distance == best->distance && best->piece == piece && face < best->face);
 }
 
-/// Weights of a triangle's corners, and the distance to it along a ray.
+/// Barycentric weights, and the distance along a ray.
 struct Meeting {
     Eigen::Vector3d barycentric;
     double distance;
 };
 
-/// By the three volumes the ray spans with the triangle's edges.
+/// Uses the three volumes that the ray spans with the triangle's edges.
 std::optional<Meeting> meet(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                             const Eigen::Vector3d& c) {
     const Eigen::Vector3d pa = a - ray.origin, pb = b - ray.origin, pc = c - ray.origin;
@@ -64,7 +64,7 @@ std::optional<Meeting> meet(const Ray& ray, const Eigen::Vector3d& a, const Eige
     return distance > 0 ? std::optional(Meeting{weights, distance}) : std::nullopt;
 }
 
-/// Weights of a triangle's corners at a point in it, whichever way the triangle is turned.
+/// Barycentric weights of a point inside a triangle of either orientation.
 std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
                                          const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const double u = geometry::cross(c - b, p - b), v = geometry::cross(a - c, p - c),
@@ -75,17 +75,17 @@ std::optional<Eigen::Vector3d> weightsAt(const Eigen::Vector2d& p, const Eigen::
                                : std::nullopt;
 }
 
-/// A place on a segment, as a share of it, and how far off it is.
+/// A place on a segment as a share of it, and its distance from the ray.
 struct Beside {
     double share = 0, distance = 0;
 };
 
-/// How far beside a ray a segment passes, per mm of depth; infinite where it is out of reach.
+/// Distance of a segment from a ray per mm of depth; infinite if out of range.
 Beside besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                double farthest) {
     const Eigen::Vector3d edge = b - a, from = a - ray.origin;
-    // The place of the segment nearest to the ray's line: both seen along the ray are points of a
-    // plane, where it is a matter of a point and a segment.
+    // Find the point nearest to the ray's line: projected along the ray, this is the distance of a
+    // point from a segment in the plane.
     const Eigen::Vector3d edgeAcross = edge - edge.dot(ray.direction) * ray.direction;
     const Eigen::Vector3d fromAcross = from - from.dot(ray.direction) * ray.direction;
     const double t = geometry::nearestShare<Eigen::Vector3d>(Eigen::Vector3d::Zero(), fromAcross,
@@ -95,7 +95,7 @@ Beside besides(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& 
                                               : std::numeric_limits<double>::infinity()};
 }
 
-/// False where no point of the box can be within the cone around the ray.
+/// False if no point of the box can be inside the cone around the ray.
 bool mayMeet(const Ray& ray, double slope, const Eigen::AlignedBox3d& box) {
     const Eigen::Vector3d middle = box.center() - ray.origin;
     const double radius = 0.5 * box.diagonal().norm(), depth = middle.dot(ray.direction);
@@ -111,7 +111,7 @@ double wornLength(const Scene& scene, std::uint32_t first, std::uint32_t last) {
     return length;
 }
 
-/// Says of a hit how far along its side it is. @param share  of the segment
+/// Sets how far along its side a hit is. @param share  of the segment
 void measureAlong(const Scene& scene, const VertexRun& run, double share, SeamHit& hit) {
     const std::uint32_t from = run.first + static_cast<std::uint32_t>(hit.segment);
     const double whole = wornLength(scene, run.first, run.first + run.count - 1);
@@ -120,7 +120,7 @@ void measureAlong(const Scene& scene, const VertexRun& run, double share, SeamHi
     hit.along = whole > 0 ? std::clamp((before + within) / whole, 0.0, 1.0) : 0.0;
 }
 
-/// A point of a face, by its corners' points.
+/// Interpolates a point of a face from its corners.
 template <class Point, class PointOf>
 Point pointOnFace(const Scene& scene, int piece, int face, const Eigen::Vector3d& weights,
                   const PointOf& pointOf) {

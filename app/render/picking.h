@@ -9,7 +9,7 @@
 
 namespace toile::app {
 
-/// A place on the cloth, under the pointer.
+/// A place on the cloth under the pointer.
 struct SurfaceHit {
     int piece = -1;
     int face = -1;  ///< of the piece's mesh
@@ -18,21 +18,21 @@ struct SurfaceHit {
     double distance = 0;  ///< from the ray's origin, mm; 0 in the pattern
 };
 
-/// Nearest triangle along the ray, from either side; of equals the first. Looked up in the trees of
-/// the pieces: microseconds, with a million triangles too.
-/// @param places  hidden pieces are not there, for the picks below too; none: all are seen
+/// The nearest triangle along the ray, from either side; the first of equals. Searches the pieces'
+/// trees: microseconds, even with a million triangles.
+/// @param places  hidden pieces are skipped, also in the picks below; empty: all are visible
 std::optional<SurfaceHit> pickGarment(const Scene& scene, const Ray& ray,
                                       const SheetPlaces& places = {});
 
-/// The place of a flat piece that covers a point of the sheet (mm); of several the last drawn.
+/// The place of the flat piece at a point of the sheet (mm); the topmost if several overlap.
 std::optional<SurfaceHit> pickPattern(const Scene& scene, const SheetPlaces& places,
                                       const Eigen::Vector2d& point);
 
-/// The place of one flat piece at a point of its own coordinates.
+/// The place on one flat piece at a point in its own coordinates.
 std::optional<SurfaceHit> pickPiece(const Scene& scene, int piece, const Eigen::Vector2d& point);
 
-/// A place on a piece: relative to Scene::origin, and in the flat piece's own coordinates (only of
-/// one that is flat). Precondition: the face is of the piece's mesh.
+/// Converts a place on a piece to a position relative to Scene::origin, or to the flat piece's own
+/// coordinates. Precondition: the face is of the piece's mesh.
 Eigen::Vector3d garmentPoint(const Scene& scene, int piece, int face,
                              const Eigen::Vector3d& barycentric);
 Eigen::Vector2d patternPoint(const Scene& scene, int piece, int face,
@@ -42,29 +42,29 @@ Eigen::Vector2d patternPoint(const Scene& scene, int piece, int face,
 struct SeamHit {
     int seam = -1;        ///< index into Scene::seams
     int side = 0;         ///< 0 left, 1 right
-    int segment = 0;      ///< of the side's polyline, counted along the seam
-    double distance = 0;  ///< in the pattern mm; in the garment as a part of the depth
-    double along = 0;     ///< how far along the side, as a part of its length on the garment
+    int segment = 0;      ///< index in the side's polyline
+    double distance = 0;  ///< mm in the pattern; share of the depth in the garment
+    double along = 0;     ///< position along the side, as a share of its length on the garment
 };
 
-/// Which seams count; an empty one lets all in.
+/// Selects the seams that can be hit; an empty filter accepts all.
 using SeamFilter = std::function<bool(int seam)>;
 
-/// The seam nearest to a point of the sheet, of those within `radius` mm; of equals the first.
-/// Cost: a box per seam, and the segments of those that are near. Pure.
+/// The seam nearest to a point of the sheet within `radius` mm; the first of equals. Cost: a box
+/// per seam, and the segments of the near ones. Pure.
 std::optional<SeamHit> pickPatternSeam(const Scene& scene, const SheetPlaces& places,
                                        const Eigen::Vector2d& point, double radius,
                                        const SeamFilter& counts = {});
 
 /// The seam nearest to a ray.
-/// @param slope     how far beside the ray a seam may lie, per mm of depth
-/// @param farthest  seams deeper than this along the ray are hidden, mm
+/// @param slope     maximum distance from the ray per mm of depth
+/// @param farthest  seams deeper than this along the ray are ignored as hidden, mm
 std::optional<SeamHit> pickGarmentSeam(const Scene& scene, const Ray& ray, double slope,
                                        double farthest, const SeamFilter& counts = {},
                                        const SheetPlaces& places = {});
 
-/// The point of a line at a part of its length on the garment, from 0 to 1.
-/// Precondition: it has points.  Cost: linear in them. Pure.
+/// The point at a share of a line's length on the garment, from 0 to 1.
+/// Precondition: the line has points. Cost: linear in them. Pure.
 LineVertex pointAlong(const Scene& scene, const VertexRun& line, double along);
 
 }  // namespace toile::app

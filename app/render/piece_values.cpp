@@ -19,7 +19,7 @@ double bounded(double value) {
     return std::isnan(value) ? 0.0 : std::clamp(value, -kLargestValue, kLargestValue);
 }
 
-/// Mean per vertex of the values of the triangles around it.
+/// Weighted mean at each vertex of the values of its triangles.
 Eigen::VectorXf averaged(const Triangles& F, const Eigen::VectorXf& values,
                          const Eigen::VectorXd& weights, Eigen::Index vertices) {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(vertices);
@@ -42,12 +42,12 @@ Eigen::VectorXf inUnit(const Eigen::VectorXd& values, double unit) {
         .cast<float>();
 }
 
-/// A3D/A2D - 1 of what is given as A2D/A3D - 1: what the cloth must do, as strain has it.
+/// Converts A2D/A3D - 1 to A3D/A2D - 1, the change of the cloth when worn, as for strain.
 Eigen::VectorXd areaToGain(const Eigen::VectorXd& areaChange) {
     return areaChange.unaryExpr([](double change) -> double { return 1 / (1 + change) - 1; });
 }
 
-/// Per triangle the largest or the least of its edges' strains.
+/// The largest or smallest edge strain of each triangle.
 Eigen::VectorXd ofEdges(const Piece& piece, const Eigen::VectorXd& edgeStrain, bool largest) {
     const Triangles& edges = piece.table.faceEdges;
     Eigen::VectorXd strains(edges.rows());
@@ -112,7 +112,7 @@ std::vector<int> outlineCorners(const Piece& piece) {
     for (std::size_t k = 0; k < piece.boundary.size(); ++k) {
         placeOf[static_cast<std::size_t>(piece.boundary[k])] = static_cast<int>(k);
     }
-    // The cloth's angle at the vertex: how far it is from straight is how far the outline turns.
+    // The turn of the outline at a vertex is the cloth's angle there minus 180 degrees.
     std::vector<double> angles(piece.boundary.size(), 0.0);
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
         for (int k = 0; k < 3; ++k) {

@@ -11,11 +11,11 @@
 
 namespace toile::app {
 
-/// Distortion of vertices or triangles in the units a person reads: area change in percent, angle
-/// change in degrees, strain in percent; strain is that of edges, the largest and the least, kept
-/// apart so that stretch one way and surplus another do not cancel. Positive is what the cloth must
-/// gain to be worn, A3D/A2D - 1 for areas; an area below -100 % is of a triangle that is turned
-/// over. Always finite: the infinite is clamped to +-kLargestValue.
+/// Distortion of vertices or triangles in displayed units: area change in percent, angle change in
+/// degrees, edge strain in percent. Largest and smallest strain are kept apart, so that stretch and
+/// surplus in different directions do not cancel. Positive means that the cloth must grow to be
+/// worn, A3D/A2D - 1 for areas. Below -100 % a triangle is flipped. Always finite: clamped to
+/// +-kLargestValue.
 struct OverlayFields {
     Eigen::VectorXf area, angle, mostStrain, leastStrain;
     std::vector<MetricTensor> metric;
@@ -23,8 +23,8 @@ struct OverlayFields {
 
 inline constexpr double kLargestValue = 1e6;
 
-/// Of the triangles as they are, and at the vertices smoothed: the mean of the triangles around,
-/// weighted by their 3D area. The metric is that of `wornFaceMetrics`.
+/// Values of the triangles, and smoothed values of the vertices: the mean of the surrounding
+/// triangles weighted by 3D area. The metric comes from `wornFaceMetrics`.
 struct PieceValues {
     OverlayFields vertices, faces;
     Eigen::VectorXf flatAreas;  ///< of the triangles, positive, mm2
@@ -32,25 +32,25 @@ struct PieceValues {
 
 PieceValues pieceValues(const Piece& piece, const Points2& Q);
 
-/// Unit normals, faces weighted by area; (0, 0, 1) where a vertex has no area around it.
+/// Unit normals, weighted by face area; (0, 0, 1) for a vertex without area around it.
 Points3 vertexNormals(const MeshArrays& mesh);
 
-/// The least turn at a corner of an outline, radians: 40 degrees. A curve, drawn by short edges,
-/// turns by less at each.
+/// Smallest turn at a corner of an outline, radians: 40 degrees. The short edges of a curve turn by
+/// less.
 inline constexpr double kCornerTurn = 0.6981317007977318;
 
-/// Where the outline turns sharply, measured in the cloth: places in Piece::boundary, ascending.
+/// Places in Piece::boundary where the outline turns sharply, measured in the cloth, ascending.
 /// Cost: linear in the faces. Pure.
 std::vector<int> outlineCorners(const Piece& piece);
 
 /// A stretch of an outline: edge k runs from boundary[k] to boundary[k + 1].
 struct OutlineRun {
     int first = 0;
-    int count = 0;  ///< of edges; the last may be past the outline's beginning
+    int count = 0;  ///< number of edges; the run may wrap past the outline's start
 };
 
-/// From corner to corner around an edge of the outline; all of it where there are fewer than two
-/// corners. Precondition: 0 <= edge < size.
+/// The run between the corners around an edge; the whole outline if it has fewer than two corners.
+/// Precondition: 0 <= edge < size.
 OutlineRun runBetweenCorners(const std::vector<int>& corners, int size, int edge);
 
 }  // namespace toile::app

@@ -17,7 +17,7 @@ struct MarkColours {
     QColor selection, seam;
 };
 
-/// For the whole window, as its palette is.
+/// Global, like the window's palette.
 MarkColours& markColours() {
     static MarkColours colours;
     return colours;
@@ -46,7 +46,7 @@ RenderStyle usualStyle(const QPalette& palette) {
             .labelFill = tone({255, 255, 255, 200}, {24, 26, 30, 200})};
 }
 
-/// The same on every computer, unlike std::hash (FNV-1a).
+/// FNV-1a: unlike std::hash, the same on every computer.
 std::uint32_t hashOf(std::string_view text) {
     std::uint32_t hash = 2166136261U;
     for (const char letter : text) {
@@ -57,10 +57,10 @@ std::uint32_t hashOf(std::string_view text) {
 
 using Uses = std::array<int, kSeamColours>;
 
-/// Which colours are taken, where.
+/// Counts the uses of colours.
 class Taken {
 public:
-    /// The less the better: on a seam of the same two pieces, on either piece, anywhere.
+    /// Uses to avoid: on a seam of the same two pieces, on either piece, anywhere.
     std::tuple<int, int, int> cost(const Seam& seam, std::size_t colour) const {
         int between = 0, beside = 0;
         if (const auto pair = between_.find(piecesOf(seam)); pair != between_.end()) {

@@ -15,12 +15,12 @@ namespace toile::app {
 namespace {
 
 constexpr double kMaxGlyphs = 40000;
-/// Levels of density: each has half of the places of the one before, as the black squares of a
-/// chessboard are of all, and the next again upright.
+/// Levels of density. Each keeps half of the previous one's places, like the black squares of a
+/// chessboard; every second one is an upright lattice again.
 constexpr int kLevels = 24;
 constexpr double kPercentPerShare = 100;
 
-/// The triangle whose middle is nearest to a point of the lattice.
+/// The triangle whose centre is nearest to a lattice point.
 struct Nearest {
     std::size_t face = 0;
     double distance = 0;
@@ -50,8 +50,8 @@ double finestSpacing(const Scene& scene) {
     return count > 0 && area > 0 ? std::sqrt(area / count) : 1.0;
 }
 
-/// One place per lattice point that has cloth around it. The lattice goes through the piece's label
-/// point, so that a piece has a place of the coarsest level, and well inside.
+/// One place per lattice point with cloth around it. The lattice goes through the piece's label
+/// point, so each piece has a place of the coarsest level, well inside.
 std::vector<Place> placesOf(const Scene& scene, const PieceScene& piece, double spacing) {
     std::unordered_map<std::uint64_t, Nearest> cells;
     const std::size_t first = piece.patternRun.first;
@@ -100,7 +100,7 @@ GlyphVertex glyphOf(const Scene& scene, std::size_t face, float index) {
     const PrincipalStretch stretch = principalStretch({static_cast<double>(sample.metric[0]),
                                                        static_cast<double>(sample.metric[1]),
                                                        static_cast<double>(sample.metric[2])});
-    // Where a direction of the flat cloth points on the garment; its length does not matter here.
+    // Map a direction of the flat cloth to the garment; the length is irrelevant.
     const Eigen::Vector2d u1 = u[1] - u[0], u2 = u[2] - u[0];
     const Eigen::Vector3d X1 = X[1] - X[0], X2 = X[2] - X[0];
     const double sign = u1.x() * u2.y() - u1.y() * u2.x() < 0 ? -1.0 : 1.0;
@@ -155,7 +155,7 @@ GlyphRange glyphsAt(const StrainGlyphs& glyphs, double leastSpacing) {
 StrainGlyphs makeStrainGlyphs(const Scene& scene) {
     StrainGlyphs glyphs;
     glyphs.finest = finestSpacing(scene);
-    std::vector<std::pair<int, Place>> places;  // with their pieces
+    std::vector<std::pair<int, Place>> places;  // piece index and place
     for (std::size_t i = 0; i < scene.pieces.size(); ++i) {
         if (scene.pieces[i].flat) {
             for (const Place& place : placesOf(scene, scene.pieces[i], glyphs.finest)) {
@@ -163,7 +163,7 @@ StrainGlyphs makeStrainGlyphs(const Scene& scene) {
             }
         }
     }
-    // The coarsest first; within a level in the mesh's order, whatever the hash map's was.
+    // Coarsest first. Within a level use the mesh's order, independent of the hash map.
     std::ranges::sort(places, [](const auto& a, const auto& b) -> bool {
         return std::pair(-a.second.level(), a.second.face) <
                std::pair(-b.second.level(), b.second.face);
@@ -209,7 +209,7 @@ SheetPlaces placesOf(const std::vector<PieceSettings>& settings, const std::vect
 
 const SheetPlace& placeOf(const SheetPlaces& places, int piece) {
     static const SheetPlace kAsMade;
-    const auto at = static_cast<std::size_t>(piece);  // of -1 beyond any list
+    const auto at = static_cast<std::size_t>(piece);  // -1 wraps beyond any list
     return at < places.size() ? places[at] : kAsMade;
 }
 

@@ -17,7 +17,7 @@ namespace toile::app {
 
 namespace {
 
-/// Finest ends of the colour bars: differences below these mean nothing to cloth.
+/// Smallest scale ends: differences below these are irrelevant to cloth.
 constexpr double kFinestPercent = 0.1;
 constexpr double kFinestDegrees = 0.1;
 constexpr double kFinestEnergy = 0.01;  // percent
@@ -39,7 +39,7 @@ void put(float* out, const Eigen::Vector3d& v) {
     }
 }
 
-/// @return the triangles
+/// @return the range of the triangles
 TriangleRun appendIndices(MeshIndices& mesh, const Piece& piece, std::uint32_t base) {
     const auto first = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
     const auto append = [base](std::vector<std::uint32_t>& out, int index) {
@@ -55,7 +55,7 @@ TriangleRun appendIndices(MeshIndices& mesh, const Piece& piece, std::uint32_t b
             append(mesh.edges, piece.table.edges(e, k));
         }
     }
-    // Edges of one triangle only: of pieces that are no disks too, which have no boundary loop.
+    // Edges of one triangle only; works for pieces without a boundary loop, too.
     for (Eigen::Index e = 0; e < piece.table.edges.rows(); ++e) {
         const auto at = static_cast<std::size_t>(e);
         if (piece.table.useStart[at + 1] - piece.table.useStart[at] == 1) {
@@ -148,7 +148,7 @@ private:
 };
 
 OverlayScale scaleOf(const Scene& scene, Overlay overlay, double finest) {
-    const OverlayScale either{-1, 1};  // both signs weigh the same
+    const OverlayScale either{-1, 1};  // weighs both signs equally
     std::vector<float> values;
     values.reserve(scene.vertices.size());
     for (const ClothVertex& vertex : scene.vertices) {
@@ -183,7 +183,7 @@ const FlatPiece* flatPieceOf(const Garment& garment, const PieceResults& results
 
 namespace {
 
-/// @return null after a cancel
+/// @return null if cancelled
 std::shared_ptr<const SceneCloth> makeCloth(const Garment& garment, const PieceResults& results,
                                             Progress& progress) {
     auto cloth = sharedForDisposal(std::make_unique<SceneCloth>());

@@ -26,23 +26,22 @@ constexpr int kPieceTableUnit = 0, kColourMapUnit = 1, kFaceTableUnit = 2;
 
 /// Widths in logical pixels.
 constexpr float kOutlineWidth = 1.25F, kSelectedWidth = 3.0F, kWireWidth = 0.7F;
-/// Under seam lines, which keep their colours on it.
+/// Under seam lines, whose colours stay visible on it.
 constexpr float kSelectedHaloWidth = 8.0F, kHoveredHaloWidth = 6.0F;
-/// Edges of the mesh shorter than this on the screen are not drawn, and fully from the other on:
-/// where they lie closer they would cover the cloth.
+/// The wireframe fades between these screen lengths of an edge: denser edges would cover the cloth.
 constexpr int kGhostAlpha = 120;
 constexpr float kWireFadesOut = 4.0F, kWireFadesIn = 12.0F;
 constexpr float kSeamWidth = 4.0F, kSeamHaloWidth = 8.0F, kReferenceWidth = 1.5F;
-constexpr float kPlainSeamWidth = 2.6F;  ///< free edges half of it
-constexpr float kHoveredShare = 0.7F;  ///< what the pointer is on is highlighted by narrower lines
+constexpr float kPlainSeamWidth = 2.6F;  ///< free edges get half of it
+constexpr float kHoveredShare = 0.7F;    ///< width of hover highlights, relative to the selection
 constexpr float kHoveredPieceWidth = 2.4F;
 constexpr float kDashPixels = 11.0F, kExactDashPixels = 6.0F, kExactWidth = 1.25F;
 constexpr float kCuttingWidth = 1.8F, kNotchWidth = 1.6F, kInternalWidth = 1.6F;
-/// How much of a seam shows through the cloth that hides it.
+/// Opacity of a seam that the cloth hides.
 constexpr int kHiddenSeamAlpha = 75;
-/// Between glyphs, at least; at most half as many again.
+/// Minimum distance of glyphs; at most half as much again.
 constexpr double kMinSpacing = 25;
-/// A stroke of a cross leaves this much of the way to its neighbour free.
+/// Share of the glyph spacing that a stroke covers.
 constexpr double kStrokeShare = 0.88;
 
 GLuint makeColourMapTexture(const ColourMap& map) {
@@ -164,7 +163,7 @@ bool SceneRenderer::synchronize(const ViewState& view) {
         std::vector<float> table = makePieceTable(*content_.scene, content_.selection,
                                                   content_.places, pieceColours_, overlay_);
         table.insert(table.end(), std::size_t{4} * kTexelsPerPiece,
-                     0.0F);  // of what belongs to no piece
+                     0.0F);  // for lines without a piece
         pieces_.upload(table);
     }
     return true;
@@ -246,7 +245,7 @@ void SceneRenderer::paintCrosses(const Frame& frame, float depthShift, double mi
     program.setUniformValue("halfLength", static_cast<float>(kStrokeShare * run.spacing / 2));
     program.setUniformValue("depthShift", depthShift);
     beginBlending();
-    glDepthMask(GL_FALSE);  // the faint rim of a stroke would cut into its neighbour
+    glDepthMask(GL_FALSE);  // translucent stroke edges must not hide neighbours
     glyphs_.draw(run);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -279,12 +278,12 @@ void SceneRenderer::paintLines(const Frame& frame, float depthShift) {
     setLine(frame.style.outline, kOutlineWidth, false, frame);
     mesh_.drawOutline();
     if (frame.view.exactOutline) {
-        program.setUniformValue("depthShift", 1.1F * depthShift);  // beneath the line that is drawn
+        program.setUniformValue("depthShift", 1.1F * depthShift);  // below the drawn line
         paintExactOutlines(frame);
     }
     if (frame.view.seams) {
         program.setUniformValue("depthShift", 1.25F * depthShift);
-        // A halo that leaves no depth behind, so that the seam's own colour stays upon it.
+        // Without depth writes, the halo cannot cover the seam's own colour.
         glDepthMask(GL_FALSE);
         paintChosenOutlines(frame, kSelectedHaloWidth, kHoveredHaloWidth);
         glDepthMask(GL_TRUE);
@@ -415,7 +414,7 @@ void SceneRenderer::paintHighlight(const Frame& frame, float depthShift, const F
                                    bool hovered) {
     const float share = hovered ? kHoveredShare : 1.0F;
     if (isInDepth()) {
-        // Faintly through the cloth, so that a seam on the far side is found.
+        // Show it faintly through the cloth, so that seams on the far side can be found.
         QColor hidden = frame.style.seam;
         hidden.setAlpha(kHiddenSeamAlpha);
         glDisable(GL_DEPTH_TEST);
@@ -425,7 +424,7 @@ void SceneRenderer::paintHighlight(const Frame& frame, float depthShift, const F
         glDisable(GL_BLEND);
         glEnable(GL_DEPTH_TEST);
     }
-    // The halo leaves no depth behind: at bends it would cover parts of the line itself.
+    // Without depth writes, the halo cannot cover the line itself at bends.
     glDepthMask(GL_FALSE);
     lines_->setUniformValue("depthShift", 3 * depthShift);
     setLine(frame.style.seamHalo, share * kSeamHaloWidth, false, frame);

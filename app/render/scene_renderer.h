@@ -19,46 +19,46 @@
 
 namespace toile::app {
 
-/// What is to be seen, however it is drawn.
+/// The visible content, independent of how it is drawn.
 struct SceneContent {
     std::shared_ptr<const Scene> scene{};  ///< may be null
-    /// In the place of the scene's own reference lines; null: these.
+    /// Replaces the scene's own reference lines; null: keep them.
     std::shared_ptr<const ReferenceLines> reference{};
     SheetPlaces places{};
     std::set<int> selection{};
     std::optional<int> seam{};
-    /// Stretches of outlines that are selected. Vertices are left out.
+    /// Selected stretches of outlines. Vertices are not drawn.
     std::vector<Feature> marks{};
-    std::optional<Feature> hover{};  ///< what the pointer is on; a vertex is left out
-    /// The pattern sewn back together; of another scene it is not drawn. May be null.
+    std::optional<Feature> hover{};  ///< the hovered feature; vertices are not drawn
+    /// The pattern sewn back together; ignored if it is of another scene. May be null.
     std::shared_ptr<const SewnCloth> sewn{};
-    /// Its limits end the colours of strain overlays.
+    /// Its limits are the ends of strain scales.
     Fabric fabric = fabricPresets().front();
     double squareSide = 10;  ///< of the checkerboard, mm
-    /// The ends of the overlay's colours, for pictures that are to be compared; none: those of
-    /// scene and fabric.
+    /// Fixed ends of the colour scale, to make pictures comparable; nullopt: those of scene and
+    /// fabric.
     std::optional<OverlayScale> scale{};
 };
 
-/// What the two views' renderers share: one mesh, the piece table, the colour maps, the programs
-/// for cloth and lines, the backdrop. Knows nothing of widgets, so that the same picture can be
-/// drawn into any framebuffer. All calls but the setters need the context current.
+/// Base of both views' renderers: one mesh, the piece table, colour maps, programs for cloth and
+/// lines, and the backdrop. Independent of widgets, so that it can draw into any framebuffer. All
+/// calls except the setters need the context current.
 class SceneRenderer {
 public:
     virtual ~SceneRenderer();
 
-    /// Makes programs and textures. @return what went wrong, as a sentence; empty if nothing
+    /// Creates programs and textures. @return an error message; empty if successful
     QString initialize();
-    /// Frees everything on the GPU. Before the context goes.
+    /// Frees all GPU resources. Call before the context is destroyed.
     void release();
 
-    /// The next frame uploads what has changed.
+    /// Sets the content; the next frame uploads the changes.
     void show(SceneContent content);
     const SceneContent& content() const { return content_; }
     void setHover(const std::optional<Feature>& hover) { content_.hover = hover; }
 
     int meshUploads() const { return mesh_.uploads(); }
-    /// Since the renderer was made.
+    /// Totals since construction.
     const FrameCounts& counts() const { return counts_; }
 
 protected:
@@ -68,7 +68,7 @@ protected:
         RenderStyle style;
         int width, height;  ///< device pixels
         float pixelRatio;
-        float millimetresPerPixel = 0;  ///< of the sheet, device pixels; 0 where that varies
+        float millimetresPerPixel = 0;  ///< on the sheet, device pixels; 0 if it varies
     };
 
     struct ProgramFiles {
@@ -83,42 +83,42 @@ protected:
     virtual const LineRuns& linesOf(const Scene& scene) const = 0;
     /// In the order of the mesh's triangles.
     virtual std::vector<FaceValues> faceValues(const Scene& scene) const = 0;
-    /// Of the programs for cloth and lines alike, while they are bound.
+    /// Called while the cloth or line program is bound.
     virtual void setOwnUniforms(ShaderProgram&) {}
-    /// Whether the cloth hides what lies behind it.
+    /// Whether the cloth hides content behind it.
     virtual bool isInDepth() const { return false; }
-    /// Whether the cloth lies flat: lines that do too are drawn.
+    /// Whether the cloth is flat, so that flat lines are drawn.
     virtual bool isSheet() const { return false; }
-    /// Frees what a derived renderer has on the GPU.
+    /// Frees GPU resources of a derived renderer.
     virtual void releaseOwn() {}
 
-    /// Brings the GPU's copy up to date. @return whether there is something to draw
+    /// Updates the GPU's copy. @return whether there is something to draw
     bool synchronize(const ViewState& view);
-    /// Sets uniforms and textures that cloth needs in either view; leaves the program bound.
+    /// Sets the cloth uniforms and textures shared by the views; leaves the program bound.
     ShaderProgram& beginCloth(const Frame& frame);
-    /// The principal strains, where the overlay shows them.
-    /// @param millimetresPerPixel of the cloth, logical pixels; in depth a typical one
+    /// Paints the principal strains if the overlay shows them.
+    /// @param millimetresPerPixel scale of the cloth, logical pixels; a typical one in perspective
     void paintCrosses(const Frame& frame, float depthShift, double millimetresPerPixel);
-    /// Outlines, the selected ones once more and wider, the wireframe, seams and the reference
-    /// panels where asked for, and over everything what is selected of them or under the pointer.
+    /// Paints outlines (selected ones again, wider), wireframe, and seams and reference panels if
+    /// enabled. The selection and the hovered feature come last.
     /// @param depthShift lifts lines off the cloth, see Camera3D::depthShift
     void paintLines(const Frame& frame, float depthShift);
-    /// What was left out of the files, as faint edges where it was.
-    /// @param depthShift below nothing: a shell's other surface must not show through the cloth
+    /// Paints omitted parts of the files as faint edges in place.
+    /// @param depthShift negative: a shell's other surface must not show through the cloth
     void paintLeftOut(const Frame& frame, float depthShift);
     void paintBackdrop(const Frame& frame);
     ShaderProgram& backdropProgram() { return *backdrop_; }
 
-    /// Of the scene and of where it lies: another number whenever one of them has changed.
+    /// Changes whenever the scene or its placement changes.
     int contentNumber() const { return contentNumber_; }
 
-    /// The sewn cloth of the scene; null where there is none.
+    /// The sewn cloth of the scene; null if there is none.
     const SewnCloth* sewn() const {
         return content_.sewn && content_.sewn->scene == content_.scene ? content_.sewn.get()
                                                                        : nullptr;
     }
 
-    bool isReady_ = false;  ///< there is a context that it can draw in
+    bool isReady_ = false;  ///< a context is available
     FrameCounts counts_;
     GpuMesh mesh_{counts_};
     SceneContent content_;
@@ -126,19 +126,18 @@ protected:
 private:
     OverlayScale scaleOf(Overlay overlay) const;
     void bindColourMap(Overlay overlay);
-    /// Binds it, with what all programs of the scene have to know.
+    /// Binds the program and sets the uniforms common to all programs.
     void begin(ShaderProgram& program, const Frame& frame);
-    /// True where the triangles' own values are there to be looked up; uploads them when first
-    /// asked for.
+    /// True if the triangles' own values are available; uploads them on the first call.
     bool hasFaceTable();
     ShaderProgram& beginLines(const Frame& frame, float depthShift);
     void paintWireframe(const Frame& frame);
-    /// Of the pieces that are selected or under the pointer; widths in logical pixels.
+    /// For selected and hovered pieces; widths in logical pixels.
     void paintChosenOutlines(const Frame& frame, float selected, float hovered);
     void paintSeams(const Frame& frame);
     void paintReferenceLines(const Frame& frame);
     void paintExactOutlines(const Frame& frame);
-    /// Cutting lines, notches and internal lines, as far as they are to be seen.
+    /// Cutting lines, notches and internal lines, as far as they are enabled.
     void paintCuttingLines(const Frame& frame);
     void paintHighlight(const Frame& frame, float depthShift, const Feature& feature, bool hovered);
     void drawFeature(const Feature& feature);
@@ -154,11 +153,11 @@ private:
          referenceChanged_ = false;
     bool sewnChanged_ = false;
     bool pieceColours_ = true;
-    Overlay overlay_ = Overlay::None;  ///< that the piece table is of
+    Overlay overlay_ = Overlay::None;  ///< the overlay of the piece table
     int contentNumber_ = 0;
     std::unique_ptr<ShaderProgram> cloth_, lines_, backdrop_, glyph_;
     GLuint divergingMap_ = 0, sequentialMap_ = 0;
-    GLuint emptyArray_ = 0;  ///< core profile draws nothing without a vertex array
+    GLuint emptyArray_ = 0;  ///< the core profile requires a bound vertex array
 };
 
 }  // namespace toile::app

@@ -14,11 +14,11 @@ namespace toile::app {
 
 namespace {
 
-/// Finest ends of the colours: less means nothing to cloth, mm and percent.
+/// Smallest scale ends, mm and percent: less is irrelevant to cloth.
 constexpr double kFinestGap = 0.1, kFinestWornStrain = 0.1;
 constexpr double kSewnPercent = 100;
 
-/// The nearest triangle of a piece, by its vertices of the scene, and the weights of the place.
+/// The nearest triangle of a piece, as vertices of the scene, and barycentric weights.
 LineAnchors::Anchor anchorOf(const Scene& scene, const PieceScene& piece,
                              const Eigen::Vector3d& point) {
     using Tree = geometry::TriangleTree<3>;

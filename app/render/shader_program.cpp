@@ -21,7 +21,7 @@ GLenum stageOf(std::string_view file) {
     return file.ends_with(".geom") ? GL_GEOMETRY_SHADER : GL_FRAGMENT_SHADER;
 }
 
-/// What the driver says of a shader or a program; never empty.
+/// The driver's log of a shader or program; never empty.
 template <class Parameter, class Log>
 QString wordsOf(GLuint object, Parameter parameter, Log log) {
     GLint length = 0;
@@ -32,7 +32,7 @@ QString wordsOf(GLuint object, Parameter parameter, Log log) {
     return text.isEmpty() ? QString("no reason given") : text;
 }
 
-/// Unbleached cotton, as a toile is made of.
+/// Unbleached cotton, the usual cloth of a toile.
 constexpr Rgb kPlainCloth{226, 217, 200};
 
 constexpr std::size_t kTexel = sizeof(float[4]);
@@ -60,7 +60,7 @@ QString ShaderProgram::addStage(GLenum stage, const QByteArray& source) {
     } else {
         problem = wordsOf(shader, glGetShaderiv, glGetShaderInfoLog);
     }
-    glDeleteShader(shader);  // the program keeps it as long as it needs it
+    glDeleteShader(shader);  // freed with the program
     return problem;
 }
 
@@ -138,7 +138,7 @@ std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selec
         texel[3] = static_cast<float>(flags);
         const Eigen::Matrix2d linear = place.placement.linear();
         for (int k = 0; k < 4; ++k) {
-            texel[4 + k] = static_cast<float>(linear.data()[k]);  // column by column
+            texel[4 + k] = static_cast<float>(linear.data()[k]);  // column-major
         }
         texel[8] = static_cast<float>(place.placement.offset.x());
         texel[9] = static_cast<float>(place.placement.offset.y());
@@ -146,7 +146,7 @@ std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selec
         texel[11] = static_cast<float>(std::sin(place.grain));
         const auto limits =
             place.fabric ? fabricLimits(overlay, *place.fabric) : std::optional<OverlayLimits>();
-        // Upside down: a fabric of its own that has no limits.
+        // Inverted limits mark a fabric of its own without limits.
         texel[12] = static_cast<float>(limits ? limits->least : place.fabric ? 1 : 0);
         texel[13] = static_cast<float>(limits ? limits->most : 0);
     }

@@ -19,8 +19,8 @@
 
 namespace toile::app {
 
-/// A linked program on the GPU. Every call, the destructor's too, needs its context current.
-/// Uniforms are set while it is bound; those that the program does not have are passed by.
+/// A linked program on the GPU. All calls, including the destructor, need its context current. Set
+/// uniforms while it is bound; unknown ones are ignored.
 class ShaderProgram {
 public:
     ~ShaderProgram();
@@ -44,7 +44,7 @@ private:
     friend std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                                       QString& problem);
     ShaderProgram();
-    /// @return the driver's words where it refuses the source; else empty
+    /// @return the driver's message if it rejects the source; else empty
     QString addStage(GLenum stage, const QByteArray& source);
     QString link();
     GLint at(const char* uniform) const { return glGetUniformLocation(program_, uniform); }
@@ -52,24 +52,24 @@ private:
     GLuint program_ = 0;
 };
 
-/// Links a program from resources/shaders; files of one stage are joined in the order given, the
-/// `#version` line is put in front. Stage by ending: .vert, .geom, .frag; .glsl joins the next.
-/// @param problem receives the driver's words where null is returned
+/// Links a program from resources/shaders. Joins the files of a stage in order, after a `#version`
+/// line. The ending selects the stage: .vert, .geom, .frag; .glsl belongs to the next file.
+/// @param problem receives the driver's message if null is returned
 std::unique_ptr<ShaderProgram> loadProgram(const std::vector<std::string_view>& files,
                                            QString& problem);
 
-/// Numbers that shaders look up: four of them a texel, in rows of this many texels.
+/// Width in texels of the tables that shaders look up; a texel is four numbers.
 inline constexpr int kTableWidth = 2048;
 
-/// A table of them on the GPU. Every call needs the same context current; `release` before that
-/// context goes.
+/// A table of numbers on the GPU. All calls need the same context current. Call `release` before
+/// that context is destroyed.
 class TableTexture {
 public:
-    /// Uploads are counted there; must outlive this object.
+    /// Counts uploads in `counts`, which must outlive this object.
     explicit TableTexture(FrameCounts& counts) : counts_(counts) {}
 
-    /// Replaces what was there. A value is a whole number of texels, or they are floats.
-    /// @return false where the graphics card has no room for so many
+    /// Replaces the table. A value is a whole number of texels, or a float.
+    /// @return false if the table exceeds the graphics card's limits
     template <class Value>
     bool upload(const std::vector<Value>& values) {
         return uploadBytes(values.data(), values.size() * sizeof(Value));
@@ -84,22 +84,22 @@ private:
     GLuint texture_ = 0;
 };
 
-/// What may change per piece without touching the meshes, as the shaders look it up, so many texels
-/// per piece: (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, (offset x,
-/// offset y, the grain's direction in the piece's own coordinates: x, y), and (least, most, 0, 0)
-/// that the fabric of its material allows of the overlay, or zeros.
+/// Per-piece data that shaders look up, changeable without touching the meshes. Texels per piece:
+/// (red, green, blue, flags), the columns of the placement's 2 x 2 matrix, (offset x, offset y,
+/// grain direction x, y in the piece's own coordinates), and (least, most, 0, 0), the limits of its
+/// material's fabric for the overlay, or zeros.
 inline constexpr int kTexelsPerPiece = 4;
 
 enum PieceFlag { kPieceSelected = 1, kPieceFlat = 2, kPieceHidden = 4 };
 
-/// @param coloured  pieces have colours of their own; else all that are flat have a plain one
-/// @param overlay   for what fabrics allow
+/// @param coloured  use a colour per piece; else one plain colour for all flat pieces
+/// @param overlay   selects the fabric limits
 std::vector<float> makePieceTable(const Scene& scene, const std::set<int>& selection,
                                   const SheetPlaces& places, bool coloured = true,
                                   Overlay overlay = Overlay::None);
 
-/// The triangles' own values, looked up by gl_PrimitiveID, so that vertices need not be doubled for
-/// colours that end at edges. In the order of Scene::garment; zeros for pieces that are not flat.
+/// The triangles' own values, looked up by gl_PrimitiveID, so that sharp colour edges need no
+/// duplicated vertices. In the order of Scene::garment; zeros for pieces that are not flat.
 std::vector<FaceValues> garmentFaces(const Scene& scene);
 
 }  // namespace toile::app

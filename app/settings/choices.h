@@ -7,15 +7,15 @@
 
 namespace toile::app {
 
-/// Whose way of moving the garment view with the mouse a person is used to.
+/// Program whose mouse controls the garment view follows.
 enum class Navigation { Toile, Blender, Clo, Rhino };
 
-/// Of the window: as the desktop has it, or always the same.
+/// Theme of the window; `System` follows the desktop.
 enum class Theme { System, Light, Dark };
-/// Of all text: as the desktop has it (English where there is no such translation), or the same.
+/// Language of all text. `System` follows the desktop, or is English without a translation.
 enum class Language { System, English, German };
 
-/// What a garment that is opened is at first.
+/// Initial state of a newly opened garment.
 enum class NewGarment {
     Exact,    ///< its exact outlines
     Pattern,  ///< a pattern to cut and sew (`withPattern`)
@@ -24,24 +24,24 @@ enum class NewGarment {
 /// How much menus offer.
 enum class Menus {
     All,
-    Plain,  ///< without what is there for comparing methods and for meshes (`isForSpecialists`)
+    Plain,  ///< without method comparison and mesh repair (`isForSpecialists`)
 };
 
-/// What a person chooses in the preferences dialog. A value, so that a dialog can put back what was
-/// chosen before.
+/// The user's choices in the preferences dialog. A value type, so that a dialog can restore the
+/// previous choices.
 struct Choices {
-    LengthUnit lengthUnit = LengthUnit::Millimetre;  ///< lengths on the screen are written in
-    int inchDenominator = 16;  ///< inches in fractions of this; 0: in decimals
+    LengthUnit lengthUnit = LengthUnit::Millimetre;  ///< unit of lengths on the screen
+    int inchDenominator = 16;                        ///< denominator of inch fractions; 0: decimals
     Theme theme = Theme::System;
-    Language language = Language::System;  ///< holds from the next start
+    Language language = Language::System;  ///< takes effect at the next start
     Navigation navigation = Navigation::Toile;
     NewGarment newGarment = NewGarment::Pattern;
     Menus menus = Menus::All;
-    QColor selectionColour{};  ///< in the views; invalid: what goes with the theme
+    QColor selectionColour{};  ///< in the views; invalid: the theme's
     QColor seamColour{};       ///< as above
-    int autosaveMinutes = 1;   ///< between copies kept for after a crash; 0: none are kept
+    int autosaveMinutes = 1;   ///< between recovery copies; 0: none
     static constexpr int kMaxAutosaveMinutes = 60;
-    /// Garments of more triangles begin without flattening after every edit.
+    /// Automatic flattening starts switched off for garments of more triangles.
     int autoFlattenTriangles = 500'000;
 
     bool operator==(const Choices&) const = default;

@@ -36,8 +36,8 @@ Language resolved(Language language, const QLocale& desktop) {
 void useLanguage(Language language) {
     const QLocale desktop = QLocale::system();
     const Language spoken = spokenNow = resolved(language, desktop);
-    // Where the person has chosen a language other than the desktop's, numbers follow it: a German
-    // sentence with English decimals would be misread.
+    // If the user chose another language than the desktop's, numbers follow it. German sentences
+    // with English decimals would be misread.
     QLocale::setDefault(language == Language::System ||
                                 desktop.language() == localeLanguage(language)
                             ? desktop

@@ -7,13 +7,13 @@
 
 namespace toile::app {
 
-/// What `System` comes to on a desktop of this locale: English where there is no translation.
+/// Replaces `System` by the language of this locale, or English without a translation.
 Language resolved(Language language, const QLocale& desktop);
 
-/// Loads the translations of Toile and of Qt's own dialogs, and makes numbers go with the language.
-/// Once, after the application is made and before any window. English needs no file.
+/// Loads the translations of Toile and of Qt's own dialogs, and sets the number format. Call it
+/// once, after the application is created and before any window. English needs no file.
 void useLanguage(Language language);
-/// The one that is spoken since; English before.
+/// The language set by useLanguage(); English before that.
 Language languageInUse();
 
 }  // namespace toile::app

@@ -8,9 +8,8 @@
 
 namespace toile::app {
 
-/// How lengths are written everywhere in the window. One for the whole program, as QLocale's
-/// default is, since every label and cell writes lengths; those who show one write it again on
-/// `changed`. GUI thread only.
+/// Format of all lengths in the window. A single instance, like QLocale's default, because every
+/// label and cell uses it. Widgets that show lengths update on `changed`. GUI thread only.
 class LengthDisplay : public QObject {
     Q_OBJECT
 
@@ -20,11 +19,11 @@ public:
         return only;
     }
 
-    /// With the decimal mark of the default locale at this time.
+    /// Uses the decimal mark of the current default locale.
     LengthFormat format() const {
         return {unit_, inchDenominator_, QLocale().decimalPoint().toStdString()};
     }
-    /// @param inchDenominator  inches in fractions of this; 0: in decimals
+    /// @param inchDenominator  denominator of inch fractions; 0: decimals
     void choose(LengthUnit unit, int inchDenominator = 0) {
         if (unit != unit_ || inchDenominator != inchDenominator_) {
             unit_ = unit;

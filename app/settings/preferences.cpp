@@ -25,7 +25,7 @@ constexpr auto kState = "window/state";
 constexpr auto kHiddenColumns = "columns/%1";
 constexpr auto kChoice = "choices/%1";
 
-// Words for enumerators, so that a settings file can be read and enumerators can be moved.
+// Stored as words, so that settings files are readable and enumerators can be reordered.
 constexpr Word<LengthUnit> kLengthUnits[] = {
     {LengthUnit::Millimetre, "mm"}, {LengthUnit::Centimetre, "cm"}, {LengthUnit::Inch, "in"}};
 constexpr Word<int> kDenominators[] = {{0, "0"}, {8, "8"}, {16, "16"}, {32, "32"}};
@@ -41,13 +41,13 @@ constexpr Word<NewGarment> kNewGarments[] = {{NewGarment::Exact, "exact"},
                                              {NewGarment::Pattern, "pattern"}};
 constexpr Word<Menus> kMenus[] = {{Menus::All, "all"}, {Menus::Plain, "plain"}};
 
-/// Numbers from 0 on.
+/// Numbers from 0 to `most`.
 struct UpTo {
     int most;
 };
 struct AnyColour {};
 
-/// Every choice: what settings files call it, and what may stand there.
+/// Visits every choice with its setting name and its allowed values.
 template <class Some, class Visit>
 void forEachChoice(Some& choices, const Visit& visit) {
     visit("lengthUnit", choices.lengthUnit, kLengthUnits);
@@ -75,7 +75,7 @@ QVariant keptForm(int number, UpTo) {
     return number;
 }
 
-// What a settings file has wrong stays as it was.
+// Invalid stored values leave the choice unchanged.
 template <class Value, std::size_t n>
 void take(const QVariant& kept, Value& value, const Word<Value> (&words)[n]) {
     value = parseWord(words, kept.toString().toStdString()).value_or(value);

@@ -16,40 +16,40 @@ class QSettings;
 
 namespace toile::app {
 
-/// What the program remembers of the person, typed. The only place that knows setting names.
+/// Stored settings of the user, typed. The only class that knows the setting names.
 class Preferences : public QObject {
     Q_OBJECT
 
 public:
-    /// The person's own settings.
+    /// Uses the user's own settings.
     Preferences();
-    /// Kept in a file of its own; with an empty path nothing is remembered past this object.
+    /// Uses the given file. With an empty path, nothing outlives this object.
     explicit Preferences(const QString& file);
     ~Preferences() override;
 
-    /// What the preferences dialog is about. Values that no version ever wrote read as the default.
+    /// The choices of the preferences dialog. Invalid stored values read as the default.
     const Choices& choices() const { return choices_; }
-    /// Takes hold at once.
+    /// Takes effect at once.
     void setChoices(const Choices& choices);
 
-    /// Where the last garment was opened; the home folder at first.
+    /// Folder of the last opened garment; the home folder at first.
     QString openFolder() const;
     void setOpenFolder(const QString& folder);
-    /// Where the last export went; the folder of the garment at first (empty here).
+    /// Folder of the last export; empty at first, which means the garment's folder.
     QString exportFolder() const;
     void setExportFolder(const QString& folder);
 
-    /// What was exported last, and how; an ending, such as ".svg".
+    /// Format of the last export as an extension, such as ".svg".
     QString exportFormat() const;
     void setExportFormat(const QString& ending);
     ExportOptions exportOptions() const;
     void setExportOptions(const ExportOptions& options);
 
-    /// Minutes that a metre of seam takes the person to sew; none: never said.
+    /// Minutes that the user needs to sew a metre of seam, if entered.
     std::optional<double> sewingRate() const;
     void setSewingRate(double minutes);
 
-    /// What was opened last, the latest first: the files of a garment each, or a project file.
+    /// Recent files, latest first: the files of one garment each, or a project file.
     QList<QStringList> recentFiles() const;
     void setRecentFiles(const QList<QStringList>& files);
 
@@ -57,12 +57,12 @@ public:
     void setWindowGeometry(const QByteArray& geometry);
     QByteArray windowState() const;
     void setWindowState(const QByteArray& state);
-    /// Columns of a table by the name they are kept under; none: never chosen.
+    /// Hidden columns of the table with this settings name; none if the user never chose any.
     std::optional<QStringList> hiddenColumns(const QString& table) const;
     void setHiddenColumns(const QString& table, const QStringList& columns);
 
 signals:
-    /// They are others than these.
+    /// Emitted after a change; `before` holds the previous choices.
     void choicesChanged(const toile::app::Choices& before);
     void recentFilesChanged();
 
@@ -71,8 +71,8 @@ private:
     QVariant read(const QString& key, const QVariant& atFirst = {}) const;
     void write(const QString& key, const QVariant& value);
 
-    std::unique_ptr<QSettings> settings_;  ///< null where nothing is remembered
-    QVariantMap kept_;                     ///< in its place
+    std::unique_ptr<QSettings> settings_;  ///< null if nothing is stored
+    QVariantMap kept_;                     ///< used instead of settings_
     Choices choices_;
 };
 

@@ -10,7 +10,7 @@ namespace toile::app {
 
 namespace {
 
-/// Roles of one colour, on light and on dark.
+/// Palette roles that share a colour, for the light and the dark theme.
 struct Tone {
     std::vector<QPalette::ColorRole> roles;
     QColor light, dark;
@@ -68,7 +68,7 @@ QPalette darkPalette() {
 }
 
 void applyTheme(Theme theme) {
-    // As the desktop has it; known only until another style is set.
+    // The desktop's style; it must be read before another one is set.
     static const QString desktopStyle = QApplication::style()->name();
     QApplication::setStyle(
         QStyleFactory::create(theme == Theme::System ? desktopStyle : QString("fusion")));

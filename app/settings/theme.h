@@ -7,13 +7,13 @@
 
 namespace toile::app {
 
-/// Colours of a window, light or dark: letters reach a contrast of 4.5 on what they stand on.
+/// Light and dark window palettes. Text has a contrast of at least 4.5 to its background.
 QPalette lightPalette();
 QPalette darkPalette();
 
-/// Gives the running application the theme, at once. With `System` it has the desktop's own style
-/// and colours, as at the start, and follows their changes. Call it first before any window is
-/// made. GUI thread only.
+/// Applies the theme to the running application. `System` restores the desktop's style and colours
+/// and follows their changes. The first call must come before any window is created. GUI thread
+/// only.
 void applyTheme(Theme theme);
 
 }  // namespace toile::app

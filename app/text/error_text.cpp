@@ -16,7 +16,7 @@ namespace toile::app {
 
 namespace {
 
-/// Texts of the core are string literals, so they end with a zero.
+/// Texts of the core are string literals, so they are null-terminated.
 QString translated(std::string_view text) {
     return text.empty() ? QString() : tr(text.data());
 }

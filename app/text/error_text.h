@@ -15,29 +15,29 @@ class Wording;
 
 namespace toile::app {
 
-/// The core's words in the person's language, figures too.
+/// Translates the core's text, including its figures.
 QString wordingText(const Wording& words);
 
-/// What stands for %0 to %9 is put in all at once: an argument may hold a percent sign.
+/// Replaces %0 to %9 in one pass, because an argument may contain a percent sign.
 QString filledIn(const QString& pattern, const std::function<QString(int)>& argument);
 
-/// `sentence` of core/base/error.h in the person's language: what happened, where, what to try.
+/// Translation of `sentence` of core/base/error.h: what happened, where, and what to try.
 QString errorText(const Error& error);
-/// What happened alone, with the particulars, and what to try alone; the latter may be empty.
+/// Only what happened, with details, and only what to try; the latter may be empty.
 QString errorDescription(const Error& error);
 QString errorAdvice(const Error& error);
 
-/// What the matter is with a piece, in few words: "a tube with 3 openings".
+/// A short description of a piece's problem: "a tube with 3 openings".
 QString troubleText(const Error& trouble, const Piece& piece);
 
-/// What exported drawings say, in the person's language.
+/// Translated texts of exported drawings.
 DrawingWords drawingWords();
 
-/// `readBackSentence` in the person's language.
+/// Translation of `readBackSentence`.
 QString readBackText(const ReadBack& found);
 
-/// What a piece of work that ended with an exception says: that memory ran out and what to try, or
-/// that the program met a fault. Not null.
+/// Message for work that ended with an exception: out of memory and what to try, or a program
+/// fault. Precondition: not null.
 QString faultText(const std::exception_ptr& fault);
 
 }  // namespace toile::app

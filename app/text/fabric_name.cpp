@@ -8,7 +8,7 @@ namespace toile::app {
 
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class FabricWords {
     Q_DECLARE_TR_FUNCTIONS(FabricName)
 };

@@ -7,7 +7,7 @@
 
 namespace toile::app {
 
-/// What a fabric is called within a sentence: "jersey"; "custom" for one that is no preset.
+/// Name of a fabric inside a sentence: "jersey"; "custom" if it is no preset.
 QString fabricName(const Fabric& fabric);
 
 }  // namespace toile::app

@@ -15,10 +15,10 @@ namespace {
 
 constexpr QChar kDash(0x2013), kEllipsis(0x2026);
 
-/// A metre of seam is then true to a micrometre.
+/// Accurate to a micrometre per metre of seam.
 constexpr double kExact = 1e-6;
 
-/// Enough decimals for two telling digits, at most three.
+/// Decimals for two significant digits, at most three.
 int decimalsFor(double value) {
     const double size = std::abs(value);
     return size >= 10 ? 1 : size >= 0.1 ? 2 : 3;
@@ -33,7 +33,7 @@ QLocale ungrouped() {
 }
 
 QString lengthNumber(double millimetres) {
-    // Typed with a hyphen, printed with a minus.
+    // Input uses a hyphen, display a minus sign.
     return QString::fromStdString(lengthNumber(millimetres, LengthDisplay::instance().format()))
         .replace('-', kMinus);
 }
@@ -130,13 +130,13 @@ std::optional<EnteredPercent> parsePercent(QString text) {
     if (text.isEmpty()) {
         return EnteredPercent{};
     }
-    // Either mark divides off the decimals, whatever the language: there are no thousands here.
+    // Accept either decimal mark in any language; percentages have no thousands separators.
     text.replace(',', '.');
     QLocale plain = QLocale::c();
     plain.setNumberOptions(QLocale::RejectGroupSeparator);
     bool isNumber = false;
     const double value = plain.toDouble(text, &isNumber);
-    if (!isNumber || !(value > -100 && value <= 1000)) {  // not a number either
+    if (!isNumber || !(value > -100 && value <= 1000)) {  // also rejects NaN
         return std::nullopt;
     }
     return EnteredPercent{value / 100};
@@ -175,13 +175,13 @@ QString methodName(Method method) {
 
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class OverlayText {
     Q_DECLARE_TR_FUNCTIONS(OverlayText)
 };
 
 QString withSign(Overlay overlay, double value, const QString& digits) {
-    // What rounds to nothing has no sign.
+    // No sign if the value rounds to zero.
     const bool isZero = QLocale().toDouble(digits) == 0;
     if (isZero || (value > 0 && !isSigned(overlay))) {
         return digits;
@@ -247,7 +247,7 @@ double overlayUnit(Overlay overlay) {
 }
 
 QString overlayNumber(Overlay overlay, double value) {
-    // A limit in inches has more digits than anybody reads.
+    // More digits of a limit in inches are not useful.
     const int digits = overlay == Overlay::Gap ? 3 : 4;
     return withSign(overlay, value,
                     QLocale().toString(std::abs(value) / overlayUnit(overlay), 'g', digits));
@@ -259,11 +259,11 @@ QString overlayValueText(Overlay overlay, double value) {
     }
     const int decimals = overlay == Overlay::Dirichlet ? 2 : 1;
     const double size = std::abs(value);
-    // A place at a torn triangle: digits after the point say nothing.
+    // Decimals are meaningless for such large values, as at a torn triangle.
     const QString digits = QLocale().toString(size, 'f', size >= 1000 ? 0 : decimals);
     const QString number = withSign(overlay, value, digits);
     const QString unit = overlayWords(overlay).unit;
-    // A narrow no-break space before the percent sign; none before degrees.
+    // A narrow no-break space precedes the percent sign, but not the degree sign.
     return overlay == Overlay::Angle ? number + unit : number + QChar(0x202F) + unit;
 }
 

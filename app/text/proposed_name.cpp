@@ -9,7 +9,7 @@ namespace toile::app {
 
 namespace {
 
-/// What tailors' cuts are called, but for a number, in the words of the core.
+/// The core's names of tailors' cuts, without numbers.
 constexpr const char* kProposedNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left side"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "right side"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "left underarm"),
@@ -30,7 +30,7 @@ constexpr const char* kProposedNames[] = {QT_TRANSLATE_NOOP("ProposedCut", "left
                                           QT_TRANSLATE_NOOP("ProposedCut", "dart"),
                                           QT_TRANSLATE_NOOP("ProposedCut", "opening")};
 
-/// What parts are called, but for which of them it is.
+/// The core's names of parts, without their position.
 constexpr const char* kPartNames[] = {QT_TRANSLATE_NOOP("ProposedPart", "body"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "front"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "back"),
@@ -43,7 +43,7 @@ constexpr const char* kPartNames[] = {QT_TRANSLATE_NOOP("ProposedPart", "body"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "hem band"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "cuff"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "armhole band")};
-/// Before the name, and after it.
+/// Words before and after a part's name.
 constexpr const char* kPartSides[] = {QT_TRANSLATE_NOOP("ProposedPart", "left %1"),
                                       QT_TRANSLATE_NOOP("ProposedPart", "right %1")};
 constexpr const char* kPartFaces[] = {QT_TRANSLATE_NOOP("ProposedPart", "%1 front"),

@@ -5,11 +5,11 @@
 
 namespace toile::app {
 
-/// What a cut that the core proposes is called in the person's language, "left side 2" with its
-/// number: the name that it keeps where it is made. What is not known stays as it is.
+/// Translates the name of a proposed cut, "left side 2", which the cut keeps when it is made.
+/// Unknown names stay unchanged.
 std::string proposedName(const std::string& name);
 
-/// Likewise what a part of a garment is called (`partName`): "left sleeve".
+/// Translates the name of a garment part (`partName`): "left sleeve".
 std::string proposedPartName(const std::string& name);
 
 }  // namespace toile::app

@@ -17,18 +17,17 @@ namespace toile::app {
 namespace {
 
 constexpr double kRing = 4.5;  ///< radius
-constexpr double kAway = 13;   ///< from the place to the label, along both axes
+constexpr double kAway = 13;   ///< offset of the label from the place, along both axes
 constexpr double kPadding = 6;
 constexpr double kBadge = 17;  ///< width of the number's part of the label
-constexpr int kOverWords = 9;  ///< lines that a leader over other words is as bad as
-constexpr int kMaxSteps = 24;  ///< of half a label, in search of a free place
+constexpr int kOverWords = 9;  ///< crossed lines that weigh as much as one leader over other words
+constexpr int kMaxSteps = 24;  ///< of half a label, when searching for a free place
 
 bool overlaps(const QRectF& box, const std::vector<QRectF>& taken) {
     return std::ranges::any_of(
         taken, [&box](const QRectF& other) -> bool { return box.intersects(other); });
 }
 
-/// The point of the label where the line from the place ends.
 QPointF nearestOn(const QRectF& box, const QPointF& at) {
     return {std::clamp(at.x(), box.left() + 3, box.right() - 3),
             std::clamp(at.y(), box.top(), box.bottom())};
@@ -43,7 +42,7 @@ bool meets(const QRectF& box, const QPolygonF& line) {
     return false;
 }
 
-/// What a label at this place crosses: lines with the label, other words with its leader.
+/// Counts crossings: drawn lines with the label, other words with its leader.
 int crossed(const QPointF& at, const QRectF& box, const std::vector<QRectF>& taken,
             const std::vector<QPolygonF>& lines) {
     const QLineF leader(at, nearestOn(box, at));
@@ -55,7 +54,7 @@ int crossed(const QPointF& at, const QRectF& box, const std::vector<QRectF>& tak
     return static_cast<int>(kOverWords * words + drawn);
 }
 
-/// Above on the right, where nothing is in the way; else at another corner, level, or farther off.
+/// Prefers the upper right; else another corner, level with the place, or farther away.
 QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
               const std::vector<QRectF>& taken, const std::vector<QPolygonF>& lines) {
     std::optional<QRectF> best;
@@ -81,7 +80,7 @@ QRectF boxFor(const QPointF& at, const QSizeF& size, const QRectF& view,
     if (best) {
         return *best;
     }
-    // In a corner, or among many: pushed into the view, and up or down until it lies free.
+    // In a corner or a crowd: push it into the view, then up or down until it is free.
     QRectF box(at + QPointF(kAway, -kAway - size.height()), size);
     box.moveLeft(std::max(view.left(), std::min(box.left(), view.right() - size.width())));
     const auto atHeight = [&](double top) -> QRectF {
@@ -217,7 +216,7 @@ void paintSpotCallouts(QPainter& painter, const RenderStyle& style, const Callou
     }
     std::vector<Callout> callouts;
     for (std::size_t i = 0; i < flagged.spots.size(); ++i) {
-        // They may be of the scene before, for a moment.
+        // For a moment, the spots may belong to the previous scene.
         const WorstSpot& spot = flagged.spots[i];
         const auto piece = static_cast<std::size_t>(spot.piece);
         if (piece < scene->pieces.size() && scene->pieces[piece].flat) {

@@ -22,7 +22,7 @@ namespace toile::app {
 class Document;
 struct RenderStyle;
 
-/// A place that asks for a person's eye.
+/// A numbered mark at a place that needs attention.
 struct Callout {
     QPointF at;          ///< logical pixels
     int number = 1;      ///< the same in every view
@@ -30,50 +30,50 @@ struct Callout {
     bool faint = false;  ///< on the far side of the cloth
 };
 
-/// What callouts may use of a view. Logical pixels.
+/// The part of a view that callouts can use. Logical pixels.
 struct CalloutRoom {
-    QRectF view;                  ///< callouts outside of it are left out
-    std::vector<QRectF> taken{};  ///< by other words: labels stay beside them
-    /// Drawn: where there is a choice, labels lie beside them.
+    QRectF view;                  ///< callouts outside it are left out
+    std::vector<QRectF> taken{};  ///< areas of other words, which labels avoid
+    /// Drawn lines, which labels avoid if they can.
     std::vector<QPolygonF> lines{};
 };
 
-/// A ring at each place and beside it a label with its number and text; see `calloutBoxes`.
+/// Draws a ring at each place, with a label of number and text; see `calloutBoxes`.
 void paintCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
                    const std::vector<Callout>& callouts);
 
-/// The labels of the callouts, one each: within the view and, where there is a way, neither on each
-/// other nor on what is taken; of such places the nearest at which label and leader cross least.
-/// Cost: linear in the points of the lines. Empty rectangles for callouts that are left out.
+/// Returns one label box per callout: inside the view and, if possible, clear of other labels and
+/// of taken areas. Among free places, picks the nearest with the fewest crossings of label and
+/// leader. Returns empty rectangles for omitted callouts. Cost: linear in the points of the lines.
 std::vector<QRectF> calloutBoxes(const QFont& font, const CalloutRoom& room,
                                  const std::vector<Callout>& callouts);
 
-/// A ring around a place that a person has asked for: it reads on any cloth.
+/// Draws a ring that is visible on any cloth around a place the user asked to see.
 void paintSpotRing(QPainter& painter, const RenderStyle& style, const QPointF& at);
 
-/// The worst spots of an overlay, as they were worked out.
+/// The computed worst spots of an overlay.
 struct FlaggedSpots {
     std::vector<WorstSpot> spots{};
-    Overlay overlay = Overlay::None;  ///< whose values they are
+    Overlay overlay = Overlay::None;  ///< the overlay of the values
 };
 
-/// Where a spot is in a view, logical pixels.
+/// Position of a spot in a view, logical pixels.
 struct SpotPlace {
     QPointF at;
-    bool behind = false;  ///< its cloth is seen from behind
+    bool behind = false;  ///< its cloth is seen from the back
 };
 
-/// Where a spot lies on the garment, on its way to sewn cloth: at 0, or where its place on that is
-/// not known, as designed.
+/// Position of a spot between the designed (0) and the sewn cloth (1). Stays as designed if the
+/// sewn position is unknown.
 Eigen::Vector3d spotPoint(const WorstSpot& spot, double sewnWay);
 
-/// None where it is behind the eye.
+/// Returns nullopt if the spot is behind the eye.
 /// @param sewnWay  as for `GarmentRenderer::paint`
 std::optional<SpotPlace> placeOfSpot(const WorstSpot& spot, const Camera3D& camera,
                                      double sewnWay = 0);
 SpotPlace placeOfSpot(const WorstSpot& spot, const Camera2D& camera, const SheetPlaces& places);
 
-/// Marks the spots, as far as they are of what the document shows and it wants them marked.
+/// Marks those spots that the document shows, if it has marking turned on.
 void paintSpotCallouts(QPainter& painter, const RenderStyle& style, const CalloutRoom& room,
                        const Document& document, const FlaggedSpots& flagged,
                        const std::function<std::optional<SpotPlace>(const WorstSpot&)>& place);

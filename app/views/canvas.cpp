@@ -16,11 +16,11 @@ namespace toile::app {
 
 namespace {
 
-/// Enlargement per wheel notch (120 units) and press of a key: five double.
+/// Zoom factor per wheel notch (120 units) or key press; five double the size.
 constexpr double kZoomPerNotch = 1.15;
-/// And per pixel of a drag: 140 pixels double.
+/// Zoom factor per pixel of a drag; 140 pixels double the size.
 constexpr double kZoomPerPixel = 1.005;
-/// How far an arrow key moves the picture, logical pixels.
+/// Step of an arrow key, logical pixels.
 constexpr double kKeyPan = 24;
 
 Navigation canvasNavigation = Navigation::Toile;
@@ -39,7 +39,7 @@ void Canvas::press(const QMouseEvent& event) {
 
 void Canvas::drag(const QMouseEvent& event) {
     if (!event.buttons().testFlag(button_)) {
-        release();  // a dialog came up, or the pen went away
+        release();  // the release was lost: a dialog opened, or the pen left
     }
     isDragged_ = isDragged_ || (event.position() - pressed_).manhattanLength() >=
                                    QApplication::startDragDistance();
@@ -189,7 +189,7 @@ RenderedWidget::RenderedWidget(std::unique_ptr<SceneRenderer> painter, QWidget* 
 }
 
 RenderedWidget::~RenderedWidget() {
-    // The context dies after this part of the object: it must not call back then.
+    // The context dies after this part of the object, so it must not call back then.
     if (context()) {
         disconnect(context(), nullptr, this, nullptr);
     }
@@ -205,7 +205,7 @@ void RenderedWidget::releaseGl() {
 }
 
 void RenderedWidget::initializeGL() {
-    // Also reached again when the widget moves to another window and gets another context.
+    // Runs again when the widget moves to another window and gets a new context.
     connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &RenderedWidget::releaseGl,
             Qt::UniqueConnection);
     problem_ = renderer_->initialize();

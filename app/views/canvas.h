@@ -17,12 +17,12 @@ namespace toile::app {
 
 class SceneRenderer;
 
-/// A camera that a canvas moves. Places and distances are logical pixels of the widget.
+/// A camera moved by a canvas. Places and distances are logical pixels of the widget.
 class CanvasCamera {
 public:
     virtual void turn(const QPointF& delta) { pan(delta); }
     virtual void pan(const QPointF& delta) = 0;
-    /// Enlarges (factor > 1) about a place.
+    /// Enlarges (factor > 1) around a place.
     virtual void zoom(const QPointF& at, double factor) = 0;
     /// Shows everything, and keeps doing so until the camera is moved.
     virtual void frameAll() = 0;
@@ -31,33 +31,32 @@ protected:
     ~CanvasCamera() = default;
 };
 
-/// Moves a camera by mouse, wheel and keys, the same way in every picture: drags as the user's
-/// mouse scheme has them, Space with the left button, wheel, plus, minus, arrows and F. Its widget
-/// passes on the events that it has no use for itself.
+/// Moves a camera by mouse, wheel and keys: drags follow the user's mouse scheme; also Space with
+/// the left button, wheel, plus, minus, arrows and F. Works the same in every picture. Its widget
+/// passes on the events that it does not use itself.
 class Canvas {
 public:
-    /// @param widget       for its size; it and the camera must outlive this
-    /// @param anyDragPans  the widget has no use for drags: those that the scheme does not know pan
+    /// @param widget       gives the size; it and the camera must outlive this
+    /// @param anyDragPans  drags unknown to the scheme pan; for widgets that use no drags
     Canvas(QWidget& widget, CanvasCamera& camera, bool anyDragPans = false)
         : widget_(widget), camera_(camera), anyDragPans_(anyDragPans) {}
 
-    /// Handles any event of a widget that has no use for it. @return whether it meant anything
+    /// Handles an event that the widget does not use. @return whether it had an effect
     bool handle(QEvent& event);
 
     /// The user's mouse scheme, for all canvases.
     static void setNavigation(Navigation navigation);
 
-    /// A button goes down.
     void press(const QMouseEvent& event);
-    /// Moves the camera once the pointer is far enough from where it was pressed.
+    /// Moves the camera once the pointer has passed the start drag distance.
     void drag(const QMouseEvent& event);
-    /// The button comes up. @return whether the pointer was dragged
+    /// @return whether the pointer was dragged
     bool release();
-    /// Which is down; Qt::NoButton: none.
+    /// The pressed button, or Qt::NoButton.
     Qt::MouseButton button() const { return button_; }
 
     void wheel(QWheelEvent& event);
-    /// @return whether the key means anything
+    /// @return whether the key has an effect
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
     /// While Space is down the left button moves the picture.
@@ -73,8 +72,8 @@ private:
     bool isDragged_ = false, hasSpace_ = false;
 };
 
-/// Looks at a flat sheet, and shows all of it until it is moved. Several pictures of one size can
-/// share it: what moves one moves all, and a millimetre has the same size in each.
+/// Views a flat sheet and shows all of it until the user moves it. Several pictures of one size can
+/// share this camera: they move together, at the same scale.
 class SheetCamera : public QObject, public CanvasCamera {
     Q_OBJECT
 
@@ -82,9 +81,9 @@ public:
     explicit SheetCamera(const Camera2D::Margins& margins) : margins_(margins) {}
 
     const Camera2D& camera() const { return camera_; }
-    /// As seen in a picture of this size.
+    /// The camera for a picture of this size.
     Camera2D seenIn(const QSizeF& size) const;
-    /// What there is to see, mm.
+    /// Extent of the content, mm.
     void setBox(const Eigen::AlignedBox2d& box);
     void setViewport(const QSizeF& size);
     void pan(const QPointF& delta) override;
@@ -103,15 +102,14 @@ private:
     bool followsAll_ = true;
 };
 
-/// A widget that a renderer paints in: keeps what the renderer has on the GPU as long as the
-/// context lives.
+/// A widget painted by a renderer. Keeps the renderer's GPU resources as long as the context lives.
 class RenderedWidget : public QOpenGLWidget {
     Q_OBJECT
 
 public:
     ~RenderedWidget() override;
 
-    /// Why nothing can be drawn; empty if all is well.
+    /// Why nothing can be drawn; empty if there is no problem.
     const QString& problem() const { return problem_; }
     SceneRenderer& renderer() const { return *renderer_; }
 

@@ -12,12 +12,12 @@ namespace toile::app {
 
 namespace {
 
-/// Logical pixels, also what the scale bar in the other corner takes.
+/// Logical pixels, including the space of the scale bar in the other corner.
 constexpr int kCornerWidth = 440, kCornerMargin = 12, kBesideCorner = 212;
-/// Where less than this is left beside the scale bar, the legend stands above that and takes the
-/// width but for this, which a ruler may have.
+/// If less than this is left beside the scale bar, the legend moves above it. There it uses the
+/// whole width minus the margins for a ruler.
 constexpr int kMinWidth = 260, kAtSides = 40, kAboveCorner = 52;
-constexpr int kMinGround = 238;  ///< of 255: what is drawn below must not be read
+constexpr int kMinGround = 238;  ///< of 255: hides the drawing below, so that the words are legible
 
 }  // namespace
 

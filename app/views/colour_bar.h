@@ -8,17 +8,17 @@
 
 namespace toile::app {
 
-/// Legend of the overlay. Shows nothing of the garment itself.
+/// Legend of the overlay. Does not depend on the garment.
 class ColourBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit ColourBar(QWidget* parent = nullptr);
-    /// In the lower right corner of a view, above what it draws; seen while the overlay's colours
-    /// have to be told.
+    /// Creates the legend in the lower right corner of a view. It is visible while an overlay needs
+    /// a legend.
     static ColourBar* inCorner(QWidget& view);
 
-    /// The value under the pointer stays, where the overlay does.
+    /// Keeps the value under the pointer if the overlay stays the same.
     void show(const ColourLegend& legend);
 
     QString summary() const { return legend_.summary(); }
@@ -26,7 +26,7 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    /// The value under the pointer: a mark on the bar and a number.
+    /// Marks the value under the pointer on the bar and writes it.
     void showValue(std::optional<double> value);
 
 protected:

@@ -13,18 +13,18 @@
 namespace toile::app {
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class LegendWords {
     Q_DECLARE_TR_FUNCTIONS(ColourBar)
 };
 
-/// Whole percents of what lies beyond the ends, such that both ends add up to the whole.
+/// Whole percentages of the cloth beyond each end; together they add up to the rounded total.
 struct EndPercents {
     explicit EndPercents(const Histogram& histogram)
         : all(std::lround(100 * histogram.beyond())),
           below(std::lround(100 * std::min(histogram.below, histogram.above))),
           above(all - below) {
-        // Of the two the larger one takes what rounding leaves over.
+        // The larger share absorbs the rounding.
         if (histogram.below > histogram.above) {
             std::swap(below, above);
         }
@@ -33,14 +33,14 @@ struct EndPercents {
     long all, below, above;
 };
 
-/// "12 %", and "<1 %" for what is there but rounds to nothing.
+/// "12 %", or "<1 %" for a positive share that rounds to zero.
 QString shareText(double share, long percent) {
     const QString number =
         share > 0 && percent <= 0 ? LegendWords::tr("<1") : QLocale().toString(int(percent));
     return LegendWords::tr("%1 %").arg(number);
 }
 
-/// What is said of cloth beyond the fabric, and where there is none.
+/// Sentences for cloth beyond the fabric's limits, and for none beyond.
 struct LimitWords {
     Overlay overlay;
     const char *beyond, *within;
@@ -59,7 +59,7 @@ constexpr LimitWords kLimitWords[] = {
     {Overlay::Strain,
      QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth has an edge beyond the tightest limit"),
      QT_TRANSLATE_NOOP("ColourBar", "no edge is beyond the tightest limit")},
-    {Overlay::Principal,  // and what else is limited
+    {Overlay::Principal,  // and the remaining limited ones
      QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the tightest limit"),
      QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the tightest limit")},
 };
@@ -166,7 +166,7 @@ ColourLegend legendOf(const OverlayFigures& figures) {
     legend.isMissing = isOfProof(figures.overlay) && !(figures.sewn && figures.sewn->isMeasured);
     legend.isOnItsWay = legend.isMissing && figures.sewn;
     legend.sewn = figures.sewn ? figures.sewn->of : SewnPattern::Own;
-    if (figures.histogram) {  // of what is drawn, which may reach farther than the vertices
+    if (figures.histogram) {  // drawn values can exceed those at the vertices
         legend.scale.below = figures.histogram->below > 0;
         legend.scale.above = figures.histogram->above > 0;
     }

@@ -14,55 +14,54 @@ class QPainter;
 
 namespace toile::app {
 
-/// What the colours of an overlay mean, in numbers, how much of the cloth has which, and the value
-/// under the pointer: what the colour bar shows and what pictures have below them. A value.
+/// Legend of an overlay: colour scale in numbers, share of the cloth per colour, and the value
+/// under the pointer. Shown by the colour bar and below pictures. A value type.
 struct ColourLegend {
     Overlay overlay = Overlay::None;
     OverlayScale scale{};
     std::optional<Histogram> histogram{};  ///< of a measured overlay only
     std::optional<double> value{};
-    bool isMissing = false;               ///< it is of sewn cloth, and nothing is sewn and measured
-    bool isOnItsWay = false;              ///< but it is being sewn
-    SewnPattern sewn = SewnPattern::Own;  ///< that it is of
+    bool isMissing = false;               ///< shows sewn cloth, but none is sewn and measured yet
+    bool isOnItsWay = false;              ///< is being sewn now
+    SewnPattern sewn = SewnPattern::Own;  ///< the sewn pattern shown
 
     /// "Strain along warp (%)".
     QString title() const;
-    /// What the colours say, or what is to be done first.
+    /// What the colours mean, or what to do first.
     QString meaning() const;
 
-    /// For tests and screen readers: "Strain along warp: −1 % to +2 %; 12 % of the cloth is beyond
-    /// the fabric along the warp".
+    /// Text for tests and screen readers: "Strain along warp: −1 % to +2 %; 12 % of the cloth is
+    /// beyond the fabric along the warp".
     QString summary() const;
-    /// "all of the cloth is within the fabric along the warp": says which strain is counted, for
-    /// another direction may say something else. The shares at the ends as they are shown add up to
-    /// it. Empty where the fabric has no limits, or nothing is flat yet.
+    /// "all of the cloth is within the fabric along the warp". Names the counted strain, because
+    /// other directions can differ. Equals the sum of the displayed end shares. Empty if the fabric
+    /// has no limits or nothing is flat yet.
     QString shareSentence() const;
-    /// The same where the colours are seen: "(hatched)" follows where any cloth is beyond.
+    /// The same for a visible legend: adds "(hatched)" if any cloth is beyond the limits.
     QString markedShareSentence() const;
-    /// The same in few words: "12 % beyond the fabric (hatched)".
+    /// Short form: "12 % beyond the fabric (hatched)".
     QString shortShare() const;
-    /// "+15" and, where cloth lies beyond that is marked by nothing else, "≥ +15".
+    /// "+15", or "≥ +15" if cloth lies beyond and nothing else marks it.
     QString endLabel(bool high) const;
-    /// "12 %": how much of the cloth lies beyond the lower or the higher end; empty where no cloth
-    /// has been counted.
+    /// "12 %": share of the cloth beyond the lower or higher end; empty if no cloth was counted.
     QString endShareText(bool high) const;
-    /// "+2.4 %"; empty where there is no value.
+    /// "+2.4 %"; empty without a value.
     QString valueText() const;
 };
 
-/// The legend of these figures: the ends say whether anything that is drawn lies beyond them.
+/// Makes the legend of these figures; its ends tell whether drawn values lie beyond them.
 ColourLegend legendOf(const OverlayFigures& figures);
 
-/// How a legend is laid out.
+/// Layout of a legend.
 enum class LegendShape {
-    Row,     ///< words beside the colours: a strip below the views
-    Corner,  ///< words above them, and fewer: in a corner of a view
+    Row,     ///< words beside the colours, for a strip below the views
+    Corner,  ///< fewer words, above the colours, for a corner of a view
 };
 
-/// How high a legend is, logical pixels.
+/// Height of a legend, logical pixels.
 int legendHeight(const QFont& font, LegendShape shape = LegendShape::Row);
-/// How high one of LegendShape::Corner is where it is so wide: words that find no room beside the
-/// title stand below it, in two lines at most.
+/// Height of a LegendShape::Corner legend of this width: words that do not fit beside the title go
+/// below it, in at most two lines.
 int cornerLegendHeight(const ColourLegend& legend, const QFont& font, int width);
 
 void paintLegend(QPainter& painter, const ColourLegend& legend, const QSize& size,

@@ -15,9 +15,9 @@ namespace toile::app {
 
 namespace {
 
-/// How near the pointer must come to a line or a vertex, pixels.
+/// Distance from the pointer within which a line or vertex is hit, pixels.
 constexpr double kLineRadius = 6, kVertexRadius = 7;
-/// Triangles smaller than this on the screen have no vertices to be meant, pixels.
+/// Vertices of triangles smaller than this on the screen cannot be hit, pixels.
 constexpr double kMinEdge = 26;
 
 std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
@@ -54,12 +54,12 @@ std::optional<Feature> vertexAt(const ToolView& view, const Document& document,
                    .face = hit.face};
 }
 
-/// The edge of the boundary under a seam's line, which may be of other points than the boundary.
+/// The boundary edge under a seam's line, whose points can differ from those of the boundary.
 int edgeUnder(const SeamHit& hit, const SeamSide& side, const Scene& scene, const Piece& piece) {
     const VertexRun run =
         scene.garmentLines
             .seams[static_cast<std::size_t>(hit.seam)][static_cast<std::size_t>(hit.side)];
-    double along = 0;  // to the middle of the segment that was hit
+    double along = 0;  // up to the middle of the segment that was hit
     for (std::uint32_t k = 0; k + 1 < run.count && static_cast<int>(k) <= hit.segment; ++k) {
         const LineVertex* point = &scene.lineVertices[run.first + k];
         const double length = (wornPoint(point[1]) - wornPoint(point[0])).norm();
@@ -88,7 +88,7 @@ int edgeUnder(const SeamHit& hit, const SeamSide& side, const Scene& scene, cons
 
 std::optional<Feature> featureAt(const ToolView& view, const Document& document,
                                  const QPointF& at) {
-    // The scene may be of the garment before, for a moment.
+    // For a moment, the scene may belong to the previous garment.
     if (!document.garment() || !document.scene() ||
         static_cast<int>(document.scene()->pieces.size()) != document.pieceCount()) {
         return std::nullopt;
@@ -114,7 +114,7 @@ std::optional<Feature> runAt(const ToolView& view, const Document& document, con
     const Seam& seam = document.garment()->seams.seams[static_cast<std::size_t>(hit->seam)];
     const SeamSide& side = hit->side == 0 ? seam.left : seam.right;
     const auto piece = static_cast<std::size_t>(side.piece);
-    // The rim of a hole has no corners to run between.
+    // The edge of a hole has no corners.
     if (piece >= document.scene()->pieces.size() || side.count == 0 || side.loop > 0) {
         return std::nullopt;
     }

@@ -34,7 +34,7 @@ QString seamText(const Document& document, int index) {
              signedFineLength(measure->deltaMm));
 }
 
-/// "front", and where it is sewn to something "front / sleeve_left, back".
+/// "front"; if it is sewn to other pieces, "front / sleeve_left, back".
 QString nameOfRun(const Document& document, const Feature& run) {
     QStringList partners;
     for (const SewnPart& part : sewnParts(*document.garment(), run)) {
@@ -64,7 +64,7 @@ QString runText(const Document& document, const Feature& run) {
                : tr("%1 · %2 not sewn").arg(sewn, lengthWithUnit(lengths.free));
 }
 
-/// "Strain along warp +1.8 % (limit +2 %)"; empty where the overlay shows no number there.
+/// "Strain along warp +1.8 % (limit +2 %)"; empty if the overlay has no value there.
 QString valueText(const Document& document, const std::optional<SurfaceHit>& place) {
     const auto value = place ? shownValueAt(document, *place) : std::nullopt;
     if (!value) {
@@ -82,7 +82,7 @@ QString valueText(const Document& document, const std::optional<SurfaceHit>& pla
                        QChar(0x202F) + words.unit);
 }
 
-/// Of the edges around a vertex, in percent; none where it does not lie flat.
+/// Largest edge strain (by magnitude) around a vertex, in percent; nullopt if it is not flat.
 std::optional<double> strainAtVertex(const Document& document, const Feature& feature) {
     const Scene* scene = document.scene().get();
     const auto at = static_cast<std::size_t>(feature.piece);
@@ -107,7 +107,7 @@ std::optional<double> strainAtVertex(const Document& document, const Feature& fe
 QString vertexText(const Document& document, const Piece& piece, const Feature& feature,
                    const QString& value) {
     const auto vertex = static_cast<std::size_t>(feature.vertex);
-    // As files count them, from 1.
+    // Numbers count from 1, as in files.
     const int source = vertex < piece.sourceVertex.size() ? piece.sourceVertex[vertex] : -1;
     const QString name = tr("Vertex %1").arg((source >= 0 ? source : feature.vertex) + 1);
     if (!value.isEmpty()) {

@@ -30,7 +30,7 @@ struct End {
     double depth = 0;  ///< towards the eye, -1 to 1
 };
 
-/// From behind forwards, as they are to be painted.
+/// From back to front, the painting order.
 std::array<End, 6> endsOf(const Camera3D& camera) {
     std::array<End, 6> ends = {{{ViewKey::Right, 0, true},
                                 {ViewKey::Left, 0, false},
@@ -54,7 +54,7 @@ QColor axisColour(int axis) {
     return QColor(kColours[static_cast<std::size_t>(axis)]);
 }
 
-/// The context of the translations.
+/// Translation context.
 class GarmentWords {
     Q_DECLARE_TR_FUNCTIONS(GarmentView)
 };
@@ -68,7 +68,7 @@ QString noteOf(const Document& document) {
                 : QString();
 }
 
-/// Whether any cloth lies under a part of the view; on its way to the pattern it may.
+/// Whether any cloth lies under a part of the view. Assumes so during the morph to the pattern.
 bool isOnCloth(const GarmentText& text, const QRectF& part) {
     const Scene* scene = text.document.scene().get();
     return scene && (text.way > 0 || anyPointIn(part, [&](double x, double y) -> bool {
@@ -117,7 +117,7 @@ std::optional<ViewKey> axisCrossKeyAt(const QPointF& middle, const Camera3D& cam
     std::optional<ViewKey> key;
     for (const End& end : endsOf(camera)) {
         if (QLineF(middle + end.offset, at).length() <= (end.positive ? kBall : kSmallBall) + 1) {
-            key = end.key;  // the last is in front
+            key = end.key;  // the last match is in front
         }
     }
     return key;

@@ -15,27 +15,27 @@ namespace toile::app {
 
 struct RenderStyle;
 
-/// A small cross that tells how the garment is turned, and turns it when its ends are clicked.
+/// The axis cross shows the garment's orientation; clicking one of its ends turns the garment.
 
-/// Its middle, in the lower left corner of a view.
+/// Middle of the cross, in the lower left corner of a view.
 QPointF axisCrossPlace(const QRect& view);
 
 void paintAxisCross(QPainter& painter, const RenderStyle& style, const QPointF& middle,
                     const Camera3D& camera);
 
-/// What a click on one of the ends asks for.
+/// The view that a click on one of the ends selects.
 std::optional<ViewKey> axisCrossKeyAt(const QPointF& middle, const Camera3D& camera,
                                       const QPointF& at);
 
-/// What the garment view writes over the garment, in the window and in pictures alike.
+/// The text that the garment view paints over the garment, in the window and in pictures.
 struct GarmentText {
     const Document& document;
     const Camera3D& camera;
     QRect view;  ///< logical pixels, from 0, 0
     const FlaggedSpots& spots;
-    double way = 0;                 ///< of the morph
+    double way = 0;                 ///< position in the morph
     double sewnWay = 0;             ///< as for `GarmentRenderer::paint`
-    std::vector<QRectF> covered{};  ///< by what else lies over the view
+    std::vector<QRectF> covered{};  ///< areas covered by other widgets
 };
 
 void paintGarmentText(QPainter& painter, const RenderStyle& style, const GarmentText& text);

@@ -20,23 +20,23 @@ namespace toile::app {
 
 namespace {
 
-/// A seam may lie so many times the pointer's radius deeper than the cloth: cloth is bent.
+/// Depth tolerance of seams behind the cloth, as a multiple of the pick radius: cloth is bent.
 constexpr double kHiddenBehind = 3;
 
-/// How near the eye may come to the cloth that is zoomed at, as a part of the garment's extent.
+/// Smallest distance of the eye from the cloth when zooming, as a part of the garment's extent.
 constexpr double kNearestCloth = 4e-3;
 
-/// What the slider from the design to sewn cloth takes above the other, logical pixels.
+/// Height of the second slider, from the design to sewn cloth, logical pixels.
 constexpr double kSecondSlider = 38;
 
-/// What framing leaves free below for the sliders that there are, and above, so that what the
-/// garment is turned about is in the middle.
+/// Free space below for the visible sliders. The same is left above, so that the garment's centre
+/// of rotation stays in the middle.
 double roomOfSliders(const Document& document) {
     const auto cloth = sewnOf(document);
     return Camera3D::kSliderRoom + (cloth && cloth->isMeasured ? kSecondSlider : 0);
 }
 
-/// Room left around a framed seam, as a part of its extent.
+/// Margin around a framed seam, as a part of its extent.
 constexpr double kAirAroundSeam = 0.15;
 
 }  // namespace
@@ -70,11 +70,11 @@ bool GarmentView::frameLines(const SeamScene& seam) {
     if (seam.box.isEmpty()) {
         return false;
     }
-    // With the cloth around it, that one sees what is sewn to what.
+    // Include cloth around the seam to show which pieces meet there.
     const Eigen::Vector3d air =
         Eigen::Vector3d::Constant(kAirAroundSeam * seam.box.sizes().maxCoeff());
     if (morph_ > 0) {
-        return false;  // its box is that of the garment
+        return false;  // the box is only valid for the garment
     }
     const Eigen::AlignedBox3d boxes[] = {{seam.box.min() - air, seam.box.max() + air}};
     camera_.setFreeEdges(roomOfSliders(document_));
@@ -98,7 +98,7 @@ bool GarmentView::isHidden(const WorstSpot& spot) const {
 
 void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
     if (morph_ > 0) {
-        return;  // the cloth is elsewhere
+        return;  // the cloth has moved away
     }
     const Eigen::Vector3d air = Eigen::Vector3d::Constant(radius);
     const Eigen::Vector3d place = spotPoint(spot, sewnWay());
@@ -108,7 +108,7 @@ void GarmentView::frameSpot(const WorstSpot& spot, double radius) {
     if (spot.normal.isZero() || (isFacing(spot) && !isHidden(spot))) {
         return;
     }
-    // From the right side; where other cloth lies before it, from the wrong side.
+    // Look from the right side; if other cloth hides the spot, from the wrong side.
     const Eigen::Vector3d sides[] = {spot.normal, -spot.normal, spot.normal};
     for (const Eigen::Vector3d& side : sides) {
         camera_.setDirection(std::atan2(side.x(), side.z()),
@@ -132,7 +132,7 @@ void GarmentView::zoomCamera(const QPointF& at, double factor) {
     const Ray ray = camera_.ray(at.x(), at.y());
     const auto hit = scene() && morph_ == 0 ? pickGarment(*scene(), ray, places()) : std::nullopt;
     if (hit && factor > 1 && !camera_.isOrthographic()) {
-        // Nearer, the cloth would be cut away before the eye: see Camera3D::projection.
+        // Nearer, the near plane would clip the cloth: see Camera3D::projection.
         const double nearest = kNearestCloth * scene()->box.diagonal().norm();
         factor = std::max(1.0, std::min(factor, hit->distance / nearest));
     }
@@ -172,12 +172,12 @@ std::optional<SeamHit> GarmentView::seamHitAt(const QPointF& at, double pixels,
                                pixels / camera_.pixelsPerMillimetre(), counts);
     }
     const Ray ray = camera_.ray(at.x(), at.y());
-    // Without perspective a radius in mm stands for a slope at the depth where rays are that wide.
+    // Without perspective, convert the radius in mm to a slope at the target's depth.
     const double radius = pixels / camera_.pixelsPerMillimetre();
     const double toTarget =
         (camera_.pointAtTargetDepth(at.x(), at.y()) - ray.origin).dot(ray.direction);
     const double slope = radius / toTarget;
-    // What the cloth under the pointer hides does not count; what lies on it does.
+    // Ignore seams hidden by the cloth under the pointer, but not those on it.
     const auto hit = pickGarment(*scene(), ray, places());
     const double farthest = !hit || document_.view().xray
                                 ? std::numeric_limits<double>::infinity()
@@ -224,7 +224,7 @@ std::optional<QPointF> GarmentView::onScreen(int piece, int face,
 }
 
 std::optional<ToolView::WornPlace> GarmentView::wornPlace(const Eigen::Vector3d& point) const {
-    constexpr double kBefore = 3;  // mm: a line between places of bent cloth dips under it
+    constexpr double kBefore = 3;  // mm: a line between points of bent cloth dips below its surface
     if (!scene() || morph_ > 0) {
         return std::nullopt;
     }
@@ -269,7 +269,7 @@ void GarmentView::setDirection(const ViewDirection& direction) {
 
 void GarmentView::look(ViewKey key) {
     constexpr double kStep = std::numbers::pi / 12;
-    // In the order of ViewKey, which begins with them.
+    // In the order of ViewKey, which starts with these sides.
     static constexpr std::array kSides{kFrontView, kBackView, kRightView,
                                        kLeftView,  kTopView,  kBottomView};
     const double yaw = camera_.yaw(), pitch = camera_.pitch();
@@ -304,7 +304,7 @@ void GarmentView::keyPressEvent(QKeyEvent* event) {
 }
 
 bool GarmentView::event(QEvent* event) {
-    // To shortcuts a digit is a digit, wherever it is on the keyboard.
+    // Otherwise a digit shortcut would take the key: shortcuts ignore where a key is.
     if (event->type() == QEvent::ShortcutOverride) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         if (viewKey(key.key(), key.modifiers())) {
@@ -334,7 +334,7 @@ void GarmentView::paintScene(const RenderStyle& style, int width, int height, do
 
 std::optional<SpotPlace> GarmentView::placeNow(const WorstSpot& spot) const {
     return morph_ == 0 ? placeOfSpot(spot, camera_, sewnWay())
-                       : std::nullopt;  // on its way it is elsewhere
+                       : std::nullopt;  // the cloth has moved during the morph
 }
 
 void GarmentView::paintText(QPainter& painter, const RenderStyle& style) {

@@ -13,9 +13,9 @@
 
 namespace toile::app {
 
-/// The garment in 3D: a drag turns it, with Shift moves it, the wheel zooms to the cursor, the keys
-/// of the number pad turn it to its sides. On its way to the pattern (`setMorph`) it is shown as
-/// flat as it is then; its cloth answers the pointer where it is all garment or all pattern.
+/// The garment in 3D. A drag turns it, Shift+drag moves it, the wheel zooms to the cursor, and the
+/// number pad selects the standard views. `setMorph` shows it between garment and pattern. Its
+/// cloth can be picked only at either end of the morph.
 class GarmentView : public SceneView {
     Q_OBJECT
 
@@ -34,16 +34,16 @@ public:
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
     const Camera3D& camera() const { return camera_; }
-    /// What a key of the number pad does.
+    /// Performs the action of a number pad key.
     void look(ViewKey key);
-    /// How far the garment is shown on its way to the pattern: 0 garment, 1 flat.
+    /// Morph between the garment (0) and the flat pattern (1).
     double morph() const { return morph_; }
     void setMorph(double way);
-    /// How far it is shown on its way from the design to the pattern sewn back together, 0 to 1;
-    /// 0 where nothing is sewn, or on the way to the pattern. While it is being sewn it is shown as
-    /// far as that is.
+    /// Position between the design (0) and the pattern sewn back together (1). It is 0 if nothing
+    /// is sewn, or during the morph to the pattern. While sewing is running, the cloth is shown as
+    /// far as it has come.
     double sewnWay() const;
-    /// The pointer still means the cloth as the design has it.
+    /// Does not affect picking, which still uses the designed cloth.
     void setSewnWay(double way);
 
 signals:
@@ -67,7 +67,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// Where the pieces are on the way, worked out once for as long as nothing moves.
+    /// Positions of the pieces during the morph, cached while nothing moves.
     struct Motions {
         std::shared_ptr<const Scene> scene;
         SheetPlaces places;
@@ -77,17 +77,16 @@ private:
 
     Morph morphState() const;
     const Motions& motions() const;
-    /// A point of a piece as it is drawn: on its way where the garment is. `flat` is asked for only
-    /// there.
+    /// A point of a piece as drawn, interpolated during the morph. Calls `flat` only then.
     template <class Flat>
     Eigen::Vector3d asDrawn(int piece, const Eigen::Vector3d& worn, const Flat& flat) const;
     std::optional<QPointF> projected(const Eigen::Vector3d& point) const;
-    /// The point of the sheet under a pixel, where the sheet stands before the eye.
+    /// The point of the sheet under a pixel, for a sheet that faces the eye upright.
     Eigen::Vector2d onStandingSheet(const QPointF& at) const;
     void setDirection(const ViewDirection& direction);
-    /// Whether the right side of the cloth is towards the eye there.
+    /// Whether the right side of the cloth faces the eye there.
     bool isFacing(const WorstSpot& spot) const;
-    /// Whether other cloth lies before it.
+    /// Whether other cloth is in front of it.
     bool isHidden(const WorstSpot& spot) const;
 
     double morph_ = 0, sewnWay_ = 0;

@@ -22,7 +22,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kWellSeen = 28;           // pixels
-constexpr double kShortest = 16;           // pixels, however narrow the cloth
+constexpr double kShortest = 16;           // pixels, even on narrow cloth
 constexpr double kHead = 10;               // pixels
 constexpr double kHalo = 3.2;              // pixels, both sides together
 constexpr double kDash = 3.2, kGap = 2.4;  // widths of the line
@@ -103,7 +103,7 @@ std::vector<DrawnArrow> paintGrainArrows(QPainter& painter, const RenderStyle& s
         const auto at = static_cast<std::size_t>(piece);
         const double extent = document.scene()->pieces[at].flatBox.diagonal().norm() * scale;
         if (!strong && extent < kShortest) {
-            continue;  // larger than the piece itself
+            continue;  // longer than the piece itself
         }
         const QLineF line(onScreen(arrow->end(-0.5)), onScreen(arrow->end(0.5)));
         paintArrow(painter, line.p1(), line.p2(), style.text, style.labelFill, strong ? 2.2 : 1.8,
@@ -170,7 +170,7 @@ void GarmentArrows::paint(QPainter& painter, const RenderStyle& style, const Too
             continue;
         }
         const NamePlace& place = *namePlaces_[at];
-        // The face's plane goes on beyond its corners.
+        // Extrapolating beyond the face's corners is fine: its plane continues.
         const auto onScreen = [&](const Eigen::Vector2d& flat) -> std::optional<QPointF> {
             const Eigen::Vector2d weights = place.weights * (flat - place.origin);
             return view.onScreen(piece, place.face, {1 - weights.sum(), weights.x(), weights.y()});

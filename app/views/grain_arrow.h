@@ -18,7 +18,7 @@ class SheetMap;
 class ToolView;
 struct RenderStyle;
 
-/// Where a flat piece's grain arrow is on the sheet, mm.
+/// The grain arrow of a flat piece on the sheet, mm.
 struct GrainArrow {
     Eigen::Vector2d middle;
     Eigen::Vector2d direction;  ///< unit vector, along the warp
@@ -27,14 +27,14 @@ struct GrainArrow {
     Eigen::Vector2d end(double share) const { return middle + share * length * direction; }
 };
 
-/// Where files have the piece's grain line (`MarkPlaces`); where that is too short to be seen,
-/// where there is most room on the cloth, and long enough to be grabbed however narrow that is.
-/// Nothing where the piece is not flat.
-/// @param pixelsPerMillimetre  of the screen that it is for
+/// Uses the grain line of files (`MarkPlaces`). If that is too short to see, the arrow goes to the
+/// roomiest place on the cloth. Its length can be grabbed even on a narrow piece. Nullopt if the
+/// piece is not flat.
+/// @param pixelsPerMillimetre  of the target screen
 std::optional<GrainArrow> grainArrow(const Document& document, int piece,
                                      double pixelsPerMillimetre);
 
-/// Paints one arrow on the screen, as tools show it.
+/// Paints one arrow on the screen, for tools.
 void paintArrow(QPainter& painter, const RenderStyle& style, const QPointF& tail,
                 const QPointF& tip, bool marked, bool stated);
 
@@ -45,13 +45,12 @@ struct DrawnArrow {
 };
 
 /// Paints the arrows of all flat pieces, dashed where the grain is unset.
-/// @param strong  while the grain is what is being worked on: also of pieces too small to be worth
-/// it
-/// @return where they lie
+/// @param strong  emphasise arrows and show them on small pieces too, while grain is being edited
+/// @return their positions
 std::vector<DrawnArrow> paintGrainArrows(QPainter& painter, const RenderStyle& style,
                                          const SheetMap& onScreen, const Document& document,
                                          bool strong);
-/// Paints one arrow as held or pointed at.
+/// Paints one arrow as grabbed or hovered.
 void paintMarkedArrow(QPainter& painter, const RenderStyle& style, const ToolView& view,
                       const GrainArrow& arrow);
 
@@ -61,16 +60,16 @@ struct RenderStyle;
 struct Scene;
 
 /// The grain arrows on the worn cloth, at the places of the pieces' names. Finds those places once
-/// per scene, which costs the triangles; what other pieces hide costs a look (`hitAt`) per piece.
+/// per scene, at a cost linear in the triangles. Testing occlusion costs one `hitAt` per piece.
 class GarmentArrows {
 public:
-    /// Only arrows whose middle no other piece hides.
-    /// @param marked  a piece whose arrow is to stand out; -1: none
+    /// Paints only arrows whose middle is not hidden by another piece.
+    /// @param marked  piece whose arrow is emphasised; -1: none
     void paint(QPainter& painter, const RenderStyle& style, const ToolView& view,
                const Document& document, int marked);
 
 private:
-    /// Where a piece's name is on its mesh.
+    /// Position of a piece's name on its mesh.
     struct NamePlace {
         int face = -1;
         Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< the face's first corner, flat
@@ -82,7 +81,7 @@ private:
     static std::optional<NamePlace> namePlaceOf(const Scene& scene, int piece);
     void find(const std::shared_ptr<const Scene>& scene);
 
-    std::weak_ptr<const Scene> scene_;  ///< of the places; no reason to keep it
+    std::weak_ptr<const Scene> scene_;  ///< scene of the places; weak so as not to keep it alive
     std::vector<std::optional<NamePlace>> namePlaces_;
 };
 

@@ -16,11 +16,11 @@ namespace toile::app {
 
 namespace {
 
-/// From the pointer to the label's corner: clear of the arrow.
+/// Offset of the label from the pointer, clear of the cursor arrow.
 constexpr int kRight = 16, kBelow = 18;
 constexpr double kDot = 5.5;
 
-/// Of the face that the vertex is told by.
+/// Barycentric weights of the vertex in the face that refers to it.
 Eigen::Vector3d cornerOf(const Document& document, const Feature& vertex) {
     const Piece& piece = *document.garment()->pieces[static_cast<std::size_t>(vertex.piece)];
     int corner = 0;
@@ -69,7 +69,7 @@ std::optional<SurfaceHit> HoverTracker::move(const ToolView& view, const QPointF
         return hit;
     }
     const QRect before = label_->geometry();
-    // The value is another at every place.
+    // A measured overlay has a different value at every place.
     if (!same || isMeasured(document_.view().overlay)) {
         write();
     }
@@ -110,9 +110,8 @@ void HoverTracker::hideLabel() {
 }
 
 void HoverTracker::uncover(const QRect& left) {
-    // Qt leaves the picture of a widget behind where it has lain over an OpenGL view, until that is
-    // painted again. Asked through the widget beneath, it composes that part anew without painting
-    // the whole scene.
+    // When a child widget over a QOpenGLWidget moves, Qt leaves its old image until that view is
+    // repainted. Updating the parent recomposes the area without rendering the scene again.
     if (QWidget* beneath = widget_.parentWidget()) {
         beneath->update(left.translated(widget_.pos()));
     }

@@ -20,43 +20,43 @@ class Document;
 class ToolView;
 struct RenderStyle;
 
-/// Tells the document what the pointer is on in a view, and the person by a label beside the
-/// pointer. The label is a widget of its own: it moves without painting the view again.
+/// Reports the hovered feature of a view to the document, and to the user in a label beside the
+/// pointer. The label is a separate widget, so moving it does not repaint the view.
 class HoverTracker {
 public:
     /// @param widget the view, which outlives this object and owns the label
     HoverTracker(Document& document, QWidget& widget);
 
-    /// The pointer moves in the view without a button.
-    /// @param tells  whether the label is shown: not where something else is written there
-    /// @return the cloth under the pointer: that of a vertex where the pointer is on one
+    /// Handles a pointer move without a button.
+    /// @param tells  whether to show the label: false while a tool writes there
+    /// @return the hit on the cloth under the pointer, snapped to a hovered vertex
     std::optional<SurfaceHit> move(const ToolView& view, const QPointF& at, bool tells = true);
-    /// True while it has something under the pointer.
+    /// True while a feature is under the pointer.
     bool isOn() const { return shown_.has_value(); }
-    /// It has left, or does something else.
+    /// The pointer left the view or started another action.
     void leave();
-    /// What the document is told elsewhere: a label about something else goes.
+    /// Hides the label if the document's hovered feature comes from elsewhere.
     void follow();
-    /// What is there to be said of it may be another now.
+    /// Updates the text after a change of the document.
     void writeAgain();
-    /// What the label is about is no more.
+    /// Forgets the feature because it no longer exists.
     void reset();
 
 private:
     void write();
     void hideLabel();
     void placeLabel(const QPoint& pointer);
-    /// Where the label was there is the view again.
+    /// Repaints the view where the label was.
     void uncover(const QRect& left);
 
     Document& document_;
     QWidget& widget_;
     QLabel* label_;
-    std::optional<Feature> shown_;     ///< what the label is about
-    std::optional<SurfaceHit> place_;  ///< of the cloth under the pointer
+    std::optional<Feature> shown_;     ///< feature described by the label
+    std::optional<SurfaceHit> place_;  ///< hit on the cloth under the pointer
 };
 
-/// Dots on the vertices that are selected or under the pointer.
+/// Paints dots on the selected and the hovered vertex.
 void paintVertexDots(QPainter& painter, const RenderStyle& style, const ToolView& view,
                      const Document& document);
 

@@ -18,24 +18,24 @@
 #include "app/text/figures.h"
 #include "app/views/colour_legend.h"
 
-// Where the parts of a legend go.
+// Layout of the parts of a legend.
 
 namespace toile::app {
 namespace {
 
-/// The scale of a legend as it is drawn: the colours from end to end, above them how much cloth has
-/// which, below them numbers. Logical pixels.
+/// The drawn scale of a legend: the colours from end to end, above them a histogram of the cloth,
+/// below them numbers. Logical pixels.
 class LegendScale {
 public:
     static constexpr int kHistogram = 22;  ///< height above the colours
     static constexpr int kColours = 12;    ///< height of the colours
-    /// Samples of the hatching beside the colours, and the gap between.
+    /// Hatched end caps beside the colours, and the gap between.
     static constexpr double kCap = 34, kCapGap = 3;
 
     LegendScale(QPainter& painter, const ColourLegend& legend, const QFont& font,
                 const QPalette& palette);
 
-    /// @param bar  of the colours; the caps stand beside it, numbers below
+    /// @param bar  the colours; caps go to its sides, numbers below it
     void paint(const QRectF& bar) const;
 
 private:
@@ -54,7 +54,7 @@ private:
     QColor ink_, ground_;
 };
 
-/// Room for the label of a tick, so that neighbours do not touch.
+/// Space per tick label, so that neighbours do not touch.
 constexpr double kTickRoom = 42;
 
 QColor colourAt(const ColourMap& map, double place) {
@@ -62,13 +62,13 @@ QColor colourAt(const ColourMap& map, double place) {
     return {c.r, c.g, c.b};
 }
 
-/// A colour that lets through what is below it. @param alpha  1: nothing
+/// @param alpha  1: opaque
 QColor faded(QColor colour, float alpha) {
     colour.setAlphaF(alpha);
     return colour;
 }
 
-/// Of titles and of the value under the pointer.
+/// For titles and the value under the pointer.
 QFont legendTitleFont(QFont font) {
     font.setWeight(QFont::DemiBold);
     return font;
@@ -109,7 +109,7 @@ void LegendScale::paintHistogram(const QRectF& bar) const {
         const double share =
             legend_.histogram->bins[static_cast<std::size_t>(i)] / legend_.histogram->tallest();
         if (share > 0) {
-            // What is there shows, however little it is.
+            // Show even the smallest share.
             const double size = std::max(1.0, share * highest);
             columns.addRect(bar.left() + i * step, bar.top() - 1 - size, step - 1, size);
         }
@@ -136,7 +136,7 @@ void LegendScale::paintColours(const QRectF& bar) const {
 }
 
 void LegendScale::paintCap(const QRectF& cap, bool high) const {
-    // Striped as the cloth is: down to the right for surplus, up to the right for stretch.
+    // Hatched like the cloth: down to the right for surplus, up to the right for stretch.
     painter_.save();
     painter_.setPen(QPen(faded(ink_, 0.35F), 1));
     painter_.setBrush(colourAt(colourMap(legend_.overlay), high ? 1 : 0));
@@ -214,14 +214,14 @@ void LegendScale::paintValue(const QRectF& bar) const {
 
 constexpr int kBarMargin = 14;
 constexpr int kTop = 7;
-constexpr int kFoot = 9;  ///< with the marks between the colours and their numbers
+constexpr int kFoot = 9;  ///< including the marks between the colours and their numbers
 constexpr int kLongestBar = 460;
 constexpr int kCornerAir = 10, kCornerGap = 4;
 constexpr int kMaxWordLines = 2;   ///< below the title
-constexpr double kHighest = 1000;  ///< that words are measured in
+constexpr double kHighest = 1000;  ///< available height when measuring words
 constexpr float kFaint = 0.72F;
 
-/// Words broken into lines of this width; of more than `kMaxWordLines` the last ends in "…".
+/// Breaks words into lines of this width; beyond `kMaxWordLines` the last line ends in "…".
 QStringList wordLines(const QString& words, const QFont& font, int width) {
     QStringList lines;
     QTextLayout layout(words, font);
@@ -239,7 +239,6 @@ QStringList wordLines(const QString& words, const QFont& font, int width) {
     return lines;
 }
 
-/// Paints one legend.
 class LegendPainter {
 public:
     LegendPainter(QPainter& painter, const ColourLegend& legend, const QSize& size,
@@ -255,16 +254,16 @@ public:
           ink_(palette.color(QPalette::WindowText)) {}
 
     void paint() { shape_ == LegendShape::Row ? paintRow() : paintCorner(); }
-    /// That words and scale need; those that stand alone grow beyond.
+    /// Height of words and scale; words without a scale may need more.
     int cornerHeight() const;
 
 private:
     void paintRow();
     void paintCorner();
     QString cornerWords() const;
-    /// The words below the title, line by line; none where they fit beside it.
+    /// The lines below the title; none if the words fit next to it.
     QStringList cornerLines() const;
-    /// Of words that stand alone, below the title.
+    /// Area of words without a scale, below the title.
     QRectF wordsAlone(double height) const;
     bool saysWordsAlone() const { return legend_.overlay == Overlay::Normal || legend_.isMissing; }
     void paintSquares(const QRectF& area);
@@ -357,7 +356,7 @@ void LegendPainter::paintRow() {
     const QFontMetricsF strong(strong_);
     const QString title = legend_.title();
 
-    // Every title gets the same room, so that the bar keeps its place when the overlay changes.
+    // Reserve the same width for every title, so that the bar stays put when the overlay changes.
     const double titleWidth =
         std::max(strong.horizontalAdvance(title),
                  strong.horizontalAdvance(ColourLegend{Overlay::Bias}.title()));
@@ -421,7 +420,7 @@ void LegendPainter::paintSquares(const QRectF& area) {
     }
 }
 
-/// What faces the eye of a ball, seen from the garment's front: as in surface.glsl.
+/// Paints a lit ball seen from the garment's front, coloured as in surface.glsl.
 void LegendPainter::paintBall(const QRectF& area) {
     constexpr int kSize = 128;
     QImage ball(kSize, kSize, QImage::Format_ARGB32_Premultiplied);

@@ -14,18 +14,18 @@
 namespace toile::app {
 namespace {
 
-constexpr double kOnto = 7;         ///< pixels that a leader goes onto the cloth, at most
+constexpr double kOnto = 7;         ///< pixels that a leader extends onto the cloth, at most
 constexpr double kOffArrow = 3.5;   ///< pixels to either side of a grain arrow
 constexpr double kLeaderOff = 5;    ///< pixels from the end of a leader to an arrow
-constexpr double kLongMoment = 3;   ///< times the other: a rectangle of about 1.5 to 1
-constexpr double kOutlineStep = 1;  ///< pixels between points of an outline that matter
-constexpr double kRoomy = 3;        ///< times the box: enough air not to look for more
+constexpr double kLongMoment = 3;   ///< ratio of the moments: a rectangle of about 1.5 to 1
+constexpr double kOutlineStep = 1;  ///< pixels between outline points that are kept
+constexpr double kRoomy = 3;        ///< times the box: large enough to stop the search
 constexpr double kSameWay = 0.02;   ///< radians
 
-/// The way along a piece that is clearly longer than it is wide, as words are read: radians.
-/// Nothing where it is about as wide as long.
+/// The long axis of a clearly elongated piece in reading direction, radians. Nullopt if the piece
+/// is about as wide as long.
 std::optional<double> wayAlong(const Points2& outline) {
-    // Second moments of the line itself, which do not ask where its points are.
+    // Second moments of the line itself do not depend on the spacing of its points.
     double length = 0;
     Eigen::Vector2d first(0, 0);
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();

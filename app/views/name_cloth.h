@@ -13,26 +13,25 @@
 
 namespace toile::app {
 
-/// The cloth of a piece on the screen, as far as a name may lie on it. Logical pixels; angles in
-/// radians, anti-clockwise.
+/// The area of a piece on the screen that a name can use. Logical pixels; angles in radians,
+/// anticlockwise.
 class NameCloth {
 public:
     /// @param outline  closed  @param own  its grain arrow  @param arrows, taken  of the whole view
     NameCloth(const QPolygonF& outline, const std::optional<QLineF>& own,
               const std::vector<QLineF>& arrows, const std::vector<QRectF>& taken);
 
-    /// Ways for words that find no room across: along the cloth where it is long, and along its
-    /// grain arrow; none twice.
+    /// Angles for words that do not fit horizontally: along elongated cloth and along its grain
+    /// arrow, without duplicates.
     const std::vector<double>& ways() const { return ways_; }
 
-    /// The middle of the roomiest place for a box of this size, if it fits. Cost: that of boxPlace.
+    /// Middle of the roomiest place for a box of this size, if it fits. Cost: see boxPlace.
     std::optional<QPointF> placeFor(const QSizeF& size, double angle) const;
-    /// Whether a box that is not turned lies on the cloth, over no line.
+    /// Whether an unrotated box lies on the cloth without crossing a line.
     bool holds(const QRectF& box) const;
-    /// From a place beside the piece straight onto the cloth, level or plumb: where the line first
-    /// meets cloth, a little in. Nothing where it meets none.
+    /// Casts a horizontal or vertical line from a place beside the piece. Returns a point slightly
+    /// inside where it first meets cloth, or nullopt.
     std::optional<QPointF> onto(const QPointF& from, const QPointF& way) const;
-    /// Whether an arrow is at this place.
     bool isOnArrow(const QPointF& at) const;
 
 private:

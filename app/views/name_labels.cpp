@@ -18,12 +18,12 @@
 namespace toile::app {
 namespace {
 
-/// Letters that a shortened name must keep.
+/// Minimum letters of a shortened name.
 constexpr int kMinLetters = 4;
 constexpr double kAir = 2;         ///< pixels between labels
-constexpr double kMinBox = 6;      ///< smaller pieces are dots
-constexpr double kOnArrow = 60;    ///< pixels that a leader may be longer not to end at an arrow
-constexpr double kOverName = 200;  ///< not to cross a name
+constexpr double kMinBox = 6;      ///< smaller pieces appear as dots
+constexpr double kOnArrow = 60;    ///< pixels of extra leader length accepted to avoid an arrow
+constexpr double kOverName = 200;  ///< the same to avoid crossing a name
 constexpr double kBeside = 7;      ///< pixels between a piece and a name beside it
 
 bool meetsAny(const QRectF& box, const std::vector<QRectF>& others) {
@@ -31,7 +31,7 @@ bool meetsAny(const QRectF& box, const std::vector<QRectF>& others) {
         others, [&box](const QRectF& other) -> bool { return box.intersects(other); });
 }
 
-/// How many letters all names begin with, up to the end of a word: "panel 5", "panel 15".
+/// Length of the common prefix of all names, up to a word end: "panel 5", "panel 15".
 int commonBeginning(const std::vector<NamedPiece>& pieces) {
     if (pieces.size() < 2) {
         return 0;
@@ -97,7 +97,7 @@ private:
         return {index, text, box, angle, size};
     }
 
-    /// As words are read, best where it belongs; only where that is too narrow turned.
+    /// Horizontal, preferably where it belongs; rotated only if the piece is too narrow.
     std::optional<NameLabel> onCloth(int index, const NameCloth& cloth, const QString& text) const {
         for (const double size : {1.0, kSmallName}) {
             auto label = nearItsPlace(index, cloth, text, size);
@@ -160,8 +160,8 @@ private:
             room_.taken, [&leader](const QRectF& other) -> bool { return crosses(leader, other); });
     }
 
-    /// The name beside its piece where the leader is shortest, crosses no name and ends at no
-    /// arrow.
+    /// Places the name beside its piece with the shortest leader. Avoids crossing a name or ending
+    /// at an arrow.
     std::optional<NameLabel> beside(int index, const NameCloth& cloth, const QString& text) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
         NameLabel label = made(index, text, {}, 0, 1);
@@ -199,7 +199,7 @@ private:
         return best;
     }
 
-    /// Empty where nothing is left that tells it from the others.
+    /// Empty if a shortened name would be ambiguous.
     QString shortenedName(int index) const {
         const NamedPiece& piece = pieces_[static_cast<std::size_t>(index)];
         const QFontMetricsF metrics(labelFont(font_, piece.selected, kSmallName));

@@ -16,14 +16,14 @@ namespace toile::app {
 
 struct RenderStyle;
 
-/// A piece that is to have its name written on it. Logical pixels.
+/// A piece to be labelled with its name. Logical pixels.
 struct NamedPiece {
     QString name;
-    QString note;                   ///< " · wrong side up"; may be left out where room is short
-    QPointF at;                     ///< where its name belongs
+    QString note;                   ///< " · wrong side up"; omitted if space is short
+    QPointF at;                     ///< preferred place of the name
     QPolygonF outline;              ///< of its cloth, closed; no name lies over it
-    QRectF box;                     ///< around all that is drawn of it
-    std::optional<QLineF> arrow{};  ///< its grain, as it is drawn
+    QRectF box;                     ///< bounding box of everything drawn for it
+    std::optional<QLineF> arrow{};  ///< its grain arrow as drawn
     bool selected = false;
 
     bool operator==(const NamedPiece&) const = default;
@@ -32,15 +32,15 @@ struct NamedPiece {
 struct NameLabel {
     int piece = -1;  ///< index into the list of pieces
     QString text;
-    QRectF box{};                    ///< before it is turned
+    QRectF box{};                    ///< before rotation
     double angle = 0;                ///< about the box's middle, radians, anti-clockwise
-    double size = 1;                 ///< of the usual letters
-    std::optional<QLineF> leader{};  ///< from a label beside its piece onto the cloth
+    double size = 1;                 ///< scale of the font
+    std::optional<QLineF> leader{};  ///< from a label beside the piece onto the cloth
 
-    QRectF bounds() const;  ///< around it as it stands
+    QRectF bounds() const;  ///< bounding box after rotation
 };
 
-/// What else the labels share the view with.
+/// The view, and other items in it that labels avoid.
 struct NameRoom {
     QRectF view;
     std::vector<QRectF> taken{};
@@ -49,24 +49,22 @@ struct NameRoom {
     bool operator==(const NameRoom&) const = default;
 };
 
-/// Smaller letters than usual, where a piece is narrow.
+/// Font scale on narrow pieces.
 inline constexpr double kSmallName = 0.85;
 
-/// Where the names go: none over an outline, on another, on what is taken nor on an arrow. A name
-/// is written where it belongs or elsewhere on its cloth, turned along a narrow piece or its arrow,
-/// or a little smaller; else beside the piece, with a leader onto it, where nothing lies; else the
-/// same without what all names begin with; else shortened in its middle as long as it can be told
-/// from all other names. A piece whose name finds no room has no label. The largest pieces and
-/// those that are selected choose first. Cost: quadratic in the pieces; where the first place does
-/// not do, that of boxPlace.
+/// Places the names without overlapping an outline, another name, a taken area or an arrow. Tries
+/// in this order: at its preferred place or elsewhere on the cloth, possibly smaller or rotated
+/// along a narrow piece or its arrow; beside the piece with a leader; the same without the common
+/// prefix of all names; shortened in the middle while still unique. A piece whose name does not fit
+/// gets no label. Selected and large pieces are placed first. Cost: quadratic in the pieces; if the
+/// first place is not free, also that of boxPlace.
 std::vector<NameLabel> nameLabels(const QFont& font, const std::vector<NamedPiece>& pieces,
                                   const NameRoom& room);
 
-/// Keeps the labels that it has found for as long as nothing moves: a view is painted for each move
-/// of the pointer.
+/// Caches the labels while nothing moves, because every pointer move repaints a view.
 class KeptNames {
 public:
-    /// `nameLabels` of the same. Valid until the next call.
+    /// `nameLabels` of the same arguments. Valid until the next call.
     const std::vector<NameLabel>& of(const QFont& font, std::vector<NamedPiece> pieces,
                                      NameRoom room);
 

@@ -23,7 +23,7 @@ constexpr auto kShift = Qt::ShiftModifier;
 constexpr auto kCtrl = Qt::ControlModifier;
 constexpr auto kAlt = Qt::AltModifier;
 
-/// What is not in the table does nothing.
+/// Combinations not listed do nothing.
 const DragRow kDrags[] = {
     {Navigation::Toile, Qt::MiddleButton, kNone, CameraMove::Turn},
     {Navigation::Toile, Qt::MiddleButton, kShift, CameraMove::Pan},
@@ -35,7 +35,7 @@ const DragRow kDrags[] = {
     {Navigation::Blender, Qt::MiddleButton, kNone, CameraMove::Turn},
     {Navigation::Blender, Qt::MiddleButton, kShift, CameraMove::Pan},
     {Navigation::Blender, Qt::MiddleButton, kCtrl, CameraMove::Zoom},
-    // For a mouse or a pad without a middle button.
+    // For mice and touchpads without a middle button.
     {Navigation::Blender, Qt::LeftButton, kAlt, CameraMove::Turn},
     {Navigation::Blender, Qt::LeftButton, kAlt | kShift, CameraMove::Pan},
     {Navigation::Blender, Qt::LeftButton, kAlt | kCtrl, CameraMove::Zoom},
@@ -66,7 +66,7 @@ constexpr KeyRow kKeys[] = {
     {Qt::Key_2, ViewKey::TurnDown, ViewKey::TurnDown},
 };
 
-/// The number pad without its lock gives the same keys by other names.
+/// Without Num Lock, Qt reports the number pad's keys as navigation keys.
 int withNumLock(int key) {
     constexpr std::pair<int, int> kNames[] = {
         {Qt::Key_End, Qt::Key_1},  {Qt::Key_Down, Qt::Key_2},  {Qt::Key_PageDown, Qt::Key_3},

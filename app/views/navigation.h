@@ -13,17 +13,17 @@ namespace toile::app {
 /// What a drag does to the camera.
 enum class CameraMove { None, Turn, Pan, Zoom };
 
-/// What a drag with this button does in the way a person is used to. In Toile's own the left button
-/// turns, and pans with Shift, where no tool wants it; the other programs keep it for their tools.
-/// Pure.
+/// The camera move of a drag with this button in the user's mouse scheme. In Toile's own scheme the
+/// left button turns, and pans with Shift, unless a tool takes it. The other schemes leave it to
+/// tools. Pure.
 CameraMove cameraMove(Navigation navigation, Qt::MouseButton button,
                       Qt::KeyboardModifiers modifiers);
 
 /// For the status bar: "Drag: turn · Shift+drag: move · Wheel: zoom".
-/// @param flat in the pattern view, which is moved only
+/// @param flat  for the pattern view, which cannot turn
 QString cameraHint(Navigation navigation, bool flat);
 
-/// What a key of the number pad does to the garment view: the sides as in Blender, with Ctrl the
+/// Action of a number pad key in the garment view: the sides as in Blender; Ctrl selects the
 /// opposite one.
 enum class ViewKey {
     Front,
@@ -40,15 +40,15 @@ enum class ViewKey {
     TurnDown,
 };
 
-/// On a Mac Qt says of every arrow key that it is of the number pad.
+/// On macOS, Qt sets the keypad modifier for every arrow key.
 #ifdef Q_OS_MACOS
 inline constexpr bool kArrowsAreKeypad = true;
 #else
 inline constexpr bool kArrowsAreKeypad = false;
 #endif
 
-/// Nothing where the key is not of the number pad or means nothing. Pure.
-/// @param arrowsAreKeypad  an arrow key says nothing of where it is
+/// Nullopt if the key is not on the number pad or has no action. Pure.
+/// @param arrowsAreKeypad  arrow keys carry the keypad modifier wherever they are
 std::optional<ViewKey> viewKey(int key, Qt::KeyboardModifiers modifiers,
                                bool arrowsAreKeypad = kArrowsAreKeypad);
 

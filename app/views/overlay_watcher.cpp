@@ -12,7 +12,7 @@ namespace toile::app {
 
 namespace {
 
-/// Triangles whose figures take a millisecond or two.
+/// Up to this many triangles, the figures take a millisecond or two.
 constexpr std::size_t kSmall = 30000;
 
 bool isSmall(const OverlayQuestion& question) {
@@ -30,7 +30,7 @@ OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& 
               emit failed(faultText(made.fault));
           }
           OverlayFigures found = made.answer ? std::move(*made.answer) : figures_;
-          // Of what was asked before only so that a long drag does not starve.
+          // Show older answers for the same overlay too, so that a long drag also gets updates.
           if (isLast || isOfTheSame(found)) {
               show(std::move(found));
           }
@@ -52,7 +52,7 @@ void OverlayWatcher::ask() {
         isOfProof(document_.view().overlay) ? sewnOf(document_) : nullptr};
     answerer_.ask(question);
     if (answerer_.isBusy()) {
-        // Overlay and scale are known at once.
+        // Overlay and scale need no computation.
         if (OverlayFigures first = firstFigures(question); !isOfTheSame(first)) {
             show(std::move(first));
         }

@@ -11,8 +11,8 @@ namespace toile::app {
 
 class Document;
 
-/// Keeps the overlay's figures as the document is. Those of a small garment at once; those of a
-/// large one are worked out on another thread, the last question first, and come some time later.
+/// Keeps the overlay's figures up to date. Those of a small garment are computed at once. Those of
+/// a large one are computed on another thread, latest question first, and arrive later.
 class OverlayWatcher : public QObject {
     Q_OBJECT
 
@@ -22,20 +22,20 @@ public:
     explicit OverlayWatcher(Document& document, QObject* parent = nullptr,
                             const Work& work = overlayFigures);
 
-    /// Overlay and scale are the document's; histogram and spots may be of an earlier grain, or not
-    /// there yet, while `isUpToDate` is false.
+    /// Overlay and scale always match the document. While `isUpToDate` is false, histogram and
+    /// spots may be missing or belong to an earlier grain.
     const OverlayFigures& figures() const { return figures_; }
     bool isUpToDate() const { return !answerer_.isBusy(); }
 
 signals:
     void changed();
-    /// The figures could not be worked out: there is overlay and scale alone.
+    /// The figures could not be computed: only overlay and scale are available.
     void failed(const QString& sentence);
 
 private:
     void ask();
     void show(OverlayFigures figures);
-    /// Nothing but the grain has been turned since those that are shown.
+    /// Whether only the grain differs from the figures shown.
     bool isOfTheSame(const OverlayFigures& other) const;
 
     Document& document_;

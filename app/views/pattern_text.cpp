@@ -31,12 +31,12 @@ namespace toile::app {
 namespace {
 
 constexpr double kFoldWidth = 1.6, kFoldHalo = 1.8;  // pixels
-constexpr double kFoldWordAt = 0.2;     // of the fold, beside the piece's name at its middle
+constexpr double kFoldWordAt = 0.2;     // share of the fold; its middle has the piece's name
 constexpr double kRoomForFoldWord = 3;  // of the word's height
 
-/// The fold of every piece that files show as a half, dash-dotted over the whole piece as it lies,
-/// with its word.
-/// @return what the words take, logical pixels
+/// Paints the fold line of every piece stored as a half: dash-dotted over the whole piece, with the
+/// word "fold".
+/// @return the areas of the words, logical pixels
 std::vector<QRectF> paintFolds(QPainter& painter, const RenderStyle& style,
                                const SheetMap& onScreen, const Document& document) {
     const QString word = QCoreApplication::translate("PatternView", "fold");
@@ -66,7 +66,7 @@ std::vector<QRectF> paintFolds(QPainter& painter, const RenderStyle& style,
     return words;
 }
 
-/// The context of the translations.
+/// Translation context.
 class PatternWords {
     Q_DECLARE_TR_FUNCTIONS(PatternView)
 };
@@ -84,7 +84,7 @@ QString emptyText(const Document& document) {
     return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
 }
 
-/// The piece as it is named, with its cloth and all that is drawn of it on the screen.
+/// Collects a piece's name, cloth outline and bounding box on the screen.
 NamedPiece namedPiece(const PatternText& text, int piece, const SheetMap& onScreen,
                       const DrawingWords& words) {
     const Document& document = text.document;
@@ -99,7 +99,7 @@ NamedPiece namedPiece(const PatternText& text, int piece, const SheetMap& onScre
         named.note = PatternWords::tr("%1 · cut with %2")
                          .arg(named.note, pieceName(document, flat.mirror.counterpart));
     }
-    // Where files have its name, as it lies.
+    // At the label position from the files.
     const PieceMarks& marks = document.marks().of(document, piece, words);
     named.at = onScreen(placement.offset + marks.label.position);
     for (Eigen::Index i = 0; i < flat.outline.rows(); ++i) {
@@ -113,7 +113,7 @@ NamedPiece namedPiece(const PatternText& text, int piece, const SheetMap& onScre
     return named;
 }
 
-/// @return the names as they stand; valid until the next call
+/// @return the placed names; valid until the next call
 const std::vector<NameLabel>& paintNames(QPainter& painter, const RenderStyle& style,
                                          const PatternText& text, NameRoom room,
                                          const std::vector<DrawnArrow>& arrows) {
@@ -141,7 +141,7 @@ const std::vector<NameLabel>& paintNames(QPainter& painter, const RenderStyle& s
     return names;
 }
 
-/// The outlines and cutting lines of what is seen.
+/// The outlines and cutting lines of the visible pieces.
 std::vector<QPolygonF> linesOf(const PatternText& text, const SheetMap& onScreen) {
     const Scene& scene = *text.document.scene();
     std::vector<QPolygonF> drawn;
@@ -161,7 +161,6 @@ std::vector<QPolygonF> linesOf(const PatternText& text, const SheetMap& onScreen
     return drawn;
 }
 
-/// Whether any cloth lies under a part of the view.
 bool isOnCloth(const PatternText& text, const QRectF& part) {
     return anyPointIn(part, [&text](double x, double y) -> bool {
         return pickPattern(*text.document.scene(), text.places, text.camera.toWorld(x, y))

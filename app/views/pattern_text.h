@@ -12,8 +12,8 @@
 
 namespace toile::app {
 
-/// What the pattern view writes over the sheet, in the window and in pictures alike: caption, grain
-/// arrows, names, callouts, distances from the reference, scale bar and rulers.
+/// The text that the pattern view paints over the sheet, in the window and in pictures: caption,
+/// grain arrows, names, callouts, reference distances, scale bar and rulers.
 struct PatternText {
     const Document& document;
     const SheetPlaces& places;
@@ -22,9 +22,9 @@ struct PatternText {
     const FlaggedSpots& spots;
     const ReferenceGaps& gaps;
     KeptNames& names;               ///< of this view
-    std::vector<QRectF> covered{};  ///< by what else lies over the view
-    bool strongGrain = false;       ///< while the grain is what is being worked on
-    bool isElse = false;            ///< where no piece is flat, something else says why
+    std::vector<QRectF> covered{};  ///< areas covered by other widgets
+    bool strongGrain = false;       ///< while grain is being edited
+    bool isElse = false;            ///< something else explains why no piece is flat
 };
 
 void paintPatternText(QPainter& painter, const RenderStyle& style, const PatternText& text);

@@ -24,10 +24,10 @@
 namespace toile::app {
 namespace {
 
-constexpr double kPlaceGap = 40;                      ///< mm, between places and what is flat
+constexpr double kPlaceGap = 40;                      ///< mm, beside the flat pieces
 constexpr double kPlaceAir = 6, kButtonPadding = 20;  ///< logical pixels
 
-/// Why the piece cannot lie flat; none where it does, or has not been tried yet.
+/// Why the piece is not flat; null if it is, or was not tried yet.
 const Error* troubleOf(const Document& document, int piece) {
     const PieceResult* result = document.result(piece);
     if (result && result->flat) {
@@ -42,18 +42,18 @@ const Error* troubleOf(const Document& document, int piece) {
     return defect ? &*defect : nullptr;
 }
 
-/// Side of a square as large as the piece, mm; at least 1, also of what has no finite area.
+/// Side of a square with the piece's area, mm; at least 1, even if the area is not finite.
 double sideOf(const Piece& piece) {
     const double side = std::sqrt(wornArea(piece));
     return std::isfinite(side) ? std::max(1.0, side) : 1;
 }
 
-/// The context of the translations.
+/// Translation context.
 class OutlineWords {
     Q_DECLARE_TR_FUNCTIONS(OldOutlines)
 };
 
-/// Room for the bar at the foot, logical pixels.
+/// Space for the walk bar at the bottom, logical pixels.
 constexpr double kWalkBar = 72;
 
 }  // namespace
@@ -81,7 +81,7 @@ void PiecePlaces::follow(const Document& document, const SheetPlaces& sheet) {
     if (places_.empty() || !document.scene()) {
         return;
     }
-    // In columns as high as what is flat, or as the largest of them.
+    // Fill columns of the height of the flat pieces, or of the largest frame.
     Eigen::AlignedBox2d flat = sheetBox(*document.scene(), sheet);
     Eigen::Vector2d corner(0, 0);
     double height = 0;

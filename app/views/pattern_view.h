@@ -30,17 +30,17 @@ class SheetMap;
 
 struct RenderStyle;
 
-/// The dashed places of pieces that cannot lie flat, right of those that do: as large as their
-/// cloth, with the name, what is the matter and a button for what helps.
+/// Dashed frames for pieces without a flat shape, to the right of the flat ones. Each is as large
+/// as its cloth and shows the name, the problem and a button with a remedy.
 class PiecePlaces {
 public:
-    /// Brings the places to what the document shows. Cost: linear in the triangles of such pieces,
-    /// once for each garment.
+    /// Updates the frames from the document. Cost: linear in the triangles of such pieces, once for
+    /// each garment.
     void follow(const Document& document, const SheetPlaces& sheet);
-    /// What a piece's button says; pieces without one have none.
+    /// Sets the button text per piece; other pieces have no button.
     void setButtons(std::map<int, QString> buttons) { buttons_ = std::move(buttons); }
     bool isEmpty() const { return places_.empty(); }
-    /// On the sheet, mm; empty where the piece has none.
+    /// On the sheet, mm; empty if the piece has no frame.
     Eigen::AlignedBox2d boxOf(int piece) const;
     void paint(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                const Document& document) const;
@@ -59,23 +59,23 @@ private:
         Eigen::AlignedBox2d box{};
     };
 
-    /// Of the place's button, logical pixels; none where it has none or is too small for it.
+    /// The frame's button, logical pixels; nullopt without one or if it does not fit.
     std::optional<QRectF> buttonOf(const Place& place, const QRectF& box, const QFont& font) const;
 
     std::shared_ptr<const Garment> garment_;
     PieceResults results_;
-    std::vector<Place> all_;     ///< without names and boxes
-    std::vector<Place> places_;  ///< that are seen
+    std::vector<Place> all_;     ///< all frames, without names and boxes
+    std::vector<Place> places_;  ///< the visible ones
     std::map<int, QString> buttons_;
 };
 
-/// The outlines of pieces as they lay when the pattern was last up to date: pale in the place of
-/// those that edits have changed, until these are flattened.
+/// The outlines of pieces from the last up-to-date pattern. Drawn pale for pieces changed by edits
+/// until those are flattened again.
 class OldOutlines {
 public:
-    /// Remembers what is up to date. Cost: linear in the outlines.
+    /// Stores the outlines of up-to-date pieces. Cost: linear in the outlines.
     void follow(const Document& document, const SheetPlaces& sheet);
-    /// Whether any of the pieces that were there waits to be flattened in another shape.
+    /// Whether an old outline is shown: a changed piece is not flattened yet.
     bool isAny(const Document& document) const;
     void paint(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                const Document& document) const;
@@ -86,14 +86,14 @@ private:
         Points2 points;  ///< on the sheet, mm
     };
 
-    /// Those of pieces that are no more, while others wait.
+    /// The outlines of pieces that no longer exist, while others wait to be flattened.
     std::vector<const Outline*> shown(const Document& document) const;
 
     std::vector<Outline> outlines_;
 };
 
-/// The flat pieces at true proportions as they lie on the sheet, with rulers along two edges, grain
-/// arrows and names: a drag that no tool takes moves the sheet, the wheel zooms to the cursor.
+/// The flat pieces at true proportions on the sheet, with rulers along two edges, grain arrows and
+/// names. Drags that no tool takes move the sheet; the wheel zooms to the cursor.
 class PatternView : public SceneView {
     Q_OBJECT
 
@@ -111,17 +111,17 @@ public:
     double pixelsPerMillimetre() const override { return camera_.pixelsPerMillimetre(); }
 
     const Camera2D& camera() const { return camera_; }
-    /// Paints a piece that is walked along a seam; null: none.
+    /// Sets the piece that is walked along a seam; null: none.
     void setRolled(std::shared_ptr<const RolledPiece> rolled);
     const RolledPiece* rolled() const { return rolled_.get(); }
-    /// Shows all of its way. Precondition: there is one.
+    /// Frames the whole walk. Precondition: `rolled()` is not null.
     void frameRolled();
-    /// The dashed places of pieces that are not flat, and what their buttons say.
+    /// The dashed frames of pieces that are not flat, and their button texts.
     const PiecePlaces& piecePlaces() const { return others_; }
     void setHelp(std::map<int, QString> buttons);
 
 signals:
-    /// The button at the place of a piece that is not flat was pressed.
+    /// The user pressed the button in the frame of a piece that is not flat.
     void helpWanted(int piece);
 
 protected:

@@ -22,10 +22,10 @@ namespace {
 
 constexpr int kSliderSteps = 1000;
 constexpr int kAirAround = 12;
-constexpr int kCatch = 5;      ///< logical pixels from a stop, when dragged
-constexpr int kMinFill = 238;  ///< of 255: what is written below must not be read
+constexpr int kCatch = 5;      ///< logical pixels; a drag within this distance snaps to a stop
+constexpr int kMinFill = 238;  ///< of 255: hides the drawing below
 
-/// A slider that goes to where its groove is pressed, whatever the desktop's habit, and can be
+/// A slider that jumps to a click on its groove, whatever the desktop style does, and can be
 /// dragged on from there.
 class JumpSlider : public QSlider {
 public:
@@ -50,9 +50,9 @@ protected:
             setValue(QStyle::sliderValueFromPosition(minimum(), maximum(), place, room,
                                                      option.upsideDown));
         }
-        QSlider::mousePressEvent(event);  // on the handle now
+        QSlider::mousePressEvent(event);  // the handle is under the pointer now
         if (jumps && isSliderDown()) {
-            triggerAction(SliderMove);  // as if it had been dragged there
+            triggerAction(SliderMove);  // as a drag would do
         }
     }
 };
@@ -69,7 +69,7 @@ PlayBar::PlayBar(QWidget& view, const QString& name, int milliseconds, Room room
       animation_(new QVariantAnimation(this)) {
     setObjectName(name + "Bar");
     setCursor(Qt::ArrowCursor);
-    setAttribute(Qt::WA_NoMousePropagation);  // a click beside the slider is not meant for the view
+    setAttribute(Qt::WA_NoMousePropagation);  // a click beside the slider must not reach the view
     slider_->setObjectName(name + "Slider");
     slider_->setRange(0, kSliderSteps);
     slider_->setSingleStep(kSliderSteps / 50);
@@ -103,7 +103,7 @@ void PlayBar::setStops(const std::vector<double>& shares) {
 }
 
 void PlayBar::stopOnTheWay(int action) {
-    animation_->stop();  // a key says where to, too
+    animation_->stop();  // a key press overrides it
     const int from = slider_->value(), to = slider_->sliderPosition();
     if (action == QAbstractSlider::SliderToMinimum || action == QAbstractSlider::SliderToMaximum) {
         return;

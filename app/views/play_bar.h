@@ -11,60 +11,60 @@ class QVariantAnimation;
 
 namespace toile::app {
 
-/// A bar at the foot of a view that shows a way from one end to the other: a slider, and a button
-/// that plays it. Derived bars say what is at a place of the way, and lay out the rest.
+/// A bar at the bottom of a view with a slider between two states and a button that plays the
+/// animation. Derived bars describe the current position and do the layout.
 class PlayBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// Goes to the other end of the way by itself; called again, it stops. Nothing while hidden.
+    /// Plays to the other end; a second call stops. Does nothing while hidden.
     void play();
-    /// To the beginning, and stops.
+    /// Stops and returns to the beginning.
     void rewind();
-    /// Of the whole way, in [0, 1].
+    /// Position in [0, 1].
     double share() const;
 
 signals:
-    /// The share is another.
+    /// The position has changed.
     void moved(double share);
 
 protected:
-    /// Logical pixels: at least so far from the view's left edge, so wide, so far above its foot.
+    /// Logical pixels: minimum distance from the view's left edge, width, distance from the bottom.
     struct Room {
         int left = 12, width = 300, foot = 12;
     };
 
-    /// @param view  where it lies; owns it
-    /// @param name  "morph": of the bar "morphBar", its "morphSlider" and "morphPlay"
+    /// @param view  parent and owner
+    /// @param name  "morph" names the bar "morphBar", with "morphSlider" and "morphPlay"
     PlayBar(QWidget& view, const QString& name, int milliseconds, Room room);
 
-    /// Of the slider.
+    /// Share of one slider step.
     static double step();
-    /// Shares that steps of the slider do not pass, and at which it catches when dragged.
+    /// Sets positions at which slider steps stop and to which drags snap.
     void setStops(const std::vector<double>& shares);
-    /// Plays no more.
+    /// Stops the animation.
     void stop();
-    /// To the middle of the view's foot, as far as there is room.
+    /// Centres the bar at the bottom of the view, as far as there is room.
     void place();
     QSlider& slider() { return *slider_; }
     QToolButton& button() { return *button_; }
-    /// Small writing.
+    /// Makes a label in a small font.
     QLabel* makeLabel(const QString& text);
 
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    /// Before the slider's value follows where it was moved to.
+    /// Runs before the slider takes its new value.
     void stopOnTheWay(int action);
 
     QWidget& view_;
-    int milliseconds_;  ///< for the whole way
+    int milliseconds_;  ///< for the full range
     Room room_;
     QSlider* slider_;
     QToolButton* button_;
     QVariantAnimation* animation_;
-    std::vector<int> stops_;  ///< values of the slider
+    std::vector<int> stops_;  ///< slider values
 };
 
 }  // namespace toile::app

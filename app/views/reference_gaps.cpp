@@ -21,19 +21,19 @@
 namespace toile::app {
 namespace {
 
-constexpr double kStep = 2;        // mm between gaps, or
-constexpr double kSteps = 4000;    // so many along a piece, where that is less
-constexpr double kMinWord = 0.05;  // mm: less is no difference that a tailor sees
-constexpr double kFromLine = 8;    // pixels from the gap to its word
-constexpr double kMinBand = 6;     // pixels: a smaller gap has a word only as its piece's widest
-constexpr double kBetweenWords = 140;  // pixels, at least, on one piece
-constexpr int kMaxTries = 60;          // of words on one piece
+constexpr double kStep = 2;        // mm between gaps
+constexpr double kSteps = 4000;    // maximum number of gaps along a piece
+constexpr double kMinWord = 0.05;  // mm: a tailor ignores smaller differences
+constexpr double kFromLine = 8;    // pixels from the gap to its label
+constexpr double kMinBand = 6;     // pixels: below this, only the widest gap of a piece has a label
+constexpr double kBetweenWords = 140;  // minimum distance of labels on a piece, pixels
+constexpr int kMaxTries = 60;          // for labels on one piece
 constexpr float kBandStrength = 0.3F;
 
-/// The outline of a piece as the pattern draws it; empty where it has none.
+/// The piece's outline as the pattern draws it; empty if there is none.
 Points2 outlineOf(const Scene& scene, int piece) {
     const VertexRun run = scene.patternLines.outlines[static_cast<std::size_t>(piece)];
-    Points2 points(run.count > 0 ? run.count - 1 : 0, 2);  // the first stands again at the end
+    Points2 points(run.count > 0 ? run.count - 1 : 0, 2);  // the last point repeats the first
     for (Eigen::Index k = 0; k < points.rows(); ++k) {
         points.row(k) =
             flatPoint(scene.lineVertices[run.first + static_cast<std::size_t>(k)]).transpose();
@@ -72,7 +72,7 @@ public:
     std::vector<ReferenceGaps::Gap> gaps;
 
 private:
-    /// Null where the piece has no outline.
+    /// Null if the piece has no outline.
     const geometry::NearestOnLine* onOutline(int piece) {
         if (!outlines.contains(piece)) {
             outlines[piece] = outlineOf(scene_, piece);
@@ -88,7 +88,7 @@ private:
     std::map<int, geometry::NearestOnLine> nearest_;
 };
 
-/// A gap as it lies on the screen.
+/// A gap in screen coordinates.
 struct Seen {
     QPointF theirs, ours;
 };
@@ -171,7 +171,7 @@ std::vector<QRectF> ReferenceGaps::paint(QPainter& painter, const RenderStyle& s
             (!others.empty() && line.length() < kMinBand) || ++tries[gap.piece] > kMaxTries) {
             continue;
         }
-        // Beyond the end that lies outside, along the gap.
+        // Beyond the outer end, in the direction of the gap.
         const bool inside = geometry::isInside(outlines_.at(gap.piece), gap.theirs);
         const QPointF from = inside ? line.p2() : line.p1(), to = inside ? line.p1() : line.p2();
         const QString text = lengthWithUnit(gap.distance);

@@ -20,29 +20,29 @@ class Document;
 class SheetMap;
 struct RenderStyle;
 
-/// The lines of the reference pattern that is open, as far as it is known how it lies; null: none
-/// is open, and the scene's own count.
+/// The aligned lines of the open reference file. Null: no file is open, and the scene's own lines
+/// are used.
 std::shared_ptr<const ReferenceLines> referenceLinesOf(const Document& document);
 
-/// How far the designer's outline lies from ours, all along it: a band between both, and the mm
-/// where they are farthest apart; nearer by, more of the places.
+/// Differences between the designer's outline and ours: a band between both, labelled in mm at the
+/// widest places. Zooming in labels more places.
 class ReferenceGaps {
 public:
     struct Gap {
         int piece = -1;
         Eigen::Vector2d theirs, ours;  ///< the piece's own flat coordinates, mm
         double distance = 0;           ///< mm
-        bool joins = false;            ///< goes on from the gap before, along the same line
+        bool joins = false;            ///< continues the previous gap along the same line
     };
 
-    /// Brings the gaps to what the document shows. Cost: n log n in the points of both outlines,
-    /// once for each scene and reference.
+    /// Updates the gaps from the document. Cost: n log n in the points of both outlines, once for
+    /// each scene and reference.
     void follow(const Document& document);
-    /// All along the lines, in their order; none where nothing is compared.
+    /// In order along the lines; empty if nothing is compared.
     const std::vector<Gap>& gaps() const { return gaps_; }
-    /// @param view  logical pixels; places outside have no words
-    /// @param taken  by other words
-    /// @return what the words take
+    /// @param view  logical pixels; labels outside are omitted
+    /// @param taken  areas of other words
+    /// @return the areas of the labels
     std::vector<QRectF> paint(QPainter& painter, const RenderStyle& style, const SheetMap& onScreen,
                               const SheetPlaces& places, const QRectF& view,
                               const std::vector<QRectF>& taken) const;
@@ -50,7 +50,7 @@ public:
 private:
     std::shared_ptr<const Scene> scene_;
     std::shared_ptr<const ReferenceLines> lines_;
-    std::map<int, Points2> outlines_;  ///< ours, of the pieces that have gaps
+    std::map<int, Points2> outlines_;  ///< our outlines of the pieces with gaps
     std::vector<Gap> gaps_;
     std::vector<std::size_t> widestFirst_;  ///< indices of the gaps
 };

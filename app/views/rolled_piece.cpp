@@ -17,12 +17,12 @@ namespace toile::app {
 
 namespace {
 
-constexpr int kRolledFill = 150;  // of 255: what lies below is seen through it
+constexpr int kRolledFill = 150;  // of 255: translucent
 constexpr double kRolledOutline = 1.4, kWalkedLine = 2.4, kWalkedHalo = 4.8, kNotchStroke = 1.6,
                  kTouching = 5;  // pixels
 constexpr int kFramedShares = 8;
 
-/// A line of a piece as it lies somewhere on the sheet, on the screen.
+/// Maps a line of a piece to the screen through its placement on the sheet.
 template <class OnSheet>
 QPolygonF lineOnScreen(const Points2& line, const SheetMap& map, const OnSheet& onSheet) {
     QPolygonF drawn;
@@ -33,7 +33,7 @@ QPolygonF lineOnScreen(const Points2& line, const SheetMap& map, const OnSheet& 
     return drawn;
 }
 
-/// The part of a side between two places in 3D.
+/// The part of a side between two arc lengths in 3D.
 Points2 walkedPart(const DrawnLoop& loop, double from, double to) {
     const auto [low, high] = std::minmax({loop.flatAt(from), loop.flatAt(to)});
     return loop.flat.part(low, high);

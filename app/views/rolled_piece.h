@@ -20,32 +20,32 @@ namespace toile::app {
 class Document;
 struct RenderStyle;
 
-/// A piece that is walked along a seam of another (`SeamRoll`): where it is now, and how the
-/// pattern view paints that. Each step costs no more than the outlines of both.
+/// A piece walked along a seam of another (`SeamRoll`): its current place, and how the pattern view
+/// paints it. Each step is linear in both outlines.
 class RolledPiece {
 public:
-    /// None where the seam is sewn to nothing, or a side of it is not flat.
+    /// Nullopt if the seam has no partner, or a side of it is not flat.
     /// Cost: linear in the two outlines.
     static std::optional<RolledPiece> of(const Document& document, int seam);
 
     int seam() const { return seam_; }
-    /// Of the pattern: the one that lies on the sheet, and the one that rolls along it.
+    /// The pattern piece that stays on the sheet, and the one that rolls along it.
     const PatternPiece& lying() const { return pieceAt(seamOf().left.piece); }
     const PatternPiece& rolling() const { return pieceAt(seamOf().right.piece); }
     bool isItself() const { return seamOf().left.piece == seamOf().right.piece; }
-    /// Shares of its notches, from its start to its end.
+    /// Notch positions as shares of the seam, from its start to its end.
     const std::vector<double>& notches() const { return notches_; }
 
-    /// To a share of the seam, in [0, 1].
+    /// Rolls to a share of the seam, in [0, 1].
     void rollTo(double share);
     double share() const { return share_; }
     const RolledPlace& now() const { return now_; }
-    /// What is walked of the whole seam then.
+    /// The lengths walked at the end of the seam.
     WalkedLengths whole() const { return roll_.at(1).walked; }
-    /// How far along its left side the two touch, as a part of that.
+    /// Position of the contact point along the left side, as a share of it.
     double along() const;
 
-    /// Around all of the way, on the sheet, mm.
+    /// Bounding box of the whole walk on the sheet, mm.
     Eigen::AlignedBox2d wayOnSheet(const SheetPlaces& places) const;
     void paint(QPainter& painter, const RenderStyle& style, const Camera2D& camera,
                const SheetPlaces& places) const;
@@ -57,11 +57,11 @@ private:
     const PatternPiece& pieceAt(int piece) const {
         return pattern_->pieces[static_cast<std::size_t>(piece)];
     }
-    /// Strokes at notches of a piece, from the seam line into the cloth.
+    /// Notch strokes of a piece, from the seam line into the cloth.
     std::vector<Points2> strokesOf(const PatternPiece& piece, bool ofSeamOnly) const;
 
     int seam_;
-    int colour_;  ///< its number (`pieceColour`)
+    int colour_;  ///< colour number (`pieceColour`)
     SeamRoll roll_;
     std::shared_ptr<const Pattern> pattern_;
     std::vector<double> notches_;
@@ -70,7 +70,7 @@ private:
     RolledPlace now_;
 };
 
-/// Where the two touch, on the screen.
+/// Paints the contact point on the screen.
 void paintSeamDot(QPainter& painter, const RenderStyle& style, const QPointF& at);
 
 }  // namespace toile::app

@@ -20,15 +20,15 @@ namespace toile::app {
 
 namespace {
 
-/// Room for the caption above and the scale bar below; the rulers come on top of it.
+/// Space for the caption above and the scale bar below, not counting the rulers.
 constexpr Camera2D::Margins kMargins{26, 50, 118};
 
-constexpr double kMajorPixels = 56;  // between labelled ticks, at least
-constexpr double kTickPixels = 5;    // between ticks, at least
-constexpr int kFinestFraction = 64;  // of an inch; what is finer is in decimals
+constexpr double kMajorPixels = 56;  // between labelled ticks, minimum
+constexpr double kTickPixels = 5;    // between ticks, minimum
+constexpr int kFinestFraction = 64;  // of an inch; finer values are written as decimals
 
 struct Ticks {
-    double step;  ///< mm, between any two
+    double step;  ///< mm between neighbours
     int perMajor;
     long first, last;  ///< whole steps from the origin
 };
@@ -39,7 +39,7 @@ Ticks ticksBetween(const RulerSteps& steps, double low, double high) {
             std::lround(std::ceil(high / step))};
 }
 
-/// Of a tick: the whole breadth with a label, less at halves, least in between.
+/// Length of a tick: full breadth if labelled, less at halves, least in between.
 double lengthOf(const Ticks& ticks, long tick) {
     if (tick % ticks.perMajor == 0) {
         return kRulerBreadth;
@@ -51,7 +51,7 @@ double lengthOf(const Ticks& ticks, long tick) {
     return isQuarter ? 6 : 4.5;
 }
 
-/// The smallest of 1, 1/2, 1/4 ... 1/64 that is at least this.
+/// The smallest of 1, 1/2, 1/4 ... 1/64 that is at least `least`.
 double halvedDownTo(double least) {
     double size = 1;
     while (size / 2 >= least * (1 - 1e-9) && size * kFinestFraction > 1) {
@@ -60,7 +60,7 @@ double halvedDownTo(double least) {
     return size;
 }
 
-/// Into how many parts a step can be divided, the finest first.
+/// The possible divisions of a step, finest first.
 std::array<int, 3> partsOf(double major, bool inHalves) {
     if (inHalves) {
         return {8, 4, 2};

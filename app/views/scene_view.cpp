@@ -24,10 +24,10 @@ namespace toile::app {
 
 namespace {
 
-/// Cloth around a place that is shown: a part of its piece, at least so many mm.
+/// Radius of the cloth framed around a spot: a share of its piece, at least this many mm.
 constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 
-/// Changes after which the content is drawn again.
+/// Changes that require the content to be drawn again.
 constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
                                      DocumentChange::Settings | DocumentChange::Fabric |
                                      DocumentChange::Selection | DocumentChange::SeamSelection |
@@ -68,7 +68,7 @@ void SceneView::onChanged(DocumentChanges what) {
     if (what & kContent) {
         const SheetPlaces before = places();
         renderer().show(contentOf(document_));
-        // When the user moves a piece, the sheet stays where it is.
+        // When the user moves a piece, do not move the sheet.
         const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
                             lieElsewhere(places(), before);
         followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
@@ -82,7 +82,7 @@ void SceneView::onChanged(DocumentChanges what) {
         hover_.follow();
     }
     if (what.testFlag(DocumentChange::Garment)) {
-        hover_.reset();  // what the label is about may be no more
+        hover_.reset();  // its subject may no longer exist
     } else if (what & (DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
                        DocumentChange::View | DocumentChange::Fabric | DocumentChange::Proof)) {
         hover_.writeAgain();
@@ -115,7 +115,7 @@ std::vector<QPolygonF> SceneView::seamOnScreen(int seam) const {
         for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
             if (const auto at = pointOnScreen(scene()->lineVertices[i])) {
                 line << *at;
-            } else if (!line.isEmpty()) {  // it continues behind the eye
+            } else if (!line.isEmpty()) {  // the rest is behind the eye
                 drawn.push_back(std::exchange(line, {}));
             }
         }
@@ -291,7 +291,7 @@ void SceneView::zoom(const QPointF& at, double factor) {
 void SceneView::mousePressEvent(QMouseEvent* event) {
     event->accept();
     if (press_ != Press::None) {
-        return;  // another button while one is down
+        return;  // ignore other buttons during a press
     }
     pressed_ = event->position();
     twice_ = false;
@@ -311,7 +311,7 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
     const Pointer pointer{event->position(), event->modifiers()};
     if (press_ != Press::None && !event->buttons().testFlag(button_)) {
-        endPress();  // a dialog came up, or the pen went away
+        endPress();  // the release was lost: a dialog opened, or the pen left
     }
     if ((pointer.at - pressed_).manhattanLength() >= QApplication::startDragDistance()) {
         twice_ = false;
@@ -363,13 +363,13 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneView::contextMenuEvent(QContextMenuEvent* event) {
     event->accept();
-    if (event->reason() != QContextMenuEvent::Mouse) {  // that button may begin a drag: see above
+    if (event->reason() != QContextMenuEvent::Mouse) {  // the right button may begin a drag
         emit menuWanted(rect().center(), false);
     }
 }
 
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
-    // A press like any other: a drag may follow. What it is shows where the button comes up.
+    // Treat it as a press, because a drag may follow. The release tells a double click from a drag.
     const bool isFirst = press_ == Press::None;
     mousePressEvent(event);
     twice_ = isFirst && event->button() == Qt::LeftButton && !canvas_.hasSpace() &&
@@ -392,8 +392,8 @@ void SceneView::wheelEvent(QWheelEvent* event) {
 }
 
 bool SceneView::event(QEvent* event) {
-    // A tool in the middle of something has Escape and Enter before the window's shortcuts; while
-    // it drags, no shortcut may change what it holds.
+    // A busy tool gets Escape and Enter before the window's shortcuts. During its drag, no shortcut
+    // may change the data that it works on.
     if (event->type() == QEvent::ShortcutOverride &&
         (press_ == Press::Tool || tools_.current().wants(*static_cast<QKeyEvent*>(event)))) {
         event->accept();

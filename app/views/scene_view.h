@@ -20,15 +20,15 @@ namespace toile::app {
 class Document;
 class ToolChoice;
 
-/// A place on a seam: how far along its left side, as in a SeamHit.
+/// A place on a seam; `along` as in a SeamHit, on the left side.
 struct SeamDot {
     int seam = -1;
     double along = 0;
 };
 
-/// A view of the document's scene: gives the pointer to the chosen tool, and to the canvas what no
-/// tool takes. Derived views move their camera and paint. Holds a camera and nothing of the
-/// garment.
+/// A view of the document's scene. Sends pointer events to the chosen tool, and those that no tool
+/// takes to the canvas. Derived views move their camera and paint. Stores a camera, but no garment
+/// data.
 class SceneView : public RenderedWidget, public ToolView, private CanvasCamera {
     Q_OBJECT
 
@@ -36,58 +36,58 @@ public:
     std::vector<QPolygonF> seamOnScreen(int seam) const override;
     std::optional<QPointF> onSeam(int seam, int side, double along) const override;
     void frameSelection() override;
-    /// Shows both sides of the selected seam; does nothing where none is selected.
+    /// Frames both sides of the selected seam; does nothing without one.
     void frameSeam();
     void frameAll() override;
-    /// Shows a place from near by, with a ring around it until the selection or the pieces change.
+    /// Frames a spot closely, ringed until the selection or the pieces change.
     void showSpot(const WorstSpot& spot);
-    /// The place with the ring, if any.
+    /// The ringed spot, if any.
     const std::optional<WorstSpot>& shownSpot() const { return shown_; }
     void repaintSoon() override { update(); }
-    /// True once the present scene is on the screen: for pictures made by the program itself.
+    /// True once the current scene is on the screen; used before taking screenshots.
     bool isUpToDate() const;
-    /// To be marked, as far as they are of what is shown.
+    /// Sets the spots to mark, as far as they are visible.
     void setWorstSpots(FlaggedSpots spots);
     const FlaggedSpots& spots() const { return spots_; }
-    /// The marked spot that is drawn within so many pixels, of several the nearest.
+    /// The marked spot nearest to `at` within this distance.
     std::optional<WorstSpot> markedSpotAt(const QPointF& at, double pixels) const;
-    /// Marks a place on the left side of a seam.
+    /// Marks a place on a seam.
     void setSeamDot(std::optional<SeamDot> dot);
 
 signals:
-    /// What can be done is to be shown: the right button was clicked there and has moved nothing,
-    /// or a key asks for it and what is selected is meant.
+    /// Asks for a context menu: the right button was clicked without a drag (`pointed`), or a key
+    /// asks for the selection's menu.
     void menuWanted(const QPointF& at, bool pointed);
-    /// The pointer has come into the view.
+    /// The pointer has entered the view.
     void entered();
-    /// What of the cloth the pointer is on; none: nothing, or it has left.
+    /// The hit on the cloth under the pointer; nullopt off the cloth or after leaving.
     void pointed(const std::optional<toile::app::SurfaceHit>& hit);
 
 protected:
     SceneView(Document& document, ToolChoice& tools, std::unique_ptr<SceneRenderer> painter,
               QWidget* parent);
 
-    /// Of the scene, as this view draws them.
+    /// The scene's lines as drawn in this view.
     virtual const LineRuns& lines() const = 0;
-    /// Where a point of a line is drawn; none where it is not.
+    /// Where a point of a line is drawn; nullopt if it is not visible.
     virtual std::optional<QPointF> pointOnScreen(const LineVertex& vertex) const = 0;
     virtual void setCameraViewport(double width, double height) = 0;
     /// @param pieces never empty
     virtual void framePieces(const std::set<int>& pieces) = 0;
-    /// @return false where nothing of the seam is drawn
+    /// @return false if no part of the seam is drawn
     virtual bool frameLines(const SeamScene& seam) = 0;
-    /// @param radius mm around the place that are to be seen
+    /// @param radius mm around the spot to show
     virtual void frameSpot(const WorstSpot& spot, double radius) = 0;
-    /// Where a spot is in the view as it is now; none where it is not to be seen.
+    /// Current position of a spot in the view; nullopt if it is not visible.
     virtual std::optional<SpotPlace> placeNow(const WorstSpot& spot) const = 0;
     virtual void turnCamera(const QPointF& delta) { panCamera(delta); }
     virtual void panCamera(const QPointF& delta) = 0;
     virtual void zoomCamera(const QPointF& at, double factor) = 0;
     virtual void paintScene(const RenderStyle& style, int width, int height, double ratio) = 0;
     virtual void paintText(QPainter& painter, const RenderStyle& style) = 0;
-    /// By what else lies over the view, logical pixels.
+    /// Areas covered by other widgets over the view, logical pixels.
     std::vector<QRectF> covered() const;
-    /// A click on something that `paintText` has painted. @return whether it meant anything
+    /// Handles a click on something painted by `paintText`. @return whether it had an effect
     virtual bool clickOnOverlay(const QPointF&) { return false; }
 
     void paintGL() override;
@@ -107,29 +107,28 @@ protected:
     bool event(QEvent* event) override;
 
     const Scene* scene() const;
-    /// To be called where the camera has moved without the pointer: what that was on is elsewhere.
+    /// Call when the camera has moved without the pointer, because the hovered feature is stale.
     void cameraMoved();
-    /// True until the camera is moved by hand.
+    /// True until the user moves the camera.
     bool followsAll() const { return followsAll_; }
-    /// To be called where the camera has been set to show something.
+    /// Call when the camera was set to show something specific.
     void stopFollowing();
-    /// Where the scene's pieces lie on the sheet.
+    /// Placement of the scene's pieces on the sheet.
     const SheetPlaces& places() const;
     const ToolChoice& tools() const { return tools_; }
     Document& document_;
 
 private:
-    /// What the pressed button does.
+    /// Owner of the current mouse press.
     enum class Press { None, Tool, Camera, Overlay };
 
     void onChanged(DocumentChanges what);
     void turn(const QPointF& delta) override;
     void pan(const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;
-    /// The user moves the camera: from here on it stays where it is, unless there is nothing to be
-    /// seen yet.
+    /// The user moves the camera, so stop framing everything. Ignored while nothing is visible yet.
     void takeByHand();
-    /// For a press whose release never comes: what it has begun is thrown away.
+    /// Ends a press whose release was lost, cancelling what it began.
     void endPress();
     void updateCursor();
     void setSpace(bool isDown);
@@ -143,9 +142,9 @@ private:
     std::weak_ptr<const Scene> painted_;
     QPointF pressed_;
     Press press_ = Press::None;
-    Qt::MouseButton button_ = Qt::NoButton;  ///< that is down
-    bool twice_ = false;                     ///< the press is the second of two at one place
-    /// Until the camera is moved by hand everything stays framed, whatever size the view takes.
+    Qt::MouseButton button_ = Qt::NoButton;  ///< the pressed one
+    bool twice_ = false;                     ///< the press is a double click so far
+    /// Frames everything at every view size until the user moves the camera.
     bool followsAll_ = true;
 };
 

@@ -17,7 +17,7 @@ namespace toile::app {
 
 namespace {
 
-/// Shorter than any stitch: what is left over by rounding, mm.
+/// Rounding tolerance, shorter than any stitch, mm.
 constexpr double kNothing = 1e-3;
 
 using Span = geometry::Interval;
@@ -30,7 +30,7 @@ Span spanOf(const SeamSide& side) {
     return {std::min(side.start, side.end), std::max(side.start, side.end)};
 }
 
-/// The part of a side between two of its arc lengths, in its direction.
+/// The part of a side between two arc lengths, in the side's direction.
 SeamSide partOf(const SeamSide& side, const geometry::Arc& arcs, Span span) {
     SeamSide part = side;
     part.start = side.reversed ? span.high : span.low;
@@ -66,7 +66,7 @@ std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run) {
         for (const bool left : {true, false}) {
             const SeamSide& here = left ? seam.left : seam.right;
             const SeamSide& there = left ? seam.right : seam.left;
-            // A third layer is told of by whom it lies on only where it is what is asked about.
+            // List a stacked third layer only for its own piece (the left side).
             if (here.piece != run.piece || (seam.stacked && !left)) {
                 continue;
             }

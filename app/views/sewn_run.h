@@ -12,40 +12,38 @@ namespace toile::app {
 
 class Document;
 
-/// A part of a stretch of outline that is sewn, and what it is sewn to.
+/// A sewn part of a stretch of outline, and its partner.
 struct SewnPart {
     int seam = -1;       ///< index into Garment::seams
-    bool whole = false;  ///< all of the seam
+    bool whole = false;  ///< covers the whole seam
     SeamSide here, there;
 };
 
-/// What a stretch of outline is sewn to; nothing where it is free. Cost: linear in the seams and
-/// in the outlines of the pieces. Pure.
-/// @param run  of kind Run, within the garment
+/// The seams along a stretch of outline; empty if it is free. Cost: linear in the seams and in the
+/// outlines of the pieces. Pure.
+/// @param run  of kind Run, in the garment
 std::vector<SewnPart> sewnParts(const Garment& garment, const Feature& run);
 
-/// The seam that a stretch is the whole of, and nothing besides; none where there is none.
+/// The seam that covers exactly this stretch, if any.
 std::optional<int> seamOfRun(const Garment& garment, const Feature& run);
 
-/// How long a stretch and what is sewn to it are, mm.
+/// Lengths of a stretch and of its partners, mm.
 struct RunLengths {
-    double sewn = 0;     ///< of the stretch, as far as it is sewn
-    double partner = 0;  ///< of what that is sewn to
-    double free = 0;     ///< of the stretch, as far as it is not
-    bool flat = false;   ///< measured in the pattern; else, where a piece is not flat, as worn
+    double sewn = 0;     ///< sewn length of the stretch
+    double partner = 0;  ///< length of its partners
+    double free = 0;     ///< free length of the stretch
+    bool flat = false;   ///< measured in the pattern; in 3D if a piece is not flat
 };
 
 RunLengths runLengths(const Garment& garment, const PieceResults& results, const Feature& run);
 
-/// What is to be highlighted of what is marked: the stretch or vertex, and all that is sewn to it,
-/// by whole edges.
+/// The features to highlight for the mark: the stretch or vertex, and its partners, in whole edges.
 std::vector<Feature> markedFeatures(const Document& document);
 
-/// The pattern sewn back together, or on its way there; null where that is not of the pattern and
-/// the scene as they are now.
+/// The pattern sewn back together, or in progress; null if it does not match the current pattern
+/// and scene.
 std::shared_ptr<const SewnCloth> sewnOf(const Document& document);
 
-/// All that the views show of the document.
 SceneContent contentOf(const Document& document);
 
 }  // namespace toile::app

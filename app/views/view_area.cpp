@@ -32,7 +32,7 @@ ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
     layout->addWidget(splitter_, 1);
     connect(figures_, &OverlayWatcher::changed, this, &ViewArea::showFigures);
     connect(figures_, &OverlayWatcher::failed, this, &ViewArea::failed);
-    // The value at a place follows at once, however long the figures take.
+    // Updates the pointed value at once, even if the figures take longer.
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (what & (DocumentChange::Settings | DocumentChange::View | DocumentChange::Fabric |
                     DocumentChange::Garment | DocumentChange::Results | DocumentChange::Proof)) {
@@ -72,7 +72,7 @@ void ViewArea::makeViews() {
     splitter_->setHandleWidth(5);
     splitter_->setStretchFactor(0, 1);
     splitter_->setStretchFactor(1, 1);
-    splitter_->setSizes({1000, 1000});  // halves, whatever the width
+    splitter_->setSizes({1000, 1000});  // equal halves at any width
 }
 
 void ViewArea::takeKeyboard(ViewKind view) {

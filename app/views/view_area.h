@@ -24,48 +24,48 @@ class SewnBar;
 class ToolChoice;
 class WalkBar;
 
-/// Both views side by side, with the overlay's legend in a corner; a sentence in their place where
-/// this computer cannot draw them.
+/// Both views side by side, with the overlay's legend in a corner. Shows a message instead if this
+/// computer cannot draw them.
 class ViewArea : public QWidget {
     Q_OBJECT
 
 public:
     ViewArea(Document& document, ToolChoice& tools, QWidget* parent = nullptr);
 
-    /// Null where there is no OpenGL 3.3.
+    /// Null without OpenGL 3.3.
     GarmentView* garmentView() const { return garmentView_; }
     PatternView* patternView() const { return patternView_; }
 
-    /// The view that the pointer was in last.
+    /// The view that last contained the pointer.
     ViewKind viewInUse() const { return viewInUse_; }
-    /// Moves the keyboard there, where there are views, or to another.
+    /// Gives the keyboard focus to that view, or to another if there are views.
     void takeKeyboard() { takeKeyboard(viewInUse_); }
     void takeKeyboard(ViewKind view);
-    /// The slider from the garment to the pattern; null where there is no OpenGL 3.3.
+    /// The slider from the garment to the pattern; null without OpenGL 3.3.
     MorphBar* morphBar() const { return morphBar_; }
-    /// The slider from the design to the pattern as sewn; null where there is no OpenGL 3.3.
+    /// The slider from the design to the sewn pattern; null without OpenGL 3.3.
     SewnBar* sewnBar() const { return sewnBar_; }
-    /// The walk along the selected seam; null where there is no OpenGL 3.3.
+    /// The walk along the selected seam; null without OpenGL 3.3.
     WalkBar* walkBar() const { return walkBar_; }
 
     void frameSelection();
-    /// Shows both sides of the selected seam.
+    /// Frames both sides of the selected seam.
     void frameSeam();
-    /// Shows a place of a flat piece from near by, with a ring around it.
+    /// Frames a spot of a flat piece closely and rings it.
     void showSpot(const WorstSpot& spot);
-    /// The place with the ring, if any.
+    /// The ringed spot, if any.
     std::optional<WorstSpot> shownSpot() const;
-    /// Paints both views again, in what the render style is now.
+    /// Repaints both views in the current render style.
     void repaintViews();
-    /// True once both views show the present scene.
+    /// True once both views show the current scene.
     bool isUpToDate() const;
-    /// The place under the pointer, of either view; its value is shown on the colour bar.
+    /// Shows the value at the pointer's place, from either view, on the colour bar.
     void showValueAt(const std::optional<SurfaceHit>& place);
 
 signals:
-    /// The pointer has come into a view, maybe another.
+    /// The pointer has entered a view.
     void entered();
-    /// The overlay's figures could not be worked out.
+    /// The overlay's figures could not be computed.
     void failed(const QString& sentence);
 
 private:

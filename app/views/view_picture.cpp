@@ -20,12 +20,12 @@ namespace toile::app {
 
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class PictureWords {
     Q_DECLARE_TR_FUNCTIONS(ViewPicture)
 };
 
-/// Draws the views of one document, one after the other.
+/// Draws the views of a document one after another.
 class PicturePainter {
 public:
     PicturePainter(const Document& document, const PictureOptions& options)
@@ -47,7 +47,7 @@ private:
     /// @param paint  draws the scene with the renderer, into a bound framebuffer
     template <class Renderer, class Paint>
     void drawScene(QPainter& picture, const QRect& part, const Paint& paint);
-    /// For what is written over a view.
+    /// Sets up painting of the text over a view.
     void beginText(QPainter& picture, const QRect& part) const;
 
     const Document& document_;

@@ -12,23 +12,23 @@ namespace toile::app {
 
 class Document;
 
-/// What a picture shows of a document.
+/// Options for a picture of a document.
 struct PictureOptions {
-    QSize size{1600, 800};  ///< pixels, which are logical ones too
+    QSize size{1600, 800};  ///< device pixels, equal to logical pixels
     ViewsShown views = ViewsShown::Both;
-    std::optional<ViewDirection> direction{};  ///< of the garment; none: as the window begins
-    double morph = 0;                          ///< the garment's way to the pattern, 0 to 1
-    double sewn = 0;     ///< and to the cloth sewn of it, where the document has been proved
+    std::optional<ViewDirection> direction{};  ///< of the garment; nullopt: the initial view
+    double morph = 0;                          ///< position in the morph to the pattern, 0 to 1
+    double sewn = 0;     ///< position to the sewn cloth, if the document has a proof
     bool legend = true;  ///< the colour bar below
-    bool plain = false;  ///< no names and no axes, and the garment as large as there is room
+    bool plain = false;  ///< without names and axes, and the garment as large as possible
     QFont font{};
     QPalette palette{};
 };
 
-/// The views of a document as they are in the window that shows everything of it, drawn into an
-/// image: for documentation, tests and thumbnails. Needs a current OpenGL context of Qt's or of
-/// offscreen.h. The same document gives the same image on the same machine.
-/// @param problem  receives a sentence where a null image is returned
+/// Draws the views of a document into an image, framed to show everything: for documentation, tests
+/// and thumbnails. Requires a current OpenGL context of Qt or of offscreen.h. The same document
+/// gives the same image on the same machine.
+/// @param problem  receives a message if the returned image is null
 QImage drawViews(const Document& document, const PictureOptions& options, QString& problem);
 
 }  // namespace toile::app

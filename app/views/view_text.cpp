@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMargin = 14;
 constexpr double kCaptionGap = 10;  ///< between title and note
-constexpr double kScaleBar = 150;   ///< about so many pixels long
+constexpr double kScaleBar = 150;   ///< approximate length in pixels
 constexpr double kScaleTick = 5;
 
 QFont scaled(QFont font, double factor, bool bold) {
@@ -31,7 +31,7 @@ QFont scaled(QFont font, double factor, bool bold) {
     return font;
 }
 
-/// Round lengths of inches: halves of halves below one, as on a tape.
+/// Round lengths in inches: below one inch, halves of halves as on a tape measure.
 double roundInches(double millimetres) {
     const double inches = millimetres / millimetresPer(LengthUnit::Inch);
     constexpr double kRound[] = {144, 72, 36, 24, 12, 6, 4, 2, 1, 0.5, 0.25, 0.125};
@@ -106,7 +106,7 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
         const double length = roundInches(wanted);
         return {length, QString::fromStdString(lengthText(length, {unit, 8, "."}))};
     }
-    // The largest round length not longer than what is wanted.
+    // The largest round length that does not exceed the wanted one.
     double length = roundedUp(wanted);
     if (length > wanted * (1 + 1e-9)) {
         length = roundedUp(length / 2.6);
@@ -122,7 +122,7 @@ ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre) {
 }
 
 bool crosses(const QLineF& line, const QRectF& box) {
-    double from = 0, to = 1;  // of the line, what is in the box
+    double from = 0, to = 1;  // the part of the line inside the box
     const auto clip = [&](double start, double way, double low, double high) -> bool {
         if (way == 0) {
             return start >= low && start <= high;

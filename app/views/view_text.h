@@ -16,18 +16,18 @@ namespace toile::app {
 
 struct RenderStyle;
 
-/// Writing over the views. Logical pixels.
+/// Text over the views. Logical pixels.
 
-/// What the view shows, in its upper left corner; `note` follows in smaller, fainter letters.
-/// @param corner   of the part of the view that is free for it
-/// @param onLabel  where cloth lies under it: on a label, as other words over the cloth
+/// Caption in the upper left corner; `note` follows in smaller, fainter letters.
+/// @param corner   of the free part of the view
+/// @param onLabel  draws a background label, needed over cloth
 void paintCaption(QPainter& painter, const RenderStyle& style, const QPointF& corner,
                   const QString& title, const QString& note, bool onLabel);
-/// What a caption and its box take.
+/// Bounding box of a caption.
 QRectF captionBox(const QFont& font, const QPointF& corner, const QString& title,
                   const QString& note);
 
-/// Whether something holds at any of many points of a part of the view, some pixels apart.
+/// Whether the predicate holds at any point of a grid over a part of the view.
 template <class Holds>
 bool anyPointIn(const QRectF& part, const Holds& holds) {
     constexpr int kAcross = 24, kDown = 4;
@@ -42,23 +42,23 @@ bool anyPointIn(const QRectF& part, const Holds& holds) {
     return false;
 }
 
-/// Whether any of a line lies in a box.
+/// Whether any part of a line is inside a box.
 bool crosses(const QLineF& line, const QRectF& box);
 
-/// A label: a name in a rounded box that keeps it legible on any cloth.
-/// @param box   as large as `labelSize` says
-/// @param size  of the usual letters; smaller ones have less room around them, too
+/// A name in a rounded box that keeps it legible on any cloth.
+/// @param box   of the size returned by `labelSize`
+/// @param size  font scale; smaller letters get smaller margins, too
 void paintLabel(QPainter& painter, const RenderStyle& style, const QRectF& box, const QString& text,
                 bool selected, double size = 1);
 QSizeF labelSize(const QFont& font, const QString& text, bool selected, double size = 1);
-/// In which names are written, where other words of the view are in `font`.
+/// The font of names in a view whose other text uses `font`.
 QFont labelFont(const QFont& font, bool selected, double size = 1);
 
-/// What the scale bar takes.
+/// Bounding box of the scale bar.
 QRectF scaleBarBox(const QFont& font, const QRect& view, double pixelsPerMillimetre,
                    double left = 0);
-/// A bar of a round length with its measure, in the lower left corner; so many pixels at the left
-/// are taken by something else.
+/// A bar of a round length with its measure, in the lower left corner, right of `taken` occupied
+/// pixels.
 void paintScaleBar(QPainter& painter, const RenderStyle& style, const QRect& view,
                    double pixelsPerMillimetre, double taken = 0);
 
@@ -70,9 +70,9 @@ struct ScaleBar {
 
 ScaleBar scaleBarFor(double pixels, double pixelsPerMillimetre);
 
-/// Paints over what OpenGL has drawn in a widget, in logical pixels and the widget's font. Not a
-/// painter on the widget itself: while a window is grabbed, that would paint elsewhere. Only while
-/// the widget's context is current.
+/// Paints over the OpenGL content of a widget, in logical pixels and the widget's font. A QPainter
+/// on the widget would paint elsewhere while the window is grabbed. Use only while the widget's
+/// context is current.
 class OverPainter {
 public:
     explicit OverPainter(const QWidget& widget);
@@ -84,10 +84,10 @@ private:
     QPainter painter_;
 };
 
-/// The widget's size in pixels of the screen.
+/// The widget's size in device pixels.
 QSize devicePixels(const QWidget& widget);
 
-/// Instead of a picture: why nothing can be drawn.
+/// Paints the reason why nothing can be drawn.
 void paintProblem(QPainter& painter, const RenderStyle& style, const QRect& view,
                   const QString& problem);
 

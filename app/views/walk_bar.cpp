@@ -23,9 +23,9 @@ namespace {
 
 constexpr int kWalkMilliseconds = 6000;
 constexpr int kWalkWidth = 420, kAirBesideText = 16;
-/// Above the scale bar.
+/// Keeps the bar above the scale bar.
 constexpr int kAboveFoot = 50;
-/// Steps of the slider: a half, and what rounding adds.
+/// In slider steps: half a step plus rounding.
 constexpr double kNear = 0.5 + 1e-6;
 constexpr auto kBetween = " · ";
 
@@ -103,7 +103,7 @@ void WalkBar::begin() {
     follow();
     if (rolled_) {
         pattern_.frameRolled();
-        place();  // as high as what is written now
+        place();  // the text has set the height now
         setVisible(true);
         raise();
         slider().setFocus();
@@ -140,7 +140,7 @@ void WalkBar::roll(double share) {
     if (!rolled_) {
         return;
     }
-    // A notch is stopped at, though its share may lie between two steps.
+    // Snap to a notch, even if its share lies between two slider steps.
     const auto awayFrom = [share](double at) { return std::abs(at - share); };
     const auto notch = std::ranges::min_element(rolled_->notches(), {}, awayFrom);
     const bool isThere = notch != rolled_->notches().end() && awayFrom(*notch) <= kNear * step();
@@ -176,7 +176,7 @@ QString WalkBar::reading() const {
 }
 
 bool WalkBar::eventFilter(QObject* watched, QEvent* event) {
-    // Before the tool, which would take the seam out of the selection.
+    // Handle Escape before the tool, which would deselect the seam.
     if (watched == &pattern_ && rolled_ && isEscape(*event)) {
         event->accept();
         if (event->type() == QEvent::KeyPress) {
@@ -195,7 +195,7 @@ void WalkBar::resizeEvent(QResizeEvent* event) {
 }
 
 bool WalkBar::event(QEvent* event) {
-    if (isEscape(*event)) {  // of what is in the bar
+    if (isEscape(*event)) {  // keys from widgets inside the bar
         event->accept();
         if (event->type() == QEvent::KeyPress) {
             end();

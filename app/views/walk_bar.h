@@ -13,20 +13,19 @@ class GarmentView;
 class PatternView;
 class RolledPiece;
 
-/// The walk of the selected seam, at the foot of the pattern view: the piece of one side rolls
-/// along that of the other, and the bar says how far both have come. Hidden until it is asked for.
-/// Another selected seam is walked in its place; Escape ends it, as does a selection that is no
-/// sewn seam.
+/// The walk along the selected seam, at the bottom of the pattern view. One side's piece rolls
+/// along the other's, and the bar shows both lengths. Hidden until `begin`. If another seam is
+/// selected, the walk continues there. Escape or a selection without a sewn seam ends it.
 class WalkBar : public PlayBar {
     Q_OBJECT
 
 public:
-    /// @param pattern  where it lies; owns it  @param garment  shows the place on the seam
+    /// @param pattern  parent and owner  @param garment  marks the place on the seam
     WalkBar(Document& document, PatternView& pattern, GarmentView& garment);
     ~WalkBar() override;
 
-    /// Walks the selected seam from its start, and shows all of the way; nothing where it is sewn
-    /// to nothing, or a side is not flat.
+    /// Walks the selected seam from its start and frames the whole walk. Does nothing if the seam
+    /// has no partner or a side is not flat.
     void begin();
     void end();
 
@@ -36,11 +35,11 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    /// The selected seam, as it is now.
+    /// Updates the walk to the selected seam.
     void follow();
     void roll(double share);
     void showNow();
-    /// In two lines.
+    /// The text, in two lines.
     QString reading() const;
     static QString notchText(const std::vector<double>& notches, double share);
 
@@ -48,7 +47,7 @@ private:
     PatternView& pattern_;
     GarmentView& garment_;
     QLabel* reading_;
-    std::shared_ptr<RolledPiece> rolled_;  ///< null: nothing is walked
+    std::shared_ptr<RolledPiece> rolled_;  ///< null: no walk is active
 };
 
 }  // namespace toile::app

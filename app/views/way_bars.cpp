@@ -19,7 +19,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kMorphMilliseconds = 2600, kSewnMilliseconds = 1400;
-/// To the right of the axis cross; the bar of sewing is above the other.
+/// Right of the axis cross; the sewing bar is above the morph bar.
 constexpr int kBarLeft = 92, kSewnFoot = 50;
 
 }  // namespace
@@ -121,7 +121,7 @@ void SewnBar::onChanged(DocumentChanges what) {
         return;
     }
     slider().setValue(isNew ? slider().maximum() : left_);
-    if (isNew) {  // from where it came to rest back to the design
+    if (isNew) {  // from the sewn cloth back to the design
         play();
     }
 }

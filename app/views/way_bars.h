@@ -15,13 +15,13 @@ namespace toile::app {
 class Document;
 class GarmentView;
 
-/// The way from the garment to the pattern, at the foot of the garment view. Hidden where nothing
-/// is flat.
+/// The slider from garment to pattern, at the bottom of the garment view. Hidden if nothing is
+/// flat.
 class MorphBar : public PlayBar {
     Q_OBJECT
 
 public:
-    /// @param view  where it lies; owns it
+    /// @param view  parent and owner
     MorphBar(Document& document, GarmentView& view);
 
 private:
@@ -30,13 +30,13 @@ private:
     Document& document_;
 };
 
-/// The way from the design to the pattern sewn back together, over the bar of the way to the
-/// pattern: of the two ways the garment goes one at a time. Hidden where nothing is sewn.
+/// The slider from the design to the pattern sewn back together, above the morph bar. Moving one
+/// slider rewinds the other. Hidden if nothing is sewn.
 class SewnBar : public PlayBar {
     Q_OBJECT
 
 public:
-    /// @param view  where it lies; owns it
+    /// @param view  parent and owner
     SewnBar(Document& document, GarmentView& view, MorphBar& morph);
 
 private:
@@ -45,8 +45,8 @@ private:
     Document& document_;
     MorphBar& morph_;
     bool isThere_ = false;
-    std::shared_ptr<const Proof> seen_;  ///< shown last
-    int left_ = 0;                       ///< where the slider stood then
+    std::shared_ptr<const Proof> seen_;  ///< the proof shown last
+    int left_ = 0;                       ///< slider value when it was hidden
 };
 
 }  // namespace toile::app

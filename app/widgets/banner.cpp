@@ -13,7 +13,7 @@ namespace toile::app {
 SentenceBar::SentenceBar(QWidget* parent)
     : QFrame(parent), label_(new QLabel(this)), row_(new QHBoxLayout(this)) {
     setAutoFillBackground(true);
-    label_->setTextFormat(Qt::PlainText);  // names of files are in it
+    label_->setTextFormat(Qt::PlainText);  // it contains file names
     label_->setWordWrap(true);
     row_->addWidget(label_, 1);
     hide();
@@ -30,7 +30,7 @@ QString SentenceBar::sentence() const {
 
 Banner::Banner(QWidget* parent) : SentenceBar(parent) {
     setObjectName("banner");
-    // Amber that carries dark text in either palette.
+    // An amber on which dark text is legible in both themes.
     QPalette colours = palette();
     colours.setColor(QPalette::Window, QColor(255, 226, 168));
     colours.setColor(QPalette::WindowText, QColor(58, 40, 8));

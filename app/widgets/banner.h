@@ -8,7 +8,7 @@ class QLabel;
 
 namespace toile::app {
 
-/// One sentence across the window that waits for nobody; hidden at first.
+/// One sentence across the window; not modal, hidden at first.
 class SentenceBar : public QFrame {
     Q_OBJECT
 
@@ -20,10 +20,10 @@ protected:
     explicit SentenceBar(QWidget* parent);
 
     QLabel* label_;
-    QHBoxLayout* row_;  ///< the sentence, and what stands behind it
+    QHBoxLayout* row_;  ///< the sentence, followed by buttons
 };
 
-/// What went wrong, until it is closed.
+/// Shows an error until the user closes it.
 class Banner : public SentenceBar {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
     explicit Banner(QWidget* parent = nullptr);
 };
 
-/// Offers what a crash has left: "Restore" and "Discard".
+/// Offers to restore work after a crash: "Restore" and "Discard".
 class RecoveryCard : public SentenceBar {
     Q_OBJECT
 

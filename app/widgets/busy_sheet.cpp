@@ -23,7 +23,7 @@ BusySheet::BusySheet(QAction& cancel, QWidget* parent)
       detail_(new QLabel(this)),
       progress_(new QProgressBar(this)) {
     for (QLabel* label : {task_, detail_}) {
-        label->setTextFormat(Qt::PlainText);  // names of files are in it
+        label->setTextFormat(Qt::PlainText);  // it contains file names
         label->setAlignment(Qt::AlignCenter);
         label->setWordWrap(true);
     }

@@ -9,18 +9,18 @@ class QProgressBar;
 
 namespace toile::app {
 
-/// A calm sheet in place of what is still to come: what is being done, how far it is, and a button
-/// to stop it. Fills its parent where that has no layout.
+/// Covers a view while its contents are computed: task, progress and a button to stop it. Fills its
+/// parent if that has no layout.
 class BusySheet : public QFrame {
     Q_OBJECT
 
 public:
-    /// @param cancel  what the button does; must outlive this
+    /// @param cancel  action of the button; must outlive the sheet
     BusySheet(QAction& cancel, QWidget* parent);
 
     /// @param detail  a second line; may be empty
     void say(const QString& task, const QString& detail);
-    /// Paints at once where it is in sight: not while something is being changed. In [0, 1].
+    /// Repaints at once if visible, so never call it in the middle of a change. In [0, 1].
     void setFraction(double fraction);
     QString task() const;
 

@@ -15,8 +15,8 @@
 
 namespace toile::app {
 
-/// Edits the cells of a list. Enter takes what was typed at once; Qt would do so with the next
-/// round of events, when the row may have gone already.
+/// Edits the cells of a list. Enter commits at once. Qt would commit from the event loop, when the
+/// row may no longer exist.
 class CellDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -35,24 +35,23 @@ protected:
         }
         const QPointer<QWidget> still(editor);
         emit commitData(editor);
-        if (still && still->isVisible()) {  // else what came of it has closed it
+        if (still && still->isVisible()) {  // the commit may have closed it
             emit closeEditor(editor, SubmitModelCache);
         }
         return true;
     }
 };
 
-/// How the lists of the window look.
+/// Common look of the window's lists.
 inline void dressList(QTreeView& list) {
     list.setUniformRowHeights(true);
     list.setAlternatingRowColors(true);
     list.setAllColumnsShowFocus(true);
     list.setFrameShape(QFrame::NoFrame);
-    list.header()->setTextElideMode(
-        Qt::ElideRight);  // else right-aligned heads lose their beginning
+    list.header()->setTextElideMode(Qt::ElideRight);  // else right-aligned heads lose their start
 }
 
-/// Calls it when Enter is pressed on the list.
+/// Calls `call` when the user presses Enter in the list.
 template <class Call>
 void onEnter(QTreeView& list, const Call& call) {
     for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
@@ -61,15 +60,15 @@ void onEnter(QTreeView& list, const Call& call) {
     }
 }
 
-/// Closes the open editors of a list, and drops what is being typed, before its rows are made anew.
-/// Qt lets go of them only afterwards, when it cannot tell any more which column's delegate still
-/// listens to them: that would speak of a row that has gone.
+/// Closes the open editors of a list without committing them before the model resets. Qt releases
+/// them only after the reset, when it no longer knows the delegate of their column. That delegate
+/// would then refer to a removed row.
 inline void closeEditorsBeforeReset(QAbstractItemView& view) {
     QObject::connect(view.model(), &QAbstractItemModel::modelAboutToBeReset, &view, [&view] {
         const auto editors =
             view.viewport()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly);
         for (QWidget* editor : editors) {
-            if (!editor->isHidden()) {  // else it goes already
+            if (!editor->isHidden()) {  // hidden ones are being deleted already
                 emit view.itemDelegate()->closeEditor(editor, QAbstractItemDelegate::NoHint);
             }
         }

@@ -11,7 +11,7 @@ class QHeaderView;
 
 namespace toile::app {
 
-/// A table whose rows are told by what derives from it. Sorts by `SortRole`.
+/// Base of table models; derived classes supply the cells. Sorts by `SortRole`.
 class ColumnsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ public:
         switch (role) {
             case Qt::DisplayRole:
                 return headings()[static_cast<std::size_t>(section)].title;
-            case Qt::ToolTipRole: {  // the title too: there may be too little room for it
+            case Qt::ToolTipRole: {  // include the title, which may be elided
                 const Heading heading = headings()[static_cast<std::size_t>(section)];
                 return QString("%1\n%2").arg(heading.title, heading.tip);
             }
@@ -41,7 +41,7 @@ public:
                 return {};
         }
     }
-    /// What all columns have alike; rows and columns have to be there.
+    /// Data that all columns share. Precondition: row and column exist.
     QVariant data(const QModelIndex& index, int role) const override {
         switch (role) {
             case Qt::DisplayRole:
@@ -60,7 +60,7 @@ protected:
         QString title, tip;
     };
 
-    /// What is said, and by what its row is sorted: a number, or the text.
+    /// Text of a cell, and its sort key: a number, or the text.
     struct Cell {
         QString text;
         QVariant sort = text;
@@ -68,20 +68,20 @@ protected:
 
     ColumnsModel(int columns, QObject* parent) : QAbstractTableModel(parent), columns_(columns) {}
 
-    /// One per column, in the person's language and unit, as they are now.
+    /// One per column, in the current language and unit.
     virtual std::vector<Heading> headings() const = 0;
-    /// Whether words stand in a column, and not numbers.
+    /// True if a column contains words rather than numbers.
     virtual bool isWords(int column) const = 0;
     virtual Cell cell(int row, int column) const = 0;
 
-    /// Between a reset's beginning and its end.
+    /// Call it only between the beginning and the end of a reset.
     void setRows(int rows) { rows_ = rows; }
     void showColumns(int first, int last) {
         if (rows_ > 0) {
             emit dataChanged(index(0, first), index(rows_ - 1, last));
         }
     }
-    /// All of it, headings too.
+    /// Updates everything, including the headings.
     void showAgain() {
         emit headerDataChanged(Qt::Horizontal, 0, columns_ - 1);
         showColumns(0, columns_ - 1);
@@ -95,25 +95,25 @@ private:
     int columns_, rows_ = 0;
 };
 
-/// Lets a person choose a table's columns by a right click on its headings. The first column always
-/// stays. Says what is chosen; the table hides the columns.
+/// Lets the user choose a table's columns by a right click on its headings. The first column is
+/// always shown. Only reports the choice; the table hides the columns.
 class ColumnChooser : public QObject {
     Q_OBJECT
 
 public:
-    /// @param names of the columns in the model's order, for the settings; never shown
+    /// @param names  of the columns in model order, for the settings; never shown
     ColumnChooser(QHeaderView& header, QStringList names, QObject* parent);
 
-    /// Those the person does not want; unknown names are kept and mean nothing.
+    /// Columns that the user hides. Unknown names are kept and have no effect.
     const QStringList& hidden() const { return hidden_; }
     void setHidden(const QStringList& names);
-    /// Those that are not worth their room, as long as nobody has chosen.
+    /// Columns to hide until the user makes a choice.
     void propose(const QStringList& hidden) { hidden_ = isChosen_ ? hidden_ : hidden; }
     bool isHidden(int column) const { return hidden_.contains(names_.value(column)); }
 
 signals:
     void changed();
-    /// By the person; not by setHidden.
+    /// The user chose columns. Not emitted by setHidden.
     void chosen(const QStringList& hidden);
 
 private:

@@ -17,12 +17,12 @@ namespace toile::app {
 namespace {
 
 constexpr int kWidth = 640, kRowsShown = 12, kMargin = 8;
-/// More are never looked through; another letter is quicker.
+/// Longer lists are useless: typing another letter is quicker than scrolling.
 constexpr std::size_t kMaxRows = 200;
 
 constexpr int kPad = 10, kIcon = 18, kGap = 14, kAir = 12;
 
-/// The text with marked letters, as far as there is room.
+/// Paints the text with marked letters, as far as it fits.
 /// @return its width
 double paintText(QPainter& painter, const QRectF& place, const QFont& font, const QString& text,
                  const QList<QVariant>& letters) {
@@ -46,8 +46,8 @@ double paintText(QPainter& painter, const QRectF& place, const QFont& font, cons
     return line.naturalTextWidth();
 }
 
-/// Paints a line: the text with the letters that were matched in bold, where else it is found in
-/// fainter letters behind, its keys at the right end.
+/// Paints a row: the text with matched letters in bold, its menu path in a faint colour, and its
+/// keys at the right edge.
 class CommandDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -219,7 +219,7 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
     }
     switch (event->type()) {
         case QEvent::ShortcutOverride: {
-            // The window's own Esc must not be asked while this is open.
+            // Accepting ShortcutOverride keeps these keys from the window's shortcuts.
             const int key = static_cast<QKeyEvent*>(event)->key();
             if (key == Qt::Key_Escape || key == Qt::Key_Return || key == Qt::Key_Enter) {
                 event->accept();
@@ -272,7 +272,7 @@ void CommandPalette::moveBy(int rows) {
         return;
     }
     const int row = list_->currentRow() + rows;
-    // Single steps go around; whole pages stop at the ends.
+    // Single steps wrap around; page steps stop at the ends.
     list_->setCurrentRow(std::abs(rows) == 1 ? (row + count) % count
                                              : std::clamp(row, 0, count - 1));
 }
@@ -287,7 +287,7 @@ void CommandPalette::runCurrent() {
         return;
     }
     const std::function<void()> run = commands_[at].run;
-    closeAndGiveBack();  // first: what runs may want the keyboard
+    closeAndGiveBack();  // first, because the command may take the focus
     run();
 }
 

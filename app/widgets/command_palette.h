@@ -13,20 +13,20 @@ class QListWidget;
 
 namespace toile::app {
 
-/// A line to type into and the commands that fit, in the upper middle of the window. The keyboard
-/// stays in the line: arrows and page keys move through the list, Enter runs, Esc closes, as does
-/// a click elsewhere.
+/// A text field and the matching commands, near the top of the window. The focus stays in the
+/// field: arrows and page keys move through the list, Enter runs a command, and Esc or a click
+/// elsewhere closes the palette.
 class CommandPalette : public QFrame {
     Q_OBJECT
 
 public:
-    /// Of a row: where else it is found, its keys, and the places of the letters that were matched.
+    /// Item data of a row: its menu path, its keys, and the indices of the matched letters.
     enum Role { PlaceRole = Qt::UserRole, KeysRole, LettersRole };
 
-    /// @param parent the window to lie over
+    /// @param parent  the window that the palette covers
     explicit CommandPalette(QWidget* parent);
 
-    /// Opens with nothing typed.
+    /// Opens with an empty field.
     void open(std::vector<Command> commands);
 
 protected:

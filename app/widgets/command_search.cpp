@@ -13,7 +13,7 @@ namespace {
 constexpr int kNone = std::numeric_limits<int>::min() / 2;
 constexpr int kLetter = 1, kFollows = 5, kWordBegins = 8, kTextBegins = 3, kSkipped = 4;
 
-/// One letter for each of the text: small, without accent.
+/// Lower case without accents, one character for each of the text.
 QString folded(const QString& text) {
     QString plain = text;
     for (QChar& letter : plain) {
@@ -27,7 +27,7 @@ bool beginsWordAt(const QString& text, qsizetype at) {
     return text[at].isLetterOrNumber() && (at == 0 || !text[at - 1].isLetterOrNumber());
 }
 
-/// True where fewer than half of the places begin a word or follow another.
+/// True if fewer than half of the places start a word or follow the previous one.
 bool isScattered(const std::vector<int>& places, const QString& text) {
     std::size_t telling = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -37,19 +37,18 @@ bool isScattered(const std::vector<int>& places, const QString& text) {
     return 2 * telling < places.size();
 }
 
-/// How well a typed word fits, the best last. What a person has written out is meant before what
-/// only has its letters somewhere.
+/// How well a typed word matches, best last. Written-out words rank above scattered letters.
 enum class Fit { Scattered, TipBegins, Together, PlaceBegins, TextBegins, TextWord };
 
 struct Candidate {
     FoundCommand found;
     bool enabled;
-    Fit fit = Fit::TextWord;  ///< of the word that fits least
+    Fit fit = Fit::TextWord;  ///< of the word that matches worst
     int score = 0;
-    qsizetype length = 0;  ///< of two that fit alike the shorter one is meant
+    qsizetype length = 0;  ///< of equal matches the shortest wins
 };
 
-/// True where every letter but the first begins a word or follows the one before.
+/// True if every letter but the first starts a word or follows the previous one.
 bool areTogether(const std::vector<int>& places, const QString& text) {
     for (std::size_t i = 1; i < places.size(); ++i) {
         if (places[i] != places[i - 1] + 1 && !beginsWordAt(text, places[i])) {
@@ -59,7 +58,7 @@ bool areTogether(const std::vector<int>& places, const QString& text) {
     return true;
 }
 
-/// True where the letters are a word of the text, or several.
+/// True if the letters are one or more whole words of the text.
 bool isWord(const QString& letters, const QString& text) {
     const QString wanted = folded(letters), given = folded(text);
     for (auto at = given.indexOf(wanted); at >= 0; at = given.indexOf(wanted, at + 1)) {
@@ -72,7 +71,7 @@ bool isWord(const QString& letters, const QString& text) {
     return false;
 }
 
-/// Nothing where the word fits nowhere.
+/// Empty if the word does not match.
 std::optional<Fit> fitOf(const QString& word, const Command& command,
                          const std::optional<FuzzyMatch>& inText) {
     if (inText && beginsWord(word, command.text)) {
@@ -90,7 +89,7 @@ std::optional<Fit> fitOf(const QString& word, const Command& command,
     return inText ? std::optional(Fit::Scattered) : std::nullopt;
 }
 
-/// @return false where a word fits nowhere
+/// @return false if a word does not match
 bool score(const Command& command, const QStringList& words, Candidate& candidate) {
     for (const QString& word : words) {
         const auto match = fuzzyMatch(word, command.text);
@@ -121,11 +120,11 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& letters, const QString& text
     if (rows == 0) {
         return FuzzyMatch{};
     }
-    // best[i][j]: of letters 0..i with letter i on place j; from[i][j]: where letter i - 1 was
-    // then.
+    // best[i][j]: best score of letters 0..i with letter i at j. from[i][j]: place of letter i - 1
+    // in that match.
     std::vector<std::vector<int>> best(rows, std::vector<int>(columns, kNone)), from = best;
     for (std::size_t i = 0; i < rows; ++i) {
-        int before = i == 0 ? 0 : kNone, beforeAt = -1;  // best of letter i - 1 left of place j - 1
+        int before = i == 0 ? 0 : kNone, beforeAt = -1;  // best of letter i - 1 before place j - 1
         for (std::size_t j = 0; j < columns; ++j) {
             if (i > 0 && j > 1 && best[i - 1][j - 2] > before) {
                 before = best[i - 1][j - 2];

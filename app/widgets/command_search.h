@@ -12,41 +12,40 @@ namespace toile::app {
 /// One line of the command palette.
 struct Command {
     QString text;
-    QString place{};  ///< where it is found otherwise: "View ▸ Show"
+    QString place{};  ///< menu path: "View ▸ Show"
     QString tip{};
-    QString otherwise{};  ///< what else it is called: it is found by these words too
+    QString otherwise{};  ///< synonyms that the search finds, too
     QString keys{};
     QIcon icon{};
     bool enabled = true;
-    bool listedUnasked = true;    ///< also while nothing is typed
+    bool listedUnasked = true;    ///< also listed if the field is empty
     std::function<void()> run{};  ///< required
 };
 
 struct FoundCommand {
     int command;               ///< index
-    std::vector<int> letters;  ///< places in its text to mark, rising
+    std::vector<int> letters;  ///< indices into its text to mark, ascending
 };
 
-/// The commands that fit what was typed, best first, those that cannot be run now last. Every word
-/// has to fit the text (letters in order), or begin a word of its place or its tip. Words and
-/// beginnings of words of the text come first, then those of the place, letters together, words of
-/// the tip, scattered letters. While nothing is typed: those that are listed unasked, in their
-/// order.
+/// The matching commands, best first, disabled ones last. Every typed word must match the text
+/// (letters in order), or start a word of the path or of the tip. Order: words and word starts of
+/// the text, then those of the path, adjacent letters, words of the tip, scattered letters. If
+/// nothing is typed, returns the commands with `listedUnasked` in their order.
 std::vector<FoundCommand> searchCommands(const std::vector<Command>& commands,
                                          const QString& typed);
 
-/// How well typed letters fit a text.
+/// How well typed letters match a text.
 struct FuzzyMatch {
     int score = 0;               ///< larger is better
-    std::vector<int> letters{};  ///< places in the text that were matched, rising
+    std::vector<int> letters{};  ///< matched indices into the text, ascending
 };
 
-/// The letters in this order, whatever stands between them; case and accents do not count.
-/// Beginnings of words and letters that follow each other score more. Nothing where a letter is
-/// missing; no letters fit everything. Cost: the product of the lengths.
+/// Matches the letters in order, with any text between them, ignoring case and accents. Word starts
+/// and adjacent letters score more. Empty if a letter is missing; no letters match every text.
+/// Cost: the product of the lengths.
 std::optional<FuzzyMatch> fuzzyMatch(const QString& letters, const QString& text);
 
-/// True where the letters begin a word of the text; case and accents do not count.
+/// True if the letters start a word of the text, ignoring case and accents.
 bool beginsWord(const QString& letters, const QString& text);
 
 }  // namespace toile::app

@@ -34,7 +34,7 @@ FieldKey meaningOf(const QKeyEvent& event) {
     }
 }
 
-/// What is typed into: a number, a text or a choice, and not a cell of a list.
+/// A field for a number, a text or a choice; not the editor of a list cell.
 QWidget* fieldOf(QObject* object) {
     auto* widget = qobject_cast<QWidget*>(object);
     if (!widget || (widget->parentWidget() &&
@@ -46,7 +46,7 @@ QWidget* fieldOf(QObject* object) {
     return isField ? widget : nullptr;
 }
 
-/// Shows again what is in force. A spin box sets its text only where the value is another.
+/// Restores the current value. A spin box rewrites its text only if the value changes.
 void forgetTyping(QWidget& field) {
     if (auto* number = qobject_cast<QDoubleSpinBox*>(&field)) {
         if (auto* line = number->findChild<QLineEdit*>()) {
@@ -68,7 +68,7 @@ void forgetTyping(QWidget& field) {
 
 FieldKeys::FieldKeys(std::function<void()> giveBack, QObject* parent)
     : QObject(parent), giveBack_(std::move(giveBack)) {
-    // Of all widgets: what is a field today need not be told of one by one.
+    // A filter on the application also covers fields that are added later.
     qApp->installEventFilter(this);
 }
 
@@ -92,7 +92,7 @@ bool FieldKeys::eventFilter(QObject* watched, QEvent* event) {
         return false;
     }
     if (event->type() == QEvent::ShortcutOverride) {
-        event->accept();  // Escape is a command too
+        event->accept();  // Escape is a shortcut, too
         return meaning == FieldKey::TakeBack;
     }
     if (meaning == FieldKey::TakeBack) {
@@ -100,7 +100,7 @@ bool FieldKeys::eventFilter(QObject* watched, QEvent* event) {
         giveBack_();
         return true;
     }
-    // After the field has had it, and those who listen to it.
+    // Wait until the field and its listeners have handled the key.
     QTimer::singleShot(0, field, [this, field] {
         if (QApplication::focusWidget() == field) {
             giveBack_();

@@ -8,17 +8,17 @@
 
 namespace toile::app {
 
-/// Gives the keyboard back from the fields beside the views: Enter takes what was typed, Escape
-/// takes back what was not taken yet, and after either the next key is a command again. Lists keep
-/// the keyboard: they are walked through with keys.
+/// Returns the focus from the fields beside the views: Enter commits, Escape reverts the typing.
+/// After either, keys are shortcuts again. Lists keep the focus, because they are navigated by
+/// keys.
 class FieldKeys : public QObject {
     Q_OBJECT
 
 public:
-    /// @param giveBack  moves the keyboard to where the work is
+    /// @param giveBack  moves the focus to the view in use
     FieldKeys(std::function<void()> giveBack, QObject* parent);
 
-    /// The fields within this widget, those that come later too.
+    /// Includes fields that are added to the panel later.
     void watch(QWidget& panel);
 
 protected:

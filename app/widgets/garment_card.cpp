@@ -43,7 +43,7 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
 GarmentCard::Row GarmentCard::makeRow(const char* name) {
     Row row{new QWidget(this), new QLabel(this)};
     row.widget->setObjectName(name);
-    row.sentence->setTextFormat(Qt::PlainText);  // names of pieces are in it
+    row.sentence->setTextFormat(Qt::PlainText);  // it contains piece names
     row.sentence->setWordWrap(true);
     auto* layout = new QHBoxLayout(row.widget);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -56,7 +56,7 @@ void GarmentCard::fillRow(Row& row, const CardQuestion& question) {
     row.sentence->setText(question.sentence);
     row.widget->setVisible(!question.choices.empty());
     if (row.buttons) {
-        // One of them may be the sender.
+        // The sender of this click may be among them, so delete them later.
         row.buttons->hide();
         row.buttons->deleteLater();
     }
@@ -82,7 +82,7 @@ void GarmentCard::fillRow(Row& row, const CardQuestion& question) {
     if (isTyped) {
         addField(*row.buttons, question.other);
     }
-    // Too wide to stand beside the sentence.
+    // A row with a field is too wide to fit next to the sentence.
     auto* line = static_cast<QBoxLayout*>(row.widget->layout());
     line->setDirection(isTyped ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
     line->addWidget(row.buttons);

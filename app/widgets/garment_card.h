@@ -11,27 +11,27 @@ class QPushButton;
 
 namespace toile::app {
 
-/// An answer that the card offers.
+/// One of the offered answers.
 struct CardChoice {
     QString text;
-    bool present = false;  ///< it is what is used now
+    bool present = false;  ///< it is in use now
     std::function<void()> choose{};
 };
 
-/// An answer that is typed.
+/// An answer that the user types.
 struct CardLength {
-    QString before{}, after{};  ///< what stands on its two sides
-    double millimetres = 0;     ///< what is used now
+    QString before{}, after{};  ///< labels on both sides of the field
+    double millimetres = 0;     ///< current value
     std::function<void(double)> choose{};
 };
 
 struct CardQuestion {
     QString sentence{};
-    std::vector<CardChoice> choices{};  ///< none: nothing is in doubt here
-    CardLength other{};                 ///< beside the choices, where it says what it is
+    std::vector<CardChoice> choices{};  ///< none: no question
+    CardLength other{};                 ///< next to the choices, if `choose` is set
 };
 
-/// What the card asks.
+/// All questions of the card.
 struct GarmentQuestions {
     CardQuestion reading, half, unit, up, division, symmetry;
 
@@ -41,22 +41,22 @@ struct GarmentQuestions {
     }
 };
 
-/// A slim card over the views that asks whether a guess about the file is right: a sentence and a
-/// button for each answer. Waits for nobody; hidden where nothing is asked.
+/// A slim card above the views that asks whether guesses about the file are right: a sentence and a
+/// button for each answer. Not modal; hidden without questions.
 class GarmentCard : public QFrame {
     Q_OBJECT
 
 public:
     explicit GarmentCard(QWidget* parent = nullptr);
 
-    /// Replaces what was asked before.
+    /// Replaces the previous questions.
     void ask(const GarmentQuestions& questions);
     QString sentence() const;
 
 signals:
-    /// The guesses are right: nothing more is to be asked about them.
+    /// The user confirmed the guesses; do not ask about them again.
     void kept();
-    /// They were not.
+    /// The user chose another answer.
     void answered();
 
 private:
@@ -72,7 +72,7 @@ private:
     void keep();
 
     Row reading_, half_, unit_, up_, division_, symmetry_;
-    QPushButton* keep_;  ///< for guesses about the file; other questions have such an answer
+    QPushButton* keep_;  ///< confirms guesses about the file; other questions do not need it
 };
 
 }  // namespace toile::app

@@ -7,30 +7,28 @@
 
 namespace toile::app {
 
-/// "Shift+drag: move" says what comes of a key or of a movement of the mouse; without a colon it is
-/// a sentence.
+/// "Shift+drag: move" describes a key or a mouse gesture. Without a colon it is a sentence.
 struct HintClause {
     QString keys{}, what{};
 };
 
-/// Those of "Click: select · Drag: turn · Wheel: zoom".
+/// Splits a text such as "Click: select · Drag: turn · Wheel: zoom".
 std::vector<HintClause> hintClauses(const QString& text);
 
-/// One line of a status bar, keys drawn as keys. The first few clauses, as far as whole ones fit;
-/// the tool tip has them all.
+/// One line of a status bar, with keys drawn as keys. Shows the first clauses that fit as a whole;
+/// the tool tip has all of them.
 class HintLabel : public QLabel {
     Q_OBJECT
 
 public:
-    /// A person reads no more of them at a glance.
+    /// More cannot be read at a glance.
     static constexpr std::size_t kMaxHintsShown = 3;
 
     explicit HintLabel(QWidget* parent = nullptr);
 
     /// Sets the text and its tool tip.
     void setHint(const QString& text);
-    /// How many clauses fit into a width in pixels, the room for a mark that there are more
-    /// included.
+    /// Number of clauses that fit into a width in pixels, including the mark for further ones.
     std::size_t fitting(int width) const;
 
 protected:

@@ -6,9 +6,9 @@
 
 namespace toile::app {
 
-/// An icon of resources/icons whose `currentColor` is the palette's text colour at the time it is
-/// painted, so that it is legible on light and dark and follows a change; fainter when disabled.
-/// @param colour used instead of the palette's where valid
+/// Icon from resources/icons, whose `currentColor` is the palette's text colour when it is painted.
+/// So it is legible in both themes and follows a change. Fainter when disabled.
+/// @param colour  used instead of the palette's, if valid
 QIcon themedIcon(const QString& name, const QColor& colour = {});
 
 }  // namespace toile::app

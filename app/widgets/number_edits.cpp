@@ -13,11 +13,11 @@ namespace toile::app {
 
 namespace {
 
-/// Of millimetres a thousandth of a micrometre: what is typed in inches keeps its value.
+/// A nanometre, so that values typed in inches are exact enough.
 constexpr int kDecimals = 6;
-constexpr int kDecimalsShown = 2;  ///< of angles and percentages
+constexpr int kDecimalsShown = 2;  ///< for angles and percentages
 constexpr double kLongest = 10'000;
-/// Room for the rounding of an angle's way through radians.
+/// Tolerance for rounding when an angle is converted to radians and back.
 constexpr double kSlack = 1e-9;
 
 double stepOf(const LengthFormat& format) {
@@ -25,10 +25,10 @@ double stepOf(const LengthFormat& format) {
     if (format.unit == LengthUnit::Inch) {
         return unit / (format.denominator > 0 ? format.denominator : 10);
     }
-    return 1;  // a millimetre, in centimetres too
+    return 1;  // 1 mm, for centimetres too
 }
 
-/// True where nothing has been typed that is still to be taken.
+/// True if no typed text is waiting to be committed.
 bool isSettled(const QDoubleSpinBox& field) {
     const bool isSpecial =
         field.value() == field.minimum() && field.text() == field.specialValueText();
@@ -79,7 +79,7 @@ LengthEdit::LengthEdit(QWidget* parent) : NumberEdit(parent) {
 
 void LengthEdit::updateUnit() {
     setSingleStep(stepOf(LengthDisplay::instance().format()));
-    setDecimals(kDecimals);  // writes the text anew
+    setDecimals(kDecimals);  // also updates the text
 }
 
 QString LengthEdit::textFromValue(double millimetres) const {

@@ -6,7 +6,7 @@
 
 namespace toile::app {
 
-/// A field for a number that is shown rounded: what was not typed is not changed by that.
+/// A field for a number that is shown rounded. Rounding does not change a value that was not typed.
 class NumberEdit : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -17,11 +17,11 @@ public:
 protected:
     explicit NumberEdit(QWidget* parent);
 
-    /// What was typed, in the unit of `value`; none where it is not understood.
+    /// The typed number, in the unit of `value`; none if it cannot be parsed.
     virtual std::optional<double> parsed(const QString& text) const = 0;
 };
 
-/// An angle, in degrees with the sign: "45°", "90 - 12,5". Goes round at its ends.
+/// An angle in degrees, with the degree sign: "45°", "90 - 12,5". Wraps around at its limits.
 class AngleEdit : public NumberEdit {
     Q_OBJECT
 
@@ -35,8 +35,8 @@ protected:
     std::optional<double> parsed(const QString& text) const override;
 };
 
-/// A length. Its value is in millimetres; it is shown in the person's unit, and any length is
-/// understood that `parseLength` knows: "12 3/8 in", "2 * 31,4 cm".
+/// A length. Its value is in millimetres and is shown in the display unit. It accepts whatever
+/// `parseLength` does: "12 3/8 in", "2 * 31,4 cm".
 class LengthEdit : public NumberEdit {
     Q_OBJECT
 
@@ -53,11 +53,11 @@ private:
     void updateUnit();
 };
 
-/// Shows a length without saying that it was typed; bold where a person has stated it.
+/// Shows a length without emitting signals; bold if the user has set it.
 void showLength(LengthEdit& field, double millimetres, bool isStated);
 
-/// A percentage with a sign: "+2.5 %", "−1 %". Its value is in percent. Typed with either decimal
-/// mark, with or without the sign of percent.
+/// A percentage with a sign: "+2.5 %", "−1 %". Its value is in percent. Accepts both decimal marks;
+/// the percent sign is optional.
 class PercentEdit : public NumberEdit {
     Q_OBJECT
 
@@ -71,16 +71,15 @@ protected:
     std::optional<double> parsed(const QString& text) const override;
 };
 
-/// What number fields and lists beside the work must not do: change because somebody scrolls past
-/// them, and keep the keys of Undo and Redo once what was typed has been taken, as the step to take
-/// back is the document's then.
+/// Keeps number fields and lists from changing when the user scrolls past them. Once a typed value
+/// is committed, also leaves Undo and Redo to the document, which has that step.
 class FieldGuard : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// From now on; the field is to go no later than this.
+    /// Takes effect now. The field must not outlive this object.
     void install(QWidget& field);
 
 protected:

@@ -12,7 +12,7 @@ QScrollArea* makeArea(QWidget& contents, QWidget* parent) {
     auto* area = new QScrollArea(parent);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
-    area->setFocusPolicy(Qt::NoFocus);  // its fields have the keyboard
+    area->setFocusPolicy(Qt::NoFocus);  // the fields take the focus
     area->setWidget(&contents);
     return area;
 }

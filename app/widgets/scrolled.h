@@ -6,12 +6,12 @@ class QWidget;
 
 namespace toile::app {
 
-/// Where there is too little room the contents scroll, so that they ask for none of the window's.
+/// Contents that scroll if space is short, so that they do not enlarge the window's minimum size.
 
-/// Scrolls up and down. The bar has its room from the beginning: nothing moves or is covered when
-/// it comes.
+/// Scrolls vertically. Space for the scroll bar is reserved, so that nothing moves or is covered
+/// when it appears.
 QScrollArea* scrolledColumn(QWidget& contents, QWidget* parent);
-/// Scrolls to the sides.
+/// Scrolls horizontally.
 QScrollArea* scrolledRow(QWidget& contents, QWidget* parent);
 
 }  // namespace toile::app

@@ -24,7 +24,7 @@ using FieldKind = SettingField::Kind;
 constexpr int kMinNumberWidth = 86, kMaxNumberWidth = 160;  // logical pixels
 constexpr int kGroupIndent = 18;
 
-/// The stored value of 1 in the field.
+/// Stored value of 1 unit in the field.
 double scaleOf(const Setting& setting) {
     switch (setting.quantity) {
         case Quantity::Angle:
@@ -266,7 +266,7 @@ void SettingFields::setEnabled(bool enabled) {
 
 void SettingFields::show(const SettingField& of, const FieldValue& value, const FieldValue& usual) {
     if (!of.isInForce) {
-        return;  // the field keeps the value that it would have
+        return;  // keep the value for when the group is switched on
     }
     Row& row = rows_.at(of.path);
     row.isSet = of.isOptional && value.number;

@@ -42,7 +42,7 @@ struct SettingField {
     bool isInForce = true;  ///< false: its group is switched off
 };
 
-/// Visits the fields of a thing that have a `Setting`: `use` sees each value, and may change it.
+/// Visits the fields of a thing that have a `Setting`. `use` sees each value and may change it.
 class FieldVisitor {
 public:
     using Use = std::function<void(const SettingField& field, FieldValue& value)>;
@@ -58,7 +58,7 @@ public:
 
     template <class Number>
     void field(const Setting& setting, Number& value, double least = 0, double most = 1) {
-        if (setting.unset) {  // 0 is not set
+        if (setting.unset) {  // 0 means not set
             std::optional<double> set = value > 0 ? std::optional<double>(value) : std::nullopt;
             field(setting, set, least, most);
             value = static_cast<Number>(set.value_or(0));
@@ -123,11 +123,11 @@ public:
     template <class Thing, class Describe>
     void object(FileKey, std::optional<Thing>&, const Describe&) {}
 
-    /// A value of another form. @return  whether it was changed
+    /// Visits a value in form representation. @return  whether it was changed
     bool visit(const Setting& setting, FieldValue& value, SettingField::Kind kind, bool isOptional,
                double least = 0, double most = 0);
 
-    // What only files have.
+    // Members that only files have.
     void need(FileKey) {}
     template <class... Any>
     void fail(FileKey, Any&&...) {}
@@ -164,14 +164,14 @@ QToolButton* makeButton(const char* objectName, const QString& text, const QStri
 struct SettingChange {
     std::string path;
     FieldValue value;
-    QString text;  ///< name of the step of the history
+    QString text;  ///< name of the undo step
     int gesture;   ///< as for Document::edit
 };
 
-/// The fields of a form, made from the descriptions of settings. Each has an object name (its path
-/// after a prefix: "segmentLength"), a tool tip and an accessible name; values that the user has
-/// set are bold, and have a button that removes them. What is typed into a field is one gesture
-/// until the field is entered again.
+/// The fields of a form, built from descriptions of settings. Each has an object name (prefix and
+/// path: "segmentLength"), a tool tip and an accessible name. Values set by the user are bold and
+/// have a button that removes them. Typing in a field is one gesture until the field is entered
+/// again.
 class SettingFields : public QObject {
     Q_OBJECT
 
@@ -180,7 +180,7 @@ public:
     SettingFields(QWidget& form, std::function<int()> newGesture,
                   std::function<void(const SettingChange&)> taken);
 
-    /// Makes the fields of a thing, in no layout yet.
+    /// Creates the fields of a thing, without a layout.
     template <class Thing, class Describe>
     void make(const Describe& describe, const QString& prefix, Thing thing = {}) {
         const FieldVisitor::Use use = [&](const SettingField& field, FieldValue& value) {
@@ -205,7 +205,7 @@ public:
         FieldVisitor at(use);
         describe(at, thing);
     }
-    /// The thing with a change. A group that is switched on has the values of its fields.
+    /// Applies a change to the thing. A group that is switched on takes the values of its fields.
     template <class Thing, class Describe>
     Thing changed(const Describe& describe, Thing thing, const SettingChange& change) const {
         const FieldVisitor::Use use = [&](const SettingField& field, FieldValue& value) {
@@ -216,7 +216,7 @@ public:
         return thing;
     }
 
-    /// What comes next is another step of the history.
+    /// Starts another undo step.
     void startGesture() { gesture_ = newGesture_(); }
     int gesture() const { return gesture_; }
     /// The field of a path: "allowance.seam". Precondition: it exists, and is a Field.
@@ -252,7 +252,7 @@ private:
     void add(const SettingField& of, const QString& prefix);
     QWidget* makeField(const SettingField& of);
     QDoubleSpinBox* makeNumber(const SettingField& of);
-    /// Makes it if there is none yet; null for a switch.
+    /// Creates the label if there is none yet; null for a switch.
     QWidget* labelOf(Row& row);
     void show(const SettingField& of, const FieldValue& value, const FieldValue& usual);
     void apply(const SettingChange& change, const SettingField& of, FieldValue& value) const;

@@ -11,11 +11,11 @@ namespace toile::app {
 namespace {
 
 constexpr int kStatedDecimals = 6, kStatedDigits = 6;
-constexpr int kUsualDigits = 4;  // of what nobody has stated
+constexpr int kUsualDigits = 4;  // of default values
 
 QString digitsOf(double number, int digits) {
     QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // else read back as a decimal mark
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);  // it would be parsed as a decimal mark
     return locale.toString(number, 'g', digits);
 }
 
@@ -25,7 +25,7 @@ StatedEdit::StatedEdit(double least, double most, const QString& unit, const QSt
                        QWidget* parent)
     : NumberEdit(parent), least_(least), unit_(unit), unstated_(unstated) {
     setDecimals(kStatedDecimals);
-    setRange(least - 1, most);  // below the least nothing is stated
+    setRange(least - 1, most);  // values below `least` mean not set
     showStated({}, {});
 }
 
@@ -49,7 +49,7 @@ QString StatedEdit::textFromValue(double number) const {
     return digitsOf(number, kStatedDigits) + ' ' + unit_;
 }
 
-/// By a tenth of the number's largest digit, from what holds where nothing is stated.
+/// Steps by a tenth of the leading digit's unit, starting at the default if no number is set.
 void StatedEdit::stepBy(int steps) {
     const double from = stated().value_or(usual_.value_or(least_));
     const double step =

@@ -8,8 +8,8 @@
 
 namespace toile::app {
 
-/// A field for a number that a person may state, in a unit of its own; emptied, it is stated no
-/// more and says what holds instead: "As the fabric: 34 N/m". Stated numbers are bold.
+/// A field for an optional number with a unit. If the user empties it, the number is unset and the
+/// field shows the default: "As the fabric: 34 N/m". Set numbers are bold.
 class StatedEdit : public NumberEdit {
     Q_OBJECT
 
@@ -18,10 +18,9 @@ public:
     StatedEdit(double least, double most, const QString& unit, const QString& unstated,
                QWidget* parent = nullptr);
 
-    /// Of `value()`, within the limits; none where nothing is stated.
+    /// `value()` within the limits; none if no number is set.
     std::optional<double> stated() const;
-    /// Says nothing of a change. @param usual  what holds where nothing is stated; none: that
-    /// differs from place to place
+    /// Emits no signals. @param usual  the default; none if it varies
     void showStated(std::optional<double> stated, std::optional<double> usual);
 
     QString textFromValue(double number) const override;

@@ -40,7 +40,7 @@ namespace {
 constexpr int kBarAir = 8, kBelowCaption = 40;
 
 constexpr double kPartOfTheScreen = 0.92;
-/// Of the docks and their arrangement: what another version has kept is left alone.
+/// Version of the docks and their arrangement. Layouts of other versions are ignored.
 constexpr int kLayoutVersion = 1;
 
 QStringList openableFiles(const QMimeData& data) {
@@ -53,7 +53,7 @@ QStringList openableFiles(const QMimeData& data) {
     return files;
 }
 
-/// The one pattern that is dragged, to compare with; empty where it is anything else.
+/// The single dragged pattern file, to compare with; empty for anything else.
 QString patternFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     const QString file =
@@ -88,7 +88,7 @@ OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QW
 
 void OutdatedBar::follow(PatternAge age) {
     const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
-    // The status bar shows running jobs; this shows waiting ones only.
+    // The status bar shows running jobs, so this shows waiting ones only.
     const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
     const QString why = tr("The pattern is out of date: flatten it first");
     actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);
@@ -137,8 +137,8 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
     connectParts();
     connect(&preferences_, &Preferences::choicesChanged, this, &MainWindow::followChoices);
     followChoices(preferences_.choices());
-    addActions(actions_.all());  // shortcuts work whichever menu is hidden
-    // The window's own frame takes its part of the screen.
+    addActions(actions_.all());  // so that shortcuts work in hidden menus, too
+    // Leave space for the window's frame.
     resize(QSize(1600, 1000).boundedTo(screen()->availableSize() * kPartOfTheScreen));
     restoreGeometry(preferences_.windowGeometry());
     showGarmentParts(false);
@@ -146,11 +146,11 @@ MainWindow::MainWindow(Preferences& preferences, QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-    // Each of the parts looks at those that go after it, and at the document, to its end.
+    // Delete in this order: each part uses the following ones and the document until its end.
     workspace_.shutdown();
     contextMenus_.reset();
     dialogs_.reset();
-    recovery_.reset();  // a clean exit: nothing is left to recover
+    recovery_.reset();  // the clean exit removes the recovery file
     garmentActions_.reset();
     docks_.reset();
     centre_.reset();
@@ -220,16 +220,16 @@ void MainWindow::updateHint() {
 
 void MainWindow::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Garment | DocumentChange::Seams)) {
-        banner().hide();  // what it says was about what is no more
+        banner().hide();  // the message may refer to the previous garment
     }
     if (what.testFlag(DocumentChange::Results) && !status_->hasSummary()) {
-        status_->updateSummary();  // a scene is here again
+        status_->updateSummary();  // the scene exists again
         centre_->ask();
     }
     const auto& symmetry = workspace_.document().derived().symmetry;
     const bool isOtherSymmetry = symmetry != std::exchange(askedSymmetry_, symmetry);
     if (!what.testFlag(DocumentChange::Garment)) {
-        // The same pieces, of files that were read as something else; or mirrored pieces differ.
+        // A file was read as another kind, or mirrored pieces differ.
         if (what.testFlag(DocumentChange::Seams) || isOtherSymmetry) {
             centre_->ask();
         }
@@ -267,7 +267,7 @@ void MainWindow::showGarmentParts(bool shown) {
     centre_->showViews(shown);
     updateHint();
     if (docks_->setAvailable(shown)) {
-        // As the person left them, where known.
+        // Restore the user's layout, if there is one.
         restoreState(preferences_.windowState(), kLayoutVersion);
     }
 }
@@ -314,18 +314,18 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (workspace_.document().garment()) {
         preferences_.setWindowState(saveState(kLayoutVersion));
     }
-    // Out of sight at once: the worker may need a moment to notice.
+    // Hide at once, because the worker may need a moment to stop.
     hide();
     workspace_.shutdown();
     event->accept();
 }
 
 bool MainWindow::mayClose() {
-    // The answer may come after this, once the project is saved: then the window closes itself.
+    // If the user saves first, the answer comes later. Then the window closes itself.
     enum class Answer { None, Now, Later };
     const auto answer = std::make_shared<Answer>(Answer::None);
     if (workspace_.writing().isBusy()) {
-        workspace_.whenWritten([this] { close(); });  // where it fails there is something to read
+        workspace_.whenWritten([this] { close(); });  // not if writing fails: show the error
         return false;
     }
     if (!closingAnyway_) {

@@ -21,13 +21,13 @@ class WindowStatus;
 
 enum class PatternAge;
 
-/// Over the pattern view, while edits wait to be flattened: says that the pattern is out of date,
-/// with a button that flattens it. Export and printing say so too.
+/// Bar over the pattern view, shown while edits wait to be flattened, with a button that flattens
+/// them. The tool tips of export and printing warn, too.
 class OutdatedBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param view  where it lies; owns it. The others must outlive this.
+    /// @param view  parent, which owns the bar. The others must outlive it.
     OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QWidget& view);
 
 protected:
@@ -39,13 +39,13 @@ private:
 
     Workspace& workspace_;
     const ActionRegistry& actions_;
-    QString exportTip_, printTip_;  ///< of the actions, where nothing is wrong
+    QString exportTip_, printTip_;  ///< of the actions, if the pattern is up to date
 };
 
 struct Choices;
 
-/// Puts the parts together, each of which owns what it does: the centre with the views, the docks,
-/// the status bar, the dialogs; menus and toolbar. Holds no garment state.
+/// Connects the parts of the window, each of which owns its work: the centre with the views, docks,
+/// status bar, dialogs, menus and toolbar. Holds no garment state.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -64,11 +64,11 @@ public:
     ReadyChecker& checker() { return docks_->checker(); }
 
     void openFiles(const QStringList& files);
-    /// Keeps recovery files of unsaved changes, and offers those that a crash has left there.
-    /// @param times  none: as often as the person prefers, now and later
+    /// Writes recovery files of unsaved changes, and offers those that a crash has left.
+    /// @param times  none: follows the user's preference, now and later
     Recovery& keepRecoveryFiles(const QString& folder,
                                 const std::optional<AutosaveTimes>& times = {});
-    /// Brings a list to the front and moves the keyboard there.
+    /// Brings a dock to the front and gives it the keyboard focus.
     void goTo(Panel panel);
 
 protected:
@@ -82,11 +82,11 @@ private:
     void showGarmentParts(bool shown);
     void updateTitle();
     void updateHint();
-    /// Heavy garments begin without flattening after every edit.
+    /// Switches automatic flattening off for garments with many triangles.
     void adaptToWeight();
-    /// Applies the user's choices. @param before  to see what has changed
+    /// Applies the user's choices. @param before  the previous ones, to find changes
     void followChoices(const Choices& before);
-    /// Asks where changes would be lost, and waits for files that are being written.
+    /// Asks if changes would be lost, and waits for files that are being written.
     bool mayClose();
 
     Preferences& preferences_;
@@ -100,8 +100,8 @@ private:
     std::unique_ptr<WindowDialogs> dialogs_;
     std::unique_ptr<WindowContextMenus> contextMenus_;
     std::unique_ptr<Recovery> recovery_;
-    std::shared_ptr<const Symmetry> askedSymmetry_;  ///< that the card's question was about
-    bool closingAnyway_ = false;                     ///< nothing is to be asked any more
+    std::shared_ptr<const Symmetry> askedSymmetry_;  ///< that the current question is about
+    bool closingAnyway_ = false;                     ///< do not ask again
 };
 
 }  // namespace toile::app

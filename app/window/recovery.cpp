@@ -24,7 +24,7 @@ Recovery::Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& 
     connect(&workspace.document(), &Document::changed, &autosave_, &Autosave::noteDocument);
     connect(&card, &RecoveryCard::restoreWanted, this, &Recovery::restore);
     connect(&card, &RecoveryCard::discardWanted, this, &Recovery::discard);
-    // Whatever came of a restoring, what is still offered may be asked for again.
+    // After an attempt to restore, allow another one, whether it failed or not.
     connect(&workspace.jobs(), &JobRunner::idle, &card, [&card] { card.setEnabled(true); });
     offered_ = autosave_.abandoned();
     offerNext();
@@ -47,10 +47,10 @@ void Recovery::offerNext() {
 void Recovery::restore() {
     const RecoveryFile file = offered_.front();
     project_.leaveThen([this, file] {
-        card_.setEnabled(false);  // the file is neither discarded nor restored twice meanwhile
+        card_.setEnabled(false);  // prevent a second click while restoring
         project_.session().restore(pathOf(file.path), [this, file] {
             autosave_.adopt(file);
-            // Others wait for the next start: one window holds one garment.
+            // Other files are offered at the next start: one window holds one garment.
             offered_.clear();
             offerNext();
         });

@@ -13,14 +13,14 @@ class ProjectActions;
 class RecoveryCard;
 class Workspace;
 
-/// Keeps a recovery file of the session's unsaved changes, and offers on the card the files that
-/// crashed processes have left.
+/// Writes a recovery file of the session's unsaved changes, and offers the files of crashed
+/// processes on the card.
 class Recovery : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this. @param folder  of the recovery files
-    /// @param times   none: no new ones are written
+    /// All must outlive this object. @param folder  of the recovery files
+    /// @param times   none: no new files are written
     Recovery(Workspace& workspace, ProjectActions& project, RecoveryCard& card,
              const QString& folder, std::optional<AutosaveTimes> times);
 
@@ -34,7 +34,7 @@ private:
     ProjectActions& project_;
     RecoveryCard& card_;
     Autosave autosave_;
-    std::vector<RecoveryFile> offered_;  ///< the first is on the card
+    std::vector<RecoveryFile> offered_;  ///< the first one is on the card
 };
 
 }  // namespace toile::app

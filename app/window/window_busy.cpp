@@ -78,7 +78,7 @@ void WindowBusy::sayTask() {
 }
 
 void WindowBusy::showFraction() {
-    sayTask();  // what is known of a file comes with reading it
+    sayTask();  // details of a file become known while it is read
     const double fraction = workspace_.jobs().fraction();
     page_->setFraction(fraction);
     if (sheet_) {

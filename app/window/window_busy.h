@@ -12,27 +12,27 @@ namespace toile::app {
 class BusySheet;
 class Workspace;
 
-/// Says what the window waits for where it waits for it: in the place of the views while the first
-/// garment is read, at once; over the pattern while nothing of it is there yet, after a moment, so
-/// that small garments do not flicker. GUI thread only.
+/// Shows progress in place of missing contents. While the first garment is read, this is a page
+/// instead of the views. Until the first pattern exists, it is a sheet over the pattern view, with
+/// a delay so that small garments do not flicker. GUI thread only.
 class WindowBusy : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this. @param pattern  the view of the pattern; null where there is none
+    /// All must outlive this object. @param pattern  the pattern view; null if there is none
     WindowBusy(Workspace& workspace, QAction& cancel, QWidget& centre, QWidget* pattern);
 
-    /// Stands in the centre while `isReading`.
+    /// Page in the centre while `isReading`.
     BusySheet& page() { return *page_; }
-    /// Over the pattern; null where there is no view of it.
+    /// Sheet over the pattern; null if there is no pattern view.
     BusySheet* sheet() { return sheet_; }
-    /// The first garment is on its way.
+    /// True while the first garment is being read.
     bool isReading() const;
-    /// From the beginning of the work until the sheet is shown; 0: at once.
+    /// Delay between the start of the work and the sheet; 0 shows it at once.
     void setDelay(int milliseconds) { delay_.setInterval(milliseconds); }
 
 signals:
-    /// `isReading` may be another now.
+    /// `isReading` may have changed.
     void changed();
 
 private:

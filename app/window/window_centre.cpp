@@ -53,7 +53,7 @@ constexpr std::pair<ActionId, ViewKey> kLooks[] = {
 
 const QString kBetweenHints = QStringLiteral(" \u00b7 ");
 
-/// Groups in the bar: after these comes a line.
+/// True if a separator follows the tool in the palette.
 bool endsGroup(ToolId tool) {
     return tool == ToolId::Select || tool == ToolId::Join;
 }
@@ -86,7 +86,7 @@ WindowCentre::WindowCentre(Workspace& workspace, const ActionRegistry& actions, 
     connect(card_, &GarmentCard::answered, this, [this] { askedAgain_.clear(); });
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
         ask();
-        views_->repaintViews();  // the scale bar
+        views_->repaintViews();  // to update the scale bar
     });
     auto* welcome = new WelcomePage(preferences, pages_);
     connect(welcome, &WelcomePage::openWanted, &actions[ActionId::Open], &QAction::trigger);
@@ -139,7 +139,7 @@ void WindowCentre::connectTools(const ActionRegistry& actions) {
     for (const auto& [action, tool] : kTools) {
         actions.on(action, this, [this, tool = tool] {
             tools_.choose(tool);
-            views_->takeKeyboard();  // for Escape and Enter
+            views_->takeKeyboard();  // so that Escape and Enter reach the tool
         });
     }
     const auto show = [&actions](ToolId chosen) {
@@ -195,7 +195,7 @@ QString WindowCentre::hint() const {
     const QStringList camera =
         cameraHint(preferences_.choices().navigation, view == ViewKind::Pattern)
             .split(kBetweenHints);
-    // What is seen at a glance is of both.
+    // The first hints, read at a glance, come from both the tool and the camera.
     hints.insert(std::min<qsizetype>(hints.size(), 2), camera.front());
     return (hints + camera.mid(1)).join(kBetweenHints);
 }

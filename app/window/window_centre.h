@@ -19,47 +19,47 @@ class ToolBox;
 class ViewArea;
 class WindowBusy;
 
-/// The middle of the window: a welcome, or the views with the tools beside them; above them what
-/// has gone wrong, and what a person is asked without having to answer.
+/// The middle of the window: the welcome page, or the views with the tool palette. Errors and
+/// questions that need no answer are shown above.
 class WindowCentre : public QWidget {
     Q_OBJECT
 
 public:
-    /// All must outlive this.
+    /// All must outlive this object.
     WindowCentre(Workspace& workspace, const ActionRegistry& actions, ToolBox& tools,
                  Preferences& preferences, QWidget* parent);
 
-    /// Lives as long as this, as the four below do.
+    /// This object owns the returned parts.
     ViewArea& views() { return *views_; }
     Banner& banner() { return *banner_; }
     GarmentCard& card() { return *card_; }
     WindowBusy& busy() { return *busy_; }
     RecoveryCard& recoveryCard() { return *recoveryCard_; }
-    /// Whether the person has found the guesses about the open garment right.
+    /// True if the user has confirmed the guesses about the open garment.
     bool areGuessesKept() const { return keptGuesses_ == workspace_.openPaths(); }
-    /// Asks about what was guessed of the open garment.
+    /// Asks about the guesses made for the open garment.
     void ask();
-    /// Asks about unit and up axis of the open garment, guessed or not, until there is an answer.
+    /// Asks about unit and up axis of the open garment, guessed or not, until the user answers.
     void askAgain();
-    /// The views in place of the welcome, or the other way round.
+    /// Switches between the views and the welcome page.
     void showViews(bool shown);
-    /// What mouse and keys do in the view that the pointer was in last.
+    /// Mouse and key hints for the view that the pointer was in last.
     QString hint() const;
 
 signals:
-    /// To be opened in place of what is: chosen on the welcome page.
+    /// The user chose files on the welcome page to replace the open garment.
     void filesWanted(const QStringList& files);
-    /// Another tool, another state of it, or another view in use.
+    /// The tool, its state or the view in use has changed.
     void hintChanged();
 
 private:
-    /// The views with the bar of tools beside them, and what is connected to both.
+    /// Creates the views and the tool palette, and connects both.
     QWidget* makeWork(const ActionRegistry& actions);
     void showPage();
-    /// A button for each tool.
+    /// Creates a button for each tool.
     QWidget* makeToolPalette(const ActionRegistry& actions);
     void connectTools(const ActionRegistry& actions);
-    /// From which side the garment is looked at, and the way to the pattern.
+    /// Connects the actions for view directions and the playback bars.
     void connectLooks(const ActionRegistry& actions);
 
     Workspace& workspace_;
@@ -73,8 +73,8 @@ private:
     ViewArea* views_;
     WindowBusy* busy_;
     bool hasViews_ = false;
-    Workspace::Paths keptGuesses_;  ///< files whose guesses the person has found right
-    Workspace::Paths askedAgain_;   ///< files that the person wants to say something of
+    Workspace::Paths keptGuesses_;  ///< files whose guesses the user confirmed
+    Workspace::Paths askedAgain_;   ///< files that the user wants to change guesses of
 };
 
 }  // namespace toile::app

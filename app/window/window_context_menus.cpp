@@ -22,7 +22,7 @@ namespace {
 constexpr auto kPieceMenu = "pieceContext", kSeamMenu = "seamContext",
                kGroundMenu = "groundContext";
 
-/// Selects what is under the pointer, a line before the piece that it bounds. @return its menu
+/// Selects the object under the pointer, preferring a line to its piece. @return its menu
 const char* selectAt(const SceneView& view, Document& document, const QPointF& at) {
     const auto feature = document.scene() ? featureAt(view, document, at) : std::nullopt;
     if (!feature) {
@@ -38,7 +38,7 @@ const char* selectAt(const SceneView& view, Document& document, const QPointF& a
     return kPieceMenu;
 }
 
-/// The place of a flat piece under the pointer; a worst place where its mark is.
+/// The place on a flat piece under the pointer, or the worst spot if its mark is there.
 std::optional<WorstSpot> placeAt(const SceneView& view, const Document& document,
                                  const QPointF& at) {
     constexpr double kOnMark = 12;  // pixels
@@ -91,7 +91,7 @@ void WindowContextMenus::serve(QAbstractItemView& list, const char* menu) {
 }
 
 bool WindowContextMenus::eventFilter(QObject* watched, QEvent* event) {
-    // The other key for it; not every platform makes a request of it.
+    // Shift+F10 opens the menu, too. Not every platform sends a context menu event for it.
     if (event->type() == QEvent::KeyPress) {
         const auto& key = *static_cast<QKeyEvent*>(event);
         if (key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier) {
@@ -148,12 +148,12 @@ void WindowContextMenus::showOnRow(QAbstractItemView& list, const char* menu, co
 
 void WindowContextMenus::show(const char* menu, const QPoint& onScreen) {
     if (shown_ && shown_->isVisible()) {
-        return;  // the same key, heard of twice
+        return;  // the key arrived twice
     }
     shown_ = makeContextMenu(menu, actions_, materials_, &window_);
     shown_->setAttribute(Qt::WA_DeleteOnClose);
     connect(shown_, &QMenu::aboutToHide, this, [this] {
-        // What was chosen is done in between.
+        // The chosen action runs after aboutToHide, so reset later.
         QTimer::singleShot(0, this, [this] { pointed_.reset(); });
     });
     shown_->popup(onScreen);

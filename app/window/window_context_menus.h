@@ -18,29 +18,29 @@ class MaterialMenu;
 class SceneView;
 class ViewArea;
 
-/// What the right button and the menu key show: what can be done with the piece or the seam that is
-/// meant, or with the ground beside all. What is under the pointer is selected first, unless it
-/// belongs to the selection; a drag with the right button moves the camera and shows none.
+/// Context menus of views and lists, for a piece, a seam or the ground. The object under the
+/// pointer is selected first, unless it is already selected. A drag with the right button moves the
+/// camera and opens no menu.
 class WindowContextMenus : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this.
+    /// All must outlive this object.
     WindowContextMenus(QWidget& window, Document& document, const ActionRegistry& actions,
                        MaterialMenu& materials, ViewArea& views);
 
-    /// Shows one of the table's menus (menu_table.h) on the rows of a list.
+    /// Shows a menu of the table (menu_table.h) for the rows of a list.
     void serve(QAbstractItemView& list, const char* menu);
 
-    /// Where a dart is meant to end: the place on a flat piece that the menu was asked for, or the
-    /// worst place nearest to it where that one is marked; else the place with the ring, else the
-    /// first marked one of the selected piece.
+    /// Where "Dart here" puts the tip: the place on a flat piece where the menu was opened, or the
+    /// worst spot marked there. Otherwise the spot with the ring, or the first marked spot of the
+    /// selected piece.
     std::optional<WorstSpot> placeForDart() const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    /// @param pointed  at what lies under the pointer; else what is selected is meant
+    /// @param pointed  at the object under the pointer; otherwise the menu is for the selection
     void showInView(SceneView& view, const QPointF& at, bool pointed);
     void showOnRow(QAbstractItemView& list, const char* menu, const QPoint& at);
     void show(const char* menu, const QPoint& onScreen);
@@ -51,7 +51,7 @@ private:
     MaterialMenu& materials_;
     ViewArea& views_;
     QPointer<QMenu> shown_;
-    std::optional<WorstSpot> pointed_;  ///< as long as the menu is there
+    std::optional<WorstSpot> pointed_;  ///< while the menu is open
 };
 
 }  // namespace toile::app

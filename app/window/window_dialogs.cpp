@@ -49,7 +49,7 @@ WindowDialogs::WindowDialogs(QWidget& window, Workspace& workspace, const Action
 }
 
 WindowDialogs::~WindowDialogs() {
-    delete marker_;  // these look at the document to their end
+    delete marker_;  // they use the document until their end
     delete compare_;
     delete window_.findChild<ScanForm*>();
     qDeleteAll(window_.findChildren<ProposalsForm*>());
@@ -72,7 +72,7 @@ void WindowDialogs::compareMethods() {
     if (!compare_) {
         compare_ = new CompareWindow(workspace_.document(), workspace_.jobs(), &window_);
         connect(compare_, &CompareWindow::methodWanted, &workspace_, &Workspace::setMethod);
-        // "Use this method" is taken back where it was done.
+        // Undo of "Use this method" must work in this window, too.
         compare_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
     }
     compare_->show();
@@ -83,7 +83,7 @@ void WindowDialogs::compareMethods() {
 void WindowDialogs::layOnCloth() {
     if (!marker_) {
         marker_ = new MarkerWindow(workspace_, preferences_, files_, &window_);
-        // Changes made there are undone like all others.
+        // Undo must work in this window, too.
         marker_->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
     }
     marker_->show();
@@ -105,7 +105,7 @@ void WindowDialogs::askWhatIsSmall() {
 
 void WindowDialogs::prepareScan() {
     auto* form = window_.findChild<ScanForm*>();
-    if (!form || !form->isVisible()) {  // one that was closed just now is on its way out
+    if (!form || !form->isVisible()) {  // a closed one is being deleted
         form = new ScanForm(workspace_, &window_);
         form->setAttribute(Qt::WA_DeleteOnClose);
         form->adjustSize();
@@ -121,7 +121,7 @@ void WindowDialogs::showProposals() {
     if (!form || !form->isVisible()) {
         form = new ProposalsForm(workspace_.proposals(), &window_);
         form->setAttribute(Qt::WA_DeleteOnClose);
-        // A moved handle and a cut that was made are taken back where it was done.
+        // Undo of moved handles and new cuts must work in this form, too.
         form->addActions({&actions_[ActionId::Undo], &actions_[ActionId::Redo]});
         placeBeside(*form);
     }
@@ -170,7 +170,7 @@ void WindowDialogs::showPage(const QString& name) {
 }
 
 void WindowDialogs::reportProblem() {
-    // In English whatever the language: it is for those who look into it.
+    // Not translated, because developers read it.
     const QString facts =
         QString("Toile %1\nQt %2 (%3)\nOpenGL %4\n%5, %6")
             .arg(QString::fromUtf8(version()), QString::fromUtf8(qVersion()),

@@ -13,34 +13,34 @@ class Preferences;
 class ViewArea;
 class Workspace;
 
-/// What the window opens beside its own work: the command palette, the comparison of methods, help,
-/// preferences, and what Toile is.
+/// Windows and dialogs that actions open: command palette, method comparison, marker, help,
+/// preferences, and information about Toile.
 class WindowDialogs : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this. Nothing is shown before it is asked for.
+    /// All must outlive this object. Nothing is shown until an action asks for it.
     WindowDialogs(QWidget& window, Workspace& workspace, const ActionRegistry& actions,
                   ViewArea& views, Preferences& preferences, FileDialogs& files);
     ~WindowDialogs() override;
 
 private:
-    /// The palette, with what can be done now and the garment's pieces and seams.
+    /// Opens the palette with all commands and the garment's pieces and seams.
     void showCommands();
-    /// One window, however often it is asked for.
+    /// Opens the comparison; there is only one such window.
     void compareMethods();
-    /// The same of laying the pieces on cloth.
+    /// Opens the marker window; there is only one.
     void layOnCloth();
     void askWhatIsSmall();
-    /// One form, however often it is asked for, beside the garment.
+    /// Opens the form beside the garment; there is only one.
     void prepareScan();
-    /// The same of proposed cuts, which live while it is there.
+    /// Opens the form of proposed cuts. They are discarded when it closes.
     void showProposals();
-    /// Over the pattern: the garment is to be seen.
+    /// Moves a form over the pattern, so that the garment stays visible.
     void placeBeside(QWidget& form) const;
     void editPreferences();
     void showHelp();
-    /// @param name  of a page of the documentation
+    /// @param name  of a documentation page
     void showPage(const QString& name);
     void reportProblem();
     void showAbout();

@@ -38,12 +38,12 @@ namespace {
 /// Logical pixels.
 constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 400, kFabricHeight = 280;
 
-/// Whether it lies beside the views, and not below them.
+/// True for docks beside the views, false for those below them.
 bool isBeside(Panel panel) {
     return panel == Panel::Piece || panel == Panel::Fabric;
 }
 
-/// The overlay that shows what was found; none where no overlay does.
+/// The overlay that shows a finding, if there is one.
 std::optional<Overlay> overlayFor(FindingKind kind) {
     switch (kind) {
         case FindingKind::StrainWarp:
@@ -55,7 +55,7 @@ std::optional<Overlay> overlayFor(FindingKind kind) {
         case FindingKind::StrainBeyondCloth:
             return Overlay::Strain;
         case FindingKind::FlippedTriangles:
-            return Overlay::Area;  // what is flipped has lost more than all of its area
+            return Overlay::Area;  // flipped triangles have negative area
         case FindingKind::SewnGap:
             return Overlay::Gap;
         default:
@@ -125,7 +125,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
         if (!goesToFinding_ && (what & (DocumentChange::Selection | DocumentChange::SeamSelection |
                                         DocumentChange::Mark))) {
-            problems_->selectNothing();  // one thing is selected at a time
+            problems_->selectNothing();  // only one object is selected at a time
         }
     });
     connect(problems_, &ProblemsPanel::remedyWanted, this, &WindowDocks::help);
@@ -169,7 +169,7 @@ void WindowDocks::connectProof(Workspace& workspace) {
             views_.frameSelection();
         }
     });
-    // What has just been found is to be seen.
+    // Show the result of the proof.
     connect(&workspace.proof(), &PatternProof::proved, this, [this] {
         if (document_.isProofCurrent() && !isOfProof(document_.view().overlay)) {
             document_.setOverlay(Overlay::Gap);
@@ -202,7 +202,7 @@ void WindowDocks::showLargestGap(int piece) {
 }
 
 WindowDocks::~WindowDocks() {
-    qDeleteAll(all());  // the panels look at the document to their end
+    qDeleteAll(all());  // the panels use the document until their end
 }
 
 void WindowDocks::add(Panel panel, const QString& title, const char* name, QWidget* content,
@@ -247,7 +247,7 @@ void WindowDocks::arrange() {
         left = place.dock;
     }
     dock(Panel::Pieces)->raise();
-    // Beside the views, so that the lists have the window's whole width.
+    // Docks beside the views leave the full width of the window to the lists below.
     window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Piece));
     window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Fabric));
     window_.splitDockWidget(dock(Panel::Piece), dock(Panel::Fabric), Qt::Vertical);
@@ -278,7 +278,7 @@ bool WindowDocks::setAvailable(bool available) {
 }
 
 void WindowDocks::reset() {
-    // Hidden while they move: docks that are seen leave an empty tab bar over the new one.
+    // Hide docks while moving them: visible ones leave an empty tab bar behind.
     for (QDockWidget* each : all()) {
         each->setFloating(false);
         each->hide();
@@ -318,7 +318,7 @@ void WindowDocks::help(Remedy remedy) {
     }
     const std::vector<ActionId> ids = actionsOf(remedy);
     if (remedy == Remedy::LayOutAgain) {
-        document_.setSelection({});  // two that are laid out alone may meet the others
+        document_.setSelection({});  // pieces laid out alone may overlap others
     }
     if (ids.size() == 1) {
         QAction& action = actions_[ids.front()];
@@ -344,7 +344,7 @@ void WindowDocks::showFindings(const QList<int>& indices) {
     const auto& findings = checker_.readiness().findings;
     if (indices.isEmpty() || checker_.plan().garment != document_.garment() ||
         indices.back() >= static_cast<int>(findings.size())) {
-        return;  // they are about a garment that is no more; others follow
+        return;  // the findings belong to a previous garment
     }
     const Finding& first = findings[static_cast<std::size_t>(indices.front())];
     if (const auto overlay = overlayFor(first.kind)) {

@@ -30,57 +30,57 @@ class SymmetryPanel;
 class ViewArea;
 class Workspace;
 
-/// The lists below the views and the panels beside them: makes them, lays them out, and does what
-/// is asked for there. "Ready to cut?" is worked out for one of them.
+/// The docks below and beside the views: creates and arranges them, and handles their requests.
+/// Owns the checker behind "Ready to cut?".
 class WindowDocks : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this.
+    /// All must outlive this object.
     WindowDocks(QMainWindow& window, Workspace& workspace, const ActionRegistry& actions,
                 ViewArea& views, Preferences& preferences);
     ~WindowDocks() override;
 
-    /// Works on a thread of its own; GUI thread only, as all of this.
+    /// It works on a thread of its own. Call it from the GUI thread only, like all members.
     ReadyChecker& checker() { return checker_; }
     /// In the order of `Panel`.
     QList<QDockWidget*> all() const;
-    /// Brings a list to the front and moves the keyboard there.
+    /// Brings a dock to the front and gives it the keyboard focus.
     void goTo(Panel panel);
-    /// Of the pieces or the seams.
+    /// Table of the pieces or of the seams.
     QAbstractItemView& list(Panel panel) const;
-    /// Whether there is anything to show. Only the first garment brings the docks in; one that the
-    /// person has closed stays closed.
-    /// @return whether they came in
+    /// Enables or hides the docks. Only the first garment shows them; a dock that the user closed
+    /// stays closed.
+    /// @return  whether they were shown
     bool setAvailable(bool available);
 
 signals:
-    /// A dart from the nearest edge to this place is to be proposed.
+    /// The user wants a dart from the nearest edge to this place.
     void dartWanted(int piece, const Eigen::Vector2d& flat);
-    /// A mesh to wear the sewn pattern on is to be asked for.
+    /// The user wants to choose a mesh as the body of the proof.
     void bodyWanted();
-    /// The unit of the file, or the garment's height, is to be asked for.
+    /// The user wants to set the unit of the file or the garment's height.
     void unitWanted();
 
 private:
-    /// @param field  where the keyboard goes
+    /// @param field  takes the keyboard focus
     void add(Panel panel, const QString& title, const char* name, QWidget* content, QWidget& field,
              ActionId goThere);
     QDockWidget* dock(Panel panel) const { return places_.at(panel).dock; }
-    /// Where each dock lies at first; shows none.
+    /// Puts each dock in its default place; shows none.
     void arrange();
     void show();
-    /// As at the first start.
+    /// Restores the default layout.
     void reset();
     void connectProof(Workspace& workspace);
-    /// Shows the place of a piece that is farthest from the design once sewn.
+    /// Shows where the sewn piece differs most from the design.
     void showLargestGap(int piece);
-    /// Selects and frames what these findings of the checker are about.
+    /// Selects and frames the objects of these findings of the checker.
     void showFindings(const QList<int>& indices);
-    /// What helps pieces that are not flat, at their places in the pattern view.
+    /// Remedies of pieces that are not flat, for buttons in the pattern view.
     std::map<int, Remedy> helpOfPieces() const;
     void showHelp();
-    /// Does what helps, on what is selected by then.
+    /// Applies a remedy to the current selection.
     void help(Remedy remedy);
 
     QMainWindow& window_;
@@ -100,7 +100,7 @@ private:
     FabricPanel* fabric_;
     struct Place {
         QDockWidget* dock;
-        QWidget* field;  ///< where the keyboard goes
+        QWidget* field;  ///< takes the keyboard focus
     };
     std::map<Panel, Place> places_;
     bool goesToFinding_ = false;

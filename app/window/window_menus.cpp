@@ -21,16 +21,15 @@
 namespace toile::app {
 namespace {
 
-/// The context of the translations.
+/// Translation context.
 class WindowMenus {
     Q_DECLARE_TR_FUNCTIONS(WindowMenus)
 };
 
-/// A heading at the very top would touch the menu's frame.
+/// Without it, a heading at the top would touch the menu's frame.
 constexpr int kAirOverHeading = 4;
 
-/// A menu of which nothing can be done now cannot be opened either, and one in which nothing is
-/// seen is not seen.
+/// Disables a menu without enabled entries, and hides a menu without visible entries.
 void followActions(QMenu& menu) {
     const auto update = [&menu] {
         const auto isAny = [&menu](bool (QAction::*holds)() const) {
@@ -48,7 +47,7 @@ void followActions(QMenu& menu) {
     update();
 }
 
-/// A heading over entries of which none is seen is not seen either.
+/// Hides a heading if no entry below it is visible.
 void followBelow(const QMenu& menu, QAction& heading) {
     QList<QAction*> below;
     const QList<QAction*> all = menu.actions();
@@ -64,12 +63,12 @@ void followBelow(const QMenu& menu, QAction& heading) {
     update();
 }
 
-/// Fills menus; those below others are made when they are come to.
+/// Fills menus recursively, including submenus.
 struct MenuMaker {
     const ActionRegistry& actions;
     QList<QDockWidget*> lists;
     MaterialMenu& materials;
-    RecentFiles* recent;  ///< of menus that have no such place null
+    RecentFiles* recent;  ///< null for menus without a `RecentPlace`
     std::map<std::string_view, const MenuSpec*> table{};
 
     void fill(QMenu& menu, const MenuSpec& spec) {
@@ -95,7 +94,7 @@ struct MenuMaker {
         QMenu& below = *menu.addMenu(menuText(spec.title));
         fill(below, spec);
         if (!std::holds_alternative<RecentPlace>(spec.items.front())) {
-            followActions(below);  // the recent files may change between two openings of the menu
+            followActions(below);  // recent files may change before the menu is opened again
         }
     }
     void add(QMenu& menu, RecentPlace) { recent->fill(menu); }
@@ -163,7 +162,7 @@ void OverlayButtons::follow() {
         std::ranges::find_if(overlays_, [](auto* action) { return action->isChecked(); });
     QAction* now = on == overlays_.end() ? shown_ : *on;
     if (shown_ && now != shown_) {
-        // What is called back changes places with what it follows; else the oldest goes.
+        // A returning overlay swaps places with the active one; else the oldest is dropped.
         const auto called = std::ranges::find(last_, now);
         std::shift_right(last_.begin(), called == last_.end() ? called : called + 1, 1);
         last_.front() = shown_;
@@ -221,11 +220,11 @@ void addToolBar(QMainWindow& window, const ActionRegistry& actions, Workspace& w
     glowWhenWanted(*bar.widgetForAction(&actions[ActionId::FlattenAgain]), workspace);
     bar.addAction(&actions[ActionId::Frame]);
     bar.addSeparator();
-    new OverlayButtons(bar, actions);  // the bar's
+    new OverlayButtons(bar, actions);  // owned by the bar
     bar.addSeparator();
     bar.addAction(&actions[ActionId::GoToFabric]);
     bar.addAction(&actions[ActionId::ReadyToCut]);
-    // Qt's own is black on any ground.
+    // Qt's own icon is black on any background.
     if (auto* rest = bar.findChild<QToolButton*>("qt_toolbar_ext_button")) {
         rest->setIcon(themedIcon("more"));
     }

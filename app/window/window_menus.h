@@ -22,13 +22,13 @@ class MaterialMenu;
 class RecentFiles;
 class Workspace;
 
-/// The overlays in the toolbar: a button that shows the one that is on and opens a list of all, and
-/// one button for each of the two that were on last.
+/// Overlay buttons of the toolbar: one that shows the active overlay and opens a list of all, and
+/// one for each of the two previous overlays.
 class OverlayButtons : public QObject {
     Q_OBJECT
 
 public:
-    /// Adds them at the bar's end. Actions and bar must outlive this.
+    /// Adds the buttons at the end of the bar. Actions and bar must outlive this object.
     OverlayButtons(QToolBar& bar, const ActionRegistry& actions);
 
 private:
@@ -44,13 +44,13 @@ private:
     std::array<QToolButton*, kLast> buttons_;
 };
 
-/// The window's menus, from the tables of actions and menus. What is given must outlive the window.
-/// @param lists  that can be shown
+/// Fills the menu bar from the tables of actions and menus. The arguments must outlive the window.
+/// @param lists  docks that the user can show
 void fillMenuBar(QMainWindow& window, const ActionRegistry& actions,
                  const QList<QDockWidget*>& lists, RecentFiles& recent, MaterialMenu& materials);
-/// The toolbar; after the menus, of which it opens one.
+/// Call it after fillMenuBar(), because a button opens one of the menus.
 void addToolBar(QMainWindow& window, const ActionRegistry& actions, Workspace& workspace);
-/// One of the table's menus, to be shown where something is pointed at; the caller's.
+/// Creates a context menu of the table; the caller owns it.
 QMenu* makeContextMenu(const char* name, const ActionRegistry& actions, MaterialMenu& materials,
                        QWidget* parent);
 

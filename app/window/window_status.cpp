@@ -23,7 +23,7 @@ namespace toile::app {
 namespace {
 
 constexpr int kMessageMilliseconds = 6000;
-/// As long as a sentence with a number takes to read.
+/// Time to read a sentence with a number.
 constexpr int kWrittenMilliseconds = 10000;
 
 }  // namespace
@@ -107,8 +107,8 @@ WorkDisplay::WorkDisplay(std::vector<JobRunner*> runners, QAction& cancel, QWidg
     hide();
     for (JobRunner* runner : runners_) {
         connect(runner, &JobRunner::started, this, &WorkDisplay::showJob);
-        // Later: a progress bar paints the window as it is set, the views with it, and a job may
-        // start while some of these have yet to hear what changed.
+        // Queued, because QProgressBar::setValue() repaints the window at once, including the
+        // views. When a job starts, some of these may not have handled the change yet.
         connect(runner, &JobRunner::started, this, &WorkDisplay::showFraction,
                 Qt::QueuedConnection);
         connect(runner, &JobRunner::idle, this, &WorkDisplay::showJob);

@@ -19,12 +19,12 @@ class ProjectSession;
 class ReadyChecker;
 class Workspace;
 
-/// What is being done, how far it is, and a button to stop it; hidden while nothing is.
+/// Shows the running job, its progress and a button to cancel it; hidden if there is none.
 class WorkDisplay : public QWidget {
     Q_OBJECT
 
 public:
-    /// @param runners  of those that are busy the first is shown. All must outlive this.
+    /// @param runners  the first busy one is shown. All must outlive this object.
     WorkDisplay(std::vector<JobRunner*> runners, QAction& cancel, QWidget* parent = nullptr);
 
 private:
@@ -37,27 +37,26 @@ private:
     QProgressBar* progress_;
 };
 
-/// The status bar: what the mouse does, what the garment is, what is being done, and for a moment
-/// what has been done.
+/// The status bar: mouse hints, a summary of the garment, running jobs and short messages.
 class WindowStatus : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive this. @param checker  knows what is left to repair in what is exported
+    /// All must outlive this object. @param checker  counts the faults left in an export
     WindowStatus(QStatusBar& bar, Workspace& workspace, const ActionRegistry& actions,
                  ProjectSession& session, const ReadyChecker& checker);
 
-    /// One line; clauses that do not fit are left out.
+    /// One line; omits clauses that do not fit.
     void setHint(const QString& hint);
-    /// For some seconds.
+    /// Shows a message for some seconds.
     void say(const QString& sentence);
-    /// Height, unit and division of the garment, as they are now.
+    /// Updates height, unit and division of the garment.
     void updateSummary();
-    /// Whether anything was known of the garment then.
+    /// True if the last update found a garment.
     bool hasSummary() const;
 
 signals:
-    /// The text about the garment has changed.
+    /// The user clicked the summary.
     void summaryWanted();
 
 private:

@@ -55,7 +55,7 @@ struct CriterionTraits {
     FigureFormat format;
     Aggregate aggregate;
     bool isOptional;        ///< text tables omit it if no method has a figure
-    std::string_view key;   ///< in JSON (docs/report.md); empty if it is not listed
+    std::string_view key;   ///< in JSON (docs/comparison.md); empty if it is not listed
     std::string_view head;  ///< of its column in a text table; empty if it has none
     /// For the window, to be translated; "%1" is the unit of lengths; null if it is not shown.
     const char* title;

@@ -106,9 +106,9 @@ std::string writeMarkers(const std::vector<MadeMarker>& markers,
 std::string writePatternMatch(const Pattern& pattern, const PatternFile& file,
                               const PatternMatch& match);
 
-/// Each pair as a picture, side by side at true scale: the pattern's line on the layer of the
-/// cutting lines, the file's line over it on the layer of the seam lines, and the name with the
-/// figures. Ids `piece-<slug>-ours` and `-theirs`, with `-2` for a second line.
+/// Each pair as a picture, side by side at true scale: the pattern's line on the cutting layer, the
+/// file's line over it on the seam layer, and the name with the figures. Element ids are
+/// `piece-<slug>-ours` and `-theirs`, with `-2` for a second line.
 Drawing drawPatternMatch(const Pattern& pattern, const PatternFile& file,
                          const PatternMatch& match);
 

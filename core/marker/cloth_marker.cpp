@@ -156,7 +156,7 @@ namespace {
 
 constexpr double kMillimetresPerMetre = 1000;
 
-constexpr const char* kOwnFabric = translatable("Own fabric");
+constexpr const char* kOwnFabric = translatable("Garment's fabric");
 constexpr const char* kClothUsed = translatable("%1: %2 mm wide, %3 mm long, %4 % used");
 constexpr const char* kSheetsUsed = translatable("%1: %2, %3 % used");
 

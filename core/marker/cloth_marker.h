@@ -105,7 +105,7 @@ void measureMoved(const Pattern& pattern, const MarkerSettings& settings, ClothM
 std::vector<int> misplacedCopies(const Pattern& pattern, const ClothMarker& marker,
                                  const MarkerSettings& settings);
 
-/// "Own fabric: 1400 mm wide, 2310 mm long, 82.4 % used".
+/// "Garment's fabric: 1400 mm wide, 2310 mm long, 82.4 % used".
 Wording clothSentence(const ClothMarker& marker);
 
 /// For the exports: the copies of a marker as a single page, the warp along x, with the full length

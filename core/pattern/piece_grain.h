@@ -54,9 +54,9 @@ PieceCloths pieceCloths(const Garment& garment, const std::optional<GrainRule>& 
                         const std::vector<Fabric>& fabrics, const PieceResults& known = {},
                         const std::vector<std::optional<double>>& typed = {});
 
-/// For `PieceCloth::warp`: the axis of revolution of a limb, as one row. It is the direction in
-/// which the normals vary least, exact on cylinders, and on cones of more than a quarter of a turn;
-/// of a plane piece the direction in which it is longest.
+/// For `PieceCloth::warp`: the axis of revolution of a limb, in a single row. The normals vary
+/// least in this direction. It is exact on cylinders, and on cones of more than a quarter of a
+/// turn. For a plane piece it is the longest direction.
 Points3 axisWarp(const MeshArrays& mesh);
 /// For `PieceCloth::warp`: per vertex the direction that a flat map shows at an angle.
 /// @param flat  #V x 2, may be mirrored

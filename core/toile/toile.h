@@ -68,7 +68,7 @@ struct FinishedPattern {
 };
 
 /// Reads one garment from one or more files. Unit, axis and division are guessed unless stated in
-/// `options`; the garment keeps what was guessed and what was repaired.
+/// `options`; the garment stores all guesses and repairs.
 /// Errors: those of the readers; NoGeometry, Cancelled.
 Result<Garment> read(const std::vector<std::filesystem::path>& files,
                      const LoadOptions& options = {}, const Progress& progress = {});

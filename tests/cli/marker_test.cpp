@@ -75,7 +75,7 @@ TEST(MarkerCommand, LaysAGarmentAndReadsItsFilesBack) {
     }
     const auto run = layShirt(words);
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_NE(run.out.find("Own fabric: 1400 mm wide"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Garment's fabric: 1400 mm wide"), std::string::npos) << run.out;
     EXPECT_NE(run.out.find("min to sew"), std::string::npos) << run.out;
     std::size_t readBack = 0;
     for (std::size_t at = 0; (at = run.out.find("read back: 5 pieces", at)) != std::string::npos;) {
@@ -166,7 +166,7 @@ TEST(MarkerCommand, LaysOnHides) {
     const auto run = layShirt({"--hide", hide.string(), "--grade", "front=2", "--report",
                                (folder / "m.json").string(), "-o", (folder / "m.svg").string()});
     EXPECT_EQ(run.status, 0) << run.err;
-    EXPECT_NE(run.out.find("Own fabric: 1 hide, "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Garment's fabric: 1 hide, "), std::string::npos) << run.out;
     EXPECT_NE(readFile(folder / "m.svg")->find("cloth-1-zone-2"), std::string::npos);
     EXPECT_EQ(layShirt({"--hide", (folder / "none.svg").string()}).status, 3);
 }

@@ -33,7 +33,7 @@ def same_structure(garment):
 
 
 def table(garment):
-    """What stands on which layer, in both files."""
+    """What is on which layer, in both files."""
     theirs, ours = _kinds(THEIRS), _kinds(garment.file("astm.dxf"))
     rows = ["| Layer | In CLO's file | In ours |", "|--:|---|---|"]
     for layer in sorted(theirs.keys() | ours.keys(), key=int):

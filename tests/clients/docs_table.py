@@ -7,7 +7,7 @@ DOCS = ROOT / "docs" / "exports.md"
 BEGIN = "<!-- table: clients, written by tests/clients/run.py -->\n"
 END = "<!-- end of table -->\n"
 BETWEEN = """
-What stands on which layer, in the DXF of `skirt_clo` that CLO wrote and in ours:
+What is on which layer in the DXF of `skirt_clo` that CLO wrote and in ours:
 
 """
 OPTIONAL = {"usdchecker"}  # not among Debian's packages; it has no row

@@ -11,10 +11,10 @@ namespace toile::app {
 
 namespace {
 
-/// Pixels within which the pointer is drawn.
+/// Snapping distances, pixels.
 constexpr double kToOwn = 9, kToCorner = 10, kToVertex = 4, kToRim = 8;
-/// A rim that is near on the screen but farther from the cloth under the pointer than so many
-/// times the pixels' size belongs to another layer of the piece.
+/// A rim near the pointer on the screen, but farther from the cloth there than this many pixel
+/// sizes, belongs to another layer.
 constexpr double kSameLayer = 4;
 
 double length(const QPointF& v) {
@@ -25,7 +25,7 @@ Eigen::Vector3d corner(int k) {
     return Eigen::Vector3d::Unit(k);
 }
 
-/// The best place so far: what draws strongest, then what is nearest.
+/// The best candidate so far: by snapping rank, then by distance.
 struct Best {
     ClothPoint point;
     int rank = 0;
@@ -78,7 +78,7 @@ void offerRim(const ToolView& view, const Piece& piece, int index, const PieceRi
 PieceRim rimOf(const Piece& piece) {
     PieceRim rim;
     rim.isOnRim.assign(static_cast<std::size_t>(piece.mesh.V.rows()), 0);
-    std::map<int, int> leaving;  // use by its tail
+    std::map<int, int> leaving;  // edge use by tail vertex
     const EdgeTable& table = piece.table;
     for (std::size_t e = 0; e + 1 < table.useStart.size(); ++e) {
         if (table.useStart[e + 1] - table.useStart[e] == 1) {
@@ -103,7 +103,7 @@ PieceRim rimOf(const Piece& piece) {
             rim.corners.insert(head);
         }
     }
-    // Of a piece with one outline the very corners that a double click goes to.
+    // For disks, use the same corners as a double click on the outline.
     for (const int place : outlineCorners(piece)) {
         rim.corners.insert(piece.boundary[static_cast<std::size_t>(place)]);
     }
@@ -146,7 +146,7 @@ std::optional<ClothPoint> ClothSnapper::find(const ToolView& view, const Garment
                  best);
         return best.point;
     }
-    // Looking at every rim would cost all outlines at every move of the pointer.
+    // Testing every rim would cost all outlines at every pointer move.
     const auto line = view.seamHitAt(at, kToCorner, {});
     const Seam* seam = line && line->seam < static_cast<int>(garment.seams.seams.size())
                            ? &garment.seams.seams[static_cast<std::size_t>(line->seam)]
@@ -155,7 +155,7 @@ std::optional<ClothPoint> ClothSnapper::find(const ToolView& view, const Garment
         const auto& piece = garment.pieces[i];
         const int index = static_cast<int>(i);
         const bool near = seam && (seam->left.piece == index || seam->right.piece == index);
-        if (near || piece->boundary.empty()) {  // what is no disk has no seams
+        if (near || piece->boundary.empty()) {  // a piece that is not a disk has no seams
             offerRim(view, *piece, index, rim(piece), at, std::nullopt, best);
         }
     }

@@ -14,20 +14,20 @@
 
 namespace toile::app {
 
-/// A place on the garment that a person points at.
+/// A place on the garment under the pointer.
 struct ClothPoint {
-    /// What the pointer was drawn to.
+    /// What the pointer snapped to.
     enum class On {
-        Cloth,   ///< nothing: just where it is
+        Cloth,   ///< nothing: the exact place
         Rim,     ///< an edge of the piece
         Corner,  ///< a corner of its outline
-        Own,     ///< a place pointed at before
+        Own,     ///< an earlier place of the same tool
     };
 
     int piece = -1;   ///< index into the garment's pieces
     SurfacePoint at;  ///< on its mesh
     On on = On::Cloth;
-    int own = -1;  ///< which place, where drawn to one
+    int own = -1;  ///< index of the earlier place, if snapped to one
 
     bool isOnRim() const { return on == On::Rim || on == On::Corner; }
 };
@@ -36,7 +36,7 @@ inline bool samePlace(const SurfacePoint& a, const SurfacePoint& b) {
     return a.face == b.face && a.barycentric == b.barycentric;
 }
 
-/// The rim of a piece, disk or not.
+/// The boundary edges of a piece, disk or not.
 struct PieceRim {
     std::vector<int> uses;      ///< 3 * face + k, the side from corner k to corner k + 1
     std::set<int> corners;      ///< vertices where the outline turns sharply (`outlineCorners`)
@@ -45,16 +45,16 @@ struct PieceRim {
 
 PieceRim rimOf(const Piece& piece);
 
-/// Finds the place on the cloth that a pointer means: places pointed at before, corners and the
-/// rim draw it within some pixels, also from beside the cloth. Rims are kept from one question to
-/// the next. Cost: that of `hitAt`, and the rim of the piece; of all pieces beside the cloth.
+/// Finds the place on the cloth that the pointer means. Snaps to earlier places, corners and rims
+/// within some pixels, even from beside the cloth. Caches the rims. Cost: that of `hitAt` plus the
+/// piece's rim; beside the cloth, the rims of all pieces.
 class ClothSnapper {
 public:
-    /// @param own  places pointed at before
+    /// @param own  earlier places of the tool
     std::optional<ClothPoint> find(const ToolView& view, const Garment& garment, const QPointF& at,
                                    std::span<const ClothPoint> own);
     const PieceRim& rim(const std::shared_ptr<const Piece>& piece);
-    /// Forgets the rims of pieces that are not in the garment; null: all.
+    /// Drops cached rims of pieces that are not in the garment; null: all.
     void keep(const Garment* garment);
 
 private:

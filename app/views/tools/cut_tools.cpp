@@ -12,7 +12,7 @@ namespace toile::app {
 
 namespace {
 
-/// A point this near to an edge, as a part of the edge's length, lies on it but for rounding.
+/// Rounding tolerance for a point on an edge, as a share of the edge's length.
 constexpr double kOnRim = 1e-6;
 
 bool liesOn(const Piece& whole, const PieceRim& rim, const Eigen::Vector3d& point) {
@@ -75,7 +75,7 @@ QString DartTool::remark(const ClothPoint& point) const {
 
 bool DartTool::press(ToolView& view, const Pointer& pointer) {
     if (hasEnough()) {
-        cancel();  // what was proposed is not what is meant
+        cancel();  // a new press replaces the proposal
     }
     const auto place = placeAt(view, pointer);
     if (!draft_.isEmpty() || !place || !place->isOnRim()) {
@@ -88,7 +88,7 @@ bool DartTool::press(ToolView& view, const Pointer& pointer) {
 
 void DartTool::drag(ToolView& view, const Pointer& pointer) {
     if (draft_.isEmpty()) {
-        return;  // Escape was pressed meanwhile
+        return;  // Escape was pressed during the drag
     }
     draft_.setAlongEdges(pointer.modifiers.testFlag(Qt::ControlModifier));
     follow(view, pointer, placeAt(view, pointer));
@@ -97,7 +97,7 @@ void DartTool::drag(ToolView& view, const Pointer& pointer) {
 void DartTool::release(ToolView& view, const Pointer& pointer) {
     if (draft_.isEmpty() ||
         (pointer.at - pressed_).manhattanLength() < QApplication::startDragDistance()) {
-        return;  // no drag: the tip follows with the next click
+        return;  // a click: the next one sets the tip
     }
     const auto place = placeAt(view, pointer);
     if (place && fits(*place)) {
@@ -162,8 +162,8 @@ void DartTool::click(ToolView& view, const Pointer& pointer) {
 }
 
 UserCut::Kind DartTool::kindFor(const std::vector<ClothPoint>& points) {
-    // A dart's beginning is moved onto the rim of the piece as it was before other cuts. One that
-    // begins at such a cut must stay there.
+    // A dart's start is moved to the edge of the piece as it was before other cuts. A dart that
+    // starts at one of those cuts must stay there.
     const Eigen::Vector3d begin = positionOf(draft_.piece()->mesh, points.front().at);
     const auto& uncut = workspace_.document().garment()->uncut;
     const bool isAtRim = std::ranges::any_of(uncut, [&](const auto& whole) {

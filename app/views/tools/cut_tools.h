@@ -5,7 +5,7 @@
 
 namespace toile::app {
 
-/// Cuts a piece along the shortest path through places on it.
+/// Cuts a piece along the shortest path through the given places.
 class CutTool : public PathTool {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ protected:
     bool goesAround() const override { return true; }
 };
 
-/// Cuts along a closed line through three places or more.
+/// Cuts along a closed line through at least three places.
 class LoopTool : public PathTool {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ protected:
     bool goesAround() const override { return true; }
 };
 
-/// Cuts from an edge to a tip inside the cloth: by one drag, or by two clicks.
+/// Cuts from an edge to a tip inside the cloth, by one drag or two clicks.
 class DartTool : public PathTool {
     Q_OBJECT
 
@@ -50,9 +50,8 @@ public:
     void drag(ToolView& view, const Pointer& pointer) override;
     void release(ToolView& view, const Pointer& pointer) override;
     void click(ToolView& view, const Pointer& pointer) override;
-    /// Begins a dart from the nearest edge to a place: Enter cuts it, a click begins another.
-    /// @param flat  of the tip, mm, the flat piece's own coordinates; does nothing where the piece
-    ///              is not flat
+    /// Proposes a dart from the nearest edge to a tip: Enter cuts it, a click starts another.
+    /// @param flat  tip in the flat piece's coordinates, mm; does nothing if the piece is not flat
     void propose(int piece, const Eigen::Vector2d& flat);
 
 protected:

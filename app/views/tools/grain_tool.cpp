@@ -22,7 +22,7 @@ namespace toile::app {
 namespace {
 
 constexpr double kSnappingAngle = 3 * kDegree;
-constexpr double kArrowGrab = 8;  // pixels around an arrow that sticks out of the cloth
+constexpr double kArrowGrab = 8;  // pixels around an arrow that is longer than its piece
 
 double distanceToArrow(const SheetMap& onScreen, const GrainArrow& arrow, const QPointF& at) {
     return geometry::distanceToSegment(pixels(at), pixels(onScreen(arrow.end(-0.5))),
@@ -45,7 +45,7 @@ Qt::CursorShape GrainTool::cursor(ViewKind view) const {
 }
 
 std::optional<int> GrainTool::pieceAt(const ToolView& view, const QPointF& at) const {
-    // An arrow that is aimed at counts before the cloth that it lies on.
+    // Prefer an arrow over the cloth below it.
     const SheetMap onScreen(view);
     for (const int piece : allFlat(document_)) {
         const auto arrow = grainArrow(document_, piece, onScreen.pixelsPerMillimetre());
@@ -170,8 +170,8 @@ void GrainTool::cancel() {
     }
     const Turning turning = std::move(*turning_);
     turning_.reset();
-    // Of another garment there is nothing to take back; and this may be called while the document
-    // is in the middle of a step of its history.
+    // For another garment there is nothing to undo. Besides, the document may be in the middle of
+    // an undo step when this is called.
     if (turning.moved && !isStale(turning)) {
         setGrain(document_, tr("Grain of %1"), turning.before, turning.gesture);
     }

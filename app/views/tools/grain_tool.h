@@ -15,9 +15,9 @@
 
 namespace toile::app {
 
-/// Turns the grain of a piece: a drag on it in the pattern view turns its arrow about the arrow's
-/// middle. Where snapping is on it catches at the sheet's axes and diagonals and along the piece's
-/// nearest and straight edges; Alt turns the snapping the other way round.
+/// Turns the grain of a piece by a drag in the pattern view; the arrow turns around its middle.
+/// With snapping on, it snaps to the sheet's axes and diagonals, to straight edges and the nearest
+/// edge. Alt inverts snapping.
 class GrainTool : public Tool {
     Q_OBJECT
 
@@ -38,21 +38,20 @@ public:
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
 private:
-    /// An arrow that is being turned.
+    /// A drag in progress.
     struct Turning {
         int piece;
         int gesture;
         PieceGrains before;
-        Eigen::Vector2d middle;  ///< on the sheet: it turns about it, wherever it goes then
+        Eigen::Vector2d middle;  ///< centre of rotation on the sheet, fixed during the drag
         double length;           ///< mm
         double start;            ///< the arrow's direction on the sheet at the press
-        double from;             ///< the pointer's, seen from the middle
+        double from;             ///< the pointer's direction from the middle
         QPointF pressed, pointer;
         std::vector<double> edges{};  ///< directions on the sheet to snap to
         bool moved = false;
         double now = 0;
-        /// What it began with: where others have come, the piece may be no more, or lie in other
-        /// coordinates.
+        /// State at the press. If it has changed, the piece may be gone or have other coordinates.
         std::shared_ptr<const Garment> of{};
         PieceResults results{};
     };
@@ -63,7 +62,7 @@ private:
     Document& document_;
     std::optional<Turning> turning_;
     int hovered_ = -1;
-    mutable GarmentArrows garmentArrows_;  ///< remembers places for painting alone
+    mutable GarmentArrows garmentArrows_;  ///< used for painting only
 };
 
 }  // namespace toile::app

@@ -29,7 +29,7 @@ Eigen::Vector3d wornPlace(const Document& document, int piece, const SurfacePoin
     return positionOf(document.garment()->pieces[static_cast<std::size_t>(piece)]->mesh, at);
 }
 
-/// The pieces of the pattern that are those of the garment; the pattern may be of the one before.
+/// The pattern pieces if they match the garment; the pattern may still be of the previous one.
 std::span<const PatternPiece> shownPieces(const Document& document) {
     const auto& pattern = document.derived().pattern;
     return document.garment() && pattern &&
@@ -38,7 +38,7 @@ std::span<const PatternPiece> shownPieces(const Document& document) {
                : std::span<const PatternPiece>();
 }
 
-/// True where the cloth that is seen at a pixel is a piece's, near a place on it.
+/// True if the visible cloth at a pixel is of the same piece, near the place.
 bool isSeenAt(const ToolView& view, const Document& document, const QPointF& pixel,
               const ClothPoint& at) {
     const auto hit = view.hitAt(pixel);

@@ -14,11 +14,11 @@ struct PieceInternal;
 
 namespace toile::app {
 
-/// Internal lines and drill points: clicks set places on one piece, in either view; Enter or a
-/// double click ends the line, a click on its first place closes it, and one place alone is a drill
-/// point. With nothing begun a click selects a line, which Delete takes away, and a drag of one of
-/// its points moves that. Where edits are mirrored a line is drawn on the counterpart too. Each is
-/// one step of the history.
+/// Edits internal lines and drill points in either view. Clicks set places on one piece. Enter or a
+/// double click ends the line, and a click on its first place closes it. A single place is a drill
+/// point. If nothing is begun, a click selects a line, Delete removes it, and dragging a point
+/// moves the point. With mirrored editing, the counterpart gets the line too. Each edit is one undo
+/// step.
 class InternalLineTool : public PathTool {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     void cancel() override;
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
-    /// Which line of the settings is selected.
+    /// Index of the selected line in the settings.
     std::optional<std::size_t> selected() const;
 
 protected:
@@ -46,7 +46,7 @@ protected:
     QString elsewhere() const override;
 
 private:
-    /// A point of a line, and where it is on the cloth.
+    /// A point of a line and its place on the cloth.
     struct LinePoint {
         std::size_t line = 0, point = 0;
         ClothPoint at;
@@ -61,15 +61,15 @@ private:
     const std::vector<InternalLine>& lines() const;
     void make(bool closed);
     void select(std::optional<std::size_t> line);
-    /// The line that is drawn as its mirror image; none where edits are not mirrored.
+    /// The line that is its mirror image; nullopt unless edits are mirrored.
     std::optional<std::size_t> imageOf(std::size_t line) const;
-    /// The line nearest to a pixel on the cloth that is seen there.
+    /// The line nearest to a pixel on the visible cloth.
     std::optional<std::size_t> lineAt(const ToolView& view, const QPointF& at) const;
-    /// The points of the lines that are drawn. Cost: points times the places on their ways.
+    /// The points of the drawn lines. Cost: points times the places along them.
     std::vector<LinePoint> points() const;
     std::optional<LinePoint> pointAt(const ToolView& view, const QPointF& at) const;
 
-    std::optional<InternalLine> selected_;  ///< as it is in the settings
+    std::optional<InternalLine> selected_;  ///< a copy from the settings
     std::optional<Moving> moving_;
 };
 

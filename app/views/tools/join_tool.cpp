@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Pixels within which a seam is meant.
+/// Picking distance of a seam, pixels.
 constexpr double kSeamRadius = 8;
 
 }  // namespace
@@ -31,7 +31,7 @@ std::optional<int> JoinTool::seamAt(const ToolView& view, const Pointer& pointer
     }
     const auto hit = view.seamHitAt(pointer.at, kSeamRadius, [&garment](int seam) -> bool {
         const auto at = static_cast<std::size_t>(seam);
-        // The scene may be of the garment before, for a moment.
+        // For a moment, the scene may belong to the previous garment.
         return at < garment->seams.seams.size() && garment->seams.seams[at].kind != SeamKind::Free;
     });
     return hit ? std::optional(hit->seam) : std::nullopt;

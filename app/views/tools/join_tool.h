@@ -9,8 +9,8 @@ namespace toile::app {
 
 class Workspace;
 
-/// Joins the cloth on both sides of a seam: the one under the pointer lights up in both views, a
-/// click makes one of both.
+/// Joins the cloth on both sides of a seam. The seam under the pointer is highlighted in both
+/// views; a click joins its sides.
 class JoinTool : public Tool {
     Q_OBJECT
 
@@ -21,8 +21,8 @@ public:
     QString hint(ViewKind view) const override;
     Qt::CursorShape cursor(ViewKind) const override { return Qt::CrossCursor; }
     void click(ToolView& view, const Pointer& pointer) override;
-    /// The second click of two: the first has taken a seam out, and which one comes next is to be
-    /// seen first.
+    /// Does nothing: the first click removed a seam, and the user has to see the next one before
+    /// removing it.
     void doubleClick(ToolView&, const Pointer&) override {}
     void hover(ToolView& view, const Pointer& pointer) override;
     void leave(ToolView& view) override;
@@ -30,7 +30,6 @@ public:
     void cancel() override { show(std::nullopt); }
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
-    /// The seam that is highlighted.
     std::optional<int> seam() const { return seam_; }
 
 private:

@@ -16,7 +16,7 @@
 namespace toile::app {
 namespace {
 
-/// Below half of the last digit shown a difference is none.
+/// Half of the last digit shown; smaller differences count as zero.
 constexpr double kNoDifference = 0.00005;
 
 QString percentText(double fraction) {
@@ -92,7 +92,7 @@ void MeasureTool::hover(ToolView& view, const Pointer& pointer) {
     const bool goesOn =
         under_ && !draft_.isEmpty() && under_->piece == draft_.points().front().piece;
     draft_.setTip(goesOn ? under_ : std::nullopt);
-    view.repaintSoon();  // the handle and the note are in this view alone
+    view.repaintSoon();  // handle and note appear in this view only
 }
 
 void MeasureTool::leave(ToolView& view) {
@@ -102,7 +102,7 @@ void MeasureTool::leave(ToolView& view) {
 }
 
 bool MeasureTool::wants(const QKeyEvent& event) const {
-    // Backspace with nothing to take back too: held down it must not become the window's.
+    // Take Backspace even if nothing is left, or a held key would reach the window's shortcut.
     if (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace) {
         return true;
     }
@@ -192,7 +192,7 @@ void MeasureTool::paint(const ToolView& view, QPainter& painter, const RenderSty
     if (all.size() < 2) {
         return;
     }
-    // In the pattern the straight lines are what is measured there.
+    // In the pattern, show the straight lines that are measured there.
     if (view.kind() == ViewKind::Pattern) {
         for (std::size_t i = 1; i < all.size(); ++i) {
             const auto from =
@@ -210,7 +210,7 @@ void MeasureTool::paint(const ToolView& view, QPainter& painter, const RenderSty
 
 namespace {
 
-/// A weight below this puts a place on the opposite edge.
+/// A barycentric weight below this puts a place on the opposite edge.
 constexpr double kZero = 1e-9;
 
 Eigen::RowVector2d flatPoint(const Piece& piece, const Points2& Q, const SurfacePoint& at) {
@@ -221,7 +221,7 @@ Eigen::RowVector2d flatPoint(const Piece& piece, const Points2& Q, const Surface
     return point;
 }
 
-/// A place on a loop: after vertex `index` by `part` of the edge that leaves it.
+/// A place on a loop: at share `part` of the edge that leaves vertex `index`.
 struct OnLoop {
     std::size_t index;
     double part;

@@ -15,28 +15,28 @@ namespace toile::app {
 /// A length on the garment and in the pattern, mm.
 struct MeasuredLength {
     double onCloth = 0;
-    std::optional<double> flat{};  ///< where the piece is flat
+    std::optional<double> flat{};  ///< only if the piece is flat
 
-    /// What the flat one is longer than the other, as a part of it.
+    /// Relative difference of the flat length to the length on the cloth.
     std::optional<double> difference() const {
         return flat && onCloth > 0 ? std::optional(*flat / onCloth - 1) : std::nullopt;
     }
 };
 
-/// Straight from place to place in the pattern.
+/// Straight distance in the pattern.
 double flatDistance(const Piece& piece, const Points2& Q, const SurfacePoint& from,
                     const SurfacePoint& to);
 
-/// Along the outline, or along the rim of a hole, the shorter path round on the garment; none where
-/// the places are not on one and the same loop.
-/// @param Q  the piece's flat points; null where it is not flat
+/// Length along the outline or the edge of a hole, on the side that is shorter on the garment.
+/// Nullopt if the places are not on the same loop.
+/// @param Q  the piece's flat points; null if it is not flat
 std::optional<MeasuredLength> alongOutline(const Piece& piece, const Points2* Q,
                                            const SurfacePoint& from, const SurfacePoint& to);
 
 class Document;
 
-/// Measures between places on one piece: over the cloth and straight in the pattern, and along the
-/// outline where both ends lie on it. Changes nothing.
+/// Measures between places on one piece: over the cloth, straight in the pattern, and along the
+/// outline if both ends are on it. Changes nothing.
 class MeasureTool : public Tool {
     Q_OBJECT
 
@@ -56,15 +56,15 @@ public:
     void cancel() override;
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
-    /// From place to place, over the cloth; none until all ways are found.
+    /// Length over the cloth; nullopt until all paths are found.
     std::optional<MeasuredLength> way() const;
-    /// Between two places on one outline.
+    /// Length between two places on one outline.
     std::optional<MeasuredLength> outline() const;
-    /// What is shown, line by line.
+    /// The lines of the note.
     QStringList lines() const;
 
 private:
-    /// The places set and the one under the pointer.
+    /// The places set, and the one under the pointer.
     std::vector<ClothPoint> places() const;
     const Points2* flat() const;
 
@@ -72,7 +72,7 @@ private:
     PathDraft draft_;
     ClothSnapper snapper_;
     std::optional<ClothPoint> under_;
-    bool isEnded_ = false;  ///< what is measured stays as it is until the next click
+    bool isEnded_ = false;  ///< the measurement is kept until the next click
     QPointF pointer_;
     ViewKind pointerView_ = ViewKind::Garment;
 };

@@ -26,14 +26,14 @@ namespace toile::app {
 
 namespace {
 
-/// Pixels within which a seam is meant, and a notch; and while one is dragged, its seam.
+/// Picking distances of a seam, of a notch, and of the seam of a dragged notch, pixels.
 constexpr double kSeamReach = 8, kNotchReach = 9, kDragReach = 400;
 constexpr double kSpot = 4.5;        // pixels, radius
-constexpr double kSameNotch = 1e-6;  // of a seam
+constexpr double kSameNotch = 1e-6;  // as a share of the seam
 constexpr Qt::KeyboardModifier kRemoves = Qt::ControlModifier;
 
 const Seam* sewnSeam(const Document& document, int seam) {
-    // The scene may be of the garment before, for a moment.
+    // For a moment, the scene may belong to the previous garment.
     if (!document.garment() || seam < 0 || seam >= document.seamCount()) {
         return nullptr;
     }
@@ -47,7 +47,7 @@ double shareAt(const Seam& seam, const SeamHit& hit) {
     return shareOf(seam, placeOnSide(seam, hit.side == 1, arc));
 }
 
-/// How far along a side a share of its seam is.
+/// Converts a share of a seam to a position along one side.
 double alongSide(const Seam& seam, int side, double share) {
     const SeamMatch at = placeAtShare(seam, share);
     const SeamSide& on = side == 0 ? seam.left : seam.right;
@@ -58,7 +58,7 @@ bool isSameNotch(const NotchAt& one, const NotchAt& other) {
     return one.seam == other.seam && std::abs(one.share - other.share) < kSameNotch;
 }
 
-/// How far a place is from both ends of its seam, along the left side.
+/// Text with the distances to both ends of the seam, along its left side.
 QStringList noteOf(const QString& name, const Seam& seam, double share) {
     const double from = std::abs(placeAtShare(seam, share).left - seam.left.start);
     return {name, QString("%1 | %2").arg(lengthWithUnit(from),
@@ -301,7 +301,7 @@ void NotchTool::paintSpot(const ToolView& view, QPainter& painter, const RenderS
         const QColor colour = strong ? style.selection : style.seam;
         painter.setPen(QPen(colour, 2));
         QColor inside = filled ? colour : style.labelFill;
-        inside.setAlpha(255);  // it lies on its seam
+        inside.setAlpha(255);  // opaque on its seam
         painter.setBrush(inside);
         painter.drawEllipse(*there, radius, radius);
     }

@@ -14,9 +14,9 @@ namespace toile::app {
 
 class Document;
 
-/// Notches by hand: a click on a seam adds one, a drag moves one along its seam, Ctrl+click or
-/// Delete takes one away, on both sides of the seam at once. The seam under the pointer and its
-/// notches are highlighted in both views. A drag is one step of the history, made at its end.
+/// Edits notches on both sides of a seam at once: a click on a seam adds one, a drag moves one,
+/// Ctrl+click or Delete removes one. Highlights the seam under the pointer and its notches in both
+/// views. A drag becomes one undo step when it ends.
 class NotchTool : public Tool {
     Q_OBJECT
 
@@ -38,11 +38,10 @@ public:
     void cancel() override;
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
-    /// The selected notch.
     const std::optional<NotchAt>& selected() const { return selected_; }
 
 private:
-    /// What the pointer is on: a seam, or a notch on it.
+    /// A seam under the pointer, or a notch on it.
     struct Pointed : NotchAt {
         bool isNotch = false;
 
@@ -50,13 +49,13 @@ private:
     };
     struct Moving {
         SeamNotch notch;
-        double share = 0;  ///< where it is now
+        double share = 0;  ///< current position
         QPointF pressed;
-        bool removes = false;  ///< unless it is dragged
+        bool removes = false;  ///< on release, unless it was dragged
         bool moved = false;
     };
-    /// A notch as it is drawn on a piece, from the seam line to the cutting line, in the piece's
-    /// own coordinates.
+    /// A notch as drawn on a piece, from the seam line to the cutting line, in the piece's
+    /// coordinates.
     struct Mark {
         NotchAt at;
         int piece = -1;
@@ -68,9 +67,9 @@ private:
     const std::vector<Mark>& marks() const;
     const std::vector<SeamNotch>& notches() const;
     void find() const;
-    /// The notch as the pattern has it; none where it is no more.
+    /// The notch in the pattern; nullopt if it no longer exists.
     std::optional<SeamNotch> known(const NotchAt& at) const;
-    /// What Delete takes away.
+    /// The notch that Delete would remove.
     std::optional<SeamNotch> target() const;
     void show(const std::optional<Pointed>& pointed);
     void remove(const SeamNotch& notch);
@@ -83,7 +82,7 @@ private:
     std::optional<Moving> moving_;
     QPointF pointer_;
     ViewKind pointerView_ = ViewKind::Pattern;
-    // Of a pattern: found once.
+    // Cached for one pattern.
     mutable std::weak_ptr<const Pattern> of_;
     mutable std::vector<Mark> marks_;
     mutable std::vector<SeamNotch> notches_;

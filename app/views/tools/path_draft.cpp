@@ -101,7 +101,7 @@ void PathDraft::refresh() {
     legs_ = std::move(wanted);
     for (Leg& leg : legs_) {
         if (!leg.path && leg.ticket == 0 && !leg.hasFailed) {
-            // `done` is never called before `find` has returned: it comes through the event loop.
+            // `find` calls `done` through the event loop, so never before it has returned.
             auto ticket = std::make_shared<PathFinder::Ticket>(0);
             *ticket = leg.ticket = finder_.find({piece_, leg.from, leg.to, leg.alongEdges},
                                                 [this, ticket](const Result<PathPolyline>& found) {

@@ -15,9 +15,8 @@ class QPainter;
 
 namespace toile::app {
 
-/// A line over one piece that a person is about to draw: the places set so far, one that follows
-/// the pointer, and the shortest paths between them, which come a moment later from the path
-/// finder.
+/// An unfinished line over one piece: the places set so far, a tip that follows the pointer, and
+/// the shortest paths between them. The path finder delivers the paths asynchronously.
 class PathDraft : public QObject {
     Q_OBJECT
 
@@ -26,22 +25,21 @@ public:
     explicit PathDraft(PathFinder& finder, QObject* parent = nullptr);
     ~PathDraft() override;
 
-    /// A way between two neighbouring places.
+    /// A path between two neighbouring places.
     struct Leg {
         SurfacePoint from, to;
         bool alongEdges = false;
-        bool isFixed = false;  ///< between places that are set; else it follows the pointer
-        std::optional<PathPolyline> path{};  ///< none until it is found
-        PathFinder::Ticket ticket = 0;       ///< of the search, 0 where none runs
-        bool hasFailed = false;              ///< there is no such way, or none was found
+        bool isFixed = false;  ///< both ends are set; otherwise it follows the pointer
+        std::optional<PathPolyline> path{};  ///< nullopt until it is found
+        PathFinder::Ticket ticket = 0;       ///< of the running search; 0: none
+        bool hasFailed = false;              ///< no path exists or was found
     };
 
-    /// All on this piece; null where nothing is set.
+    /// The piece of all places; null if there are none.
     const std::shared_ptr<const Piece>& piece() const { return piece_; }
     bool isEmpty() const { return points_.empty(); }
     const std::vector<ClothPoint>& points() const { return points_; }
     const std::vector<Leg>& legs() const { return legs_; }
-    /// The place that follows the pointer.
     const std::optional<ClothPoint>& tip() const { return tip_; }
     bool alongEdges() const { return alongEdges_; }
 
@@ -49,16 +47,16 @@ public:
     void add(const ClothPoint& point, std::shared_ptr<const Piece> piece);
     void removeLast();
     void clear();
-    /// None: the pointer is elsewhere.
+    /// Nullopt: the pointer is elsewhere.
     void setTip(const std::optional<ClothPoint>& tip);
-    /// Whether the last place is joined with the first again.
+    /// Sets whether the last place connects back to the first.
     void setClosed(bool closed);
-    /// Whether ways run along the mesh's edges.
+    /// Sets whether paths follow the mesh's edges.
     void setAlongEdges(bool alongEdges);
 
-    /// Whether a way is still being looked for.
+    /// Whether a search is running.
     bool isSearching() const;
-    /// Of all ways, mm; none where one is still being looked for, or where there is none.
+    /// Total length, mm; nullopt while a search runs or if a path is missing.
     std::optional<double> length() const;
 
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style,
@@ -68,7 +66,7 @@ signals:
     void changed();
 
 private:
-    /// Brings the legs to what the places are; ways that are known already stay.
+    /// Updates the legs after a change of places; keeps known paths.
     void refresh();
 
     PathFinder& finder_;

@@ -19,7 +19,7 @@ bool isSameQuestion(const DraftedCut& a, const DraftedCut& b) {
 
 namespace {
 
-/// A weight this near to 1 puts a point of a way at a vertex.
+/// A barycentric weight this near to 1 puts a point at a vertex.
 constexpr double kAtVertex = 1 - 1e-9;
 
 bool isEnter(int key) {
@@ -97,7 +97,7 @@ void PathTool::click(ToolView& view, const Pointer& pointer) {
 }
 
 void PathTool::doubleClick(ToolView&, const Pointer&) {
-    // The place itself came with the first of the two clicks, unless that was refused.
+    // The first of the two clicks has set the place, unless it was refused.
     if (isMeant_ && hasEnough()) {
         finish();
     }
@@ -125,7 +125,7 @@ void PathTool::follow(ToolView& view, const Pointer& pointer, const std::optiona
                                                                                   : remark(*at);
     }
     draft_.setTip(at && !draft_.isEmpty() && remark_.isEmpty() ? at : std::nullopt);
-    view.repaintSoon();  // the handle and the note are in this view alone
+    view.repaintSoon();  // handle and note appear in this view only
 }
 
 QString PathTool::elsewhere() const {
@@ -140,7 +140,7 @@ void PathTool::leave(ToolView& view) {
 }
 
 bool PathTool::wants(const QKeyEvent& event) const {
-    // Backspace with nothing to take back too: held down it must not become the window's.
+    // Take Backspace even if nothing is left, or a held key would reach the window's shortcut.
     return event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace ||
            (!draft_.isEmpty() && isEnter(event.key()));
 }
@@ -182,8 +182,8 @@ std::vector<Eigen::Vector3d> PathTool::cutPoints() {
     if (!bends()) {
         return points;
     }
-    // The cut is made in the piece as it was before other cuts. Where the way bends around the end
-    // of one of those, it would run across it there.
+    // The cut is applied to the piece as it was before other cuts. Fix the points where the path
+    // bends around the end of such a cut, or the new cut would cross it.
     const PieceRim& rim = snapper_.rim(draft_.piece());
     std::vector<Eigen::Vector3d> bent;
     std::size_t leg = 0;
@@ -242,7 +242,7 @@ void PathTool::finish() {
 }
 
 bool PathTool::isDetour() const {
-    // Half around a round tube is one and a half times as long.
+    // The way half around a round tube is only about 1.6 times its diameter.
     constexpr double kDetour = 3;
     return !draft_.alongEdges() && std::ranges::any_of(draft_.legs(), [this](const auto& leg) {
         const MeshArrays& mesh = draft_.piece()->mesh;

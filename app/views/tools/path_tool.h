@@ -15,7 +15,7 @@ namespace toile::app {
 
 class Workspace;
 
-/// A cut that is being drawn, and what its mirror image follows from.
+/// A cut being drawn, and the data needed for its mirror image.
 struct DraftedCut {
     std::shared_ptr<const Garment> garment;
     PieceResults results;
@@ -25,9 +25,9 @@ struct DraftedCut {
 
 bool isSameQuestion(const DraftedCut& a, const DraftedCut& b);
 
-/// What the tools that draw a cut have in common: clicks set places on one piece, in either view;
-/// the way between them is shown while the pointer moves, with its length; Enter or a double click
-/// makes the cut, Backspace takes a place back, Escape all of them, and then the tool.
+/// Base of the tools that draw a cut. Clicks set places on one piece, in either view. The path and
+/// its length are shown while the pointer moves. Enter or a double click makes the cut. Backspace
+/// removes a place; Escape removes all, then leaves the tool.
 class PathTool : public Tool {
     Q_OBJECT
 
@@ -44,29 +44,29 @@ public:
     Qt::CursorShape cursor(ViewKind) const override { return Qt::CrossCursor; }
 
     const PathDraft& draft() const { return draft_; }
-    /// The mirror image of what is drawn, where it is shown.
+    /// The displayed mirror image of the draft, if any.
     const std::optional<CutImage>& image() const { return image_; }
 
 protected:
     PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind, std::size_t least);
 
-    /// The place that the pointer means, if any.
+    /// The place under the pointer, if any.
     std::optional<ClothPoint> placeAt(const ToolView& view, const Pointer& pointer);
-    /// True where the place can be added: of the same piece, and not the last one again.
+    /// True if the place can be added: on the same piece and not a repetition.
     virtual bool fits(const ClothPoint& point) const;
     void add(const ClothPoint& point);
-    /// Whether a click with Alt, where nothing is begun, cuts around the tube there.
+    /// Whether Alt+click cuts around a tube if nothing is begun.
     virtual bool goesAround() const { return false; }
     void follow(ToolView& view, const Pointer& pointer, const std::optional<ClothPoint>& at);
     bool hasEnough() const { return draft_.points().size() >= least_; }
-    /// Orders the cut and begins anew; where the cut bends with a way that is still being looked
-    /// for, once that is known.
+    /// Makes the cut and starts over. If the cut follows the paths and a search is running, waits
+    /// for its result.
     virtual void finish();
-    /// Said of a place on another piece than those before.
+    /// The note for a place on another piece.
     virtual QString elsewhere() const;
-    /// What is wrong with the place under the pointer, or has to be done there; usually nothing.
+    /// A problem with the place under the pointer, or an instruction; usually empty.
     virtual QString remark(const ClothPoint&) const { return {}; }
-    /// As what a dart that begins at an earlier cut has to be cut.
+    /// The kind for a dart that begins at an earlier cut.
     virtual UserCut::Kind kindFor(const std::vector<ClothPoint>&) { return kind_; }
 
     Workspace& workspace_;
@@ -76,23 +76,23 @@ protected:
 
 private:
     void finishWhenKnown();
-    /// Looks for the mirror image of what is drawn so far, where edits are mirrored.
+    /// Computes the mirror image of the draft, if edits are mirrored.
     void findImage();
-    /// Whether the cut has to bend as the ways do.
+    /// Whether the cut has to follow the bends of the paths.
     bool bends() const;
     std::vector<Eigen::Vector3d> cutPoints();
-    /// Whether a way between two places is far longer than the straight line: it may run over
-    /// another layer of the cloth than the one that is meant.
+    /// Whether a path is far longer than the straight line. It may then run over another layer of
+    /// the cloth than intended.
     bool isDetour() const;
 
-    std::size_t least_;  ///< places that a cut needs
+    std::size_t least_;  ///< places needed for a cut
     Answerer<DraftedCut, std::optional<CutImage>> images_;
-    std::optional<CutImage> image_;    ///< of what is drawn, shown as a preview
-    std::optional<ClothPoint> under_;  ///< the pointer, before the first place
+    std::optional<CutImage> image_;    ///< of the draft, shown as a preview
+    std::optional<ClothPoint> under_;  ///< place under the pointer, before the first is set
     QPointF pointer_;
     ViewKind pointerView_ = ViewKind::Garment;
     bool isInView_ = false;
-    bool isMeant_ = false;  ///< the last click has set a place, or was at the last one again
+    bool isMeant_ = false;  ///< the last click set a place or repeated the last one
     bool isFinishing_ = false;
     QString remark_;
 };

@@ -29,7 +29,7 @@
 namespace toile::app {
 namespace {
 
-constexpr double kSpacing = 6;                   // mm, of what is drawn
+constexpr double kSpacing = 6;                   // mm, between points of drawn lines
 constexpr double kReach = 7, kHandleReach = 10;  // pixels
 constexpr double kHair = 1.4, kThin = 2, kThick = 3.4, kHalo = 2.4;
 constexpr double kRound = 4.5;                              // radius of a handle
@@ -43,7 +43,7 @@ double distanceTo(const QPointF& at, const QPointF& a, const QPointF& b) {
     return geometry::distanceToSegment(vector(at), vector(a), vector(b));
 }
 
-/// How far arrow keys move, mm: round in the person's unit.
+/// Step of the arrow keys, mm: round in the user's unit.
 double nudgeLength(bool large) {
     return LengthDisplay::instance().format().unit == LengthUnit::Inch
                ? millimetresPer(LengthUnit::Inch) / (large ? 2 : 16)
@@ -56,7 +56,7 @@ std::optional<Eigen::Vector2d> arrowOf(const QKeyEvent& event) {
         others &= ~Qt::KeyboardModifiers(Qt::KeypadModifier);
     }
     if (others) {
-        return std::nullopt;  // of the keypad too: those choose a view
+        return std::nullopt;  // arrow keys of the number pad select a view
     }
     switch (event.key()) {
         case Qt::Key_Left:
@@ -145,7 +145,7 @@ void ProposalLines::drag(const ToolView& view, const QPointF& at) {
     const CutShaper& shaper = *proposals_.shaper();
     const Eigen::Vector3d from =
         proposals_.lines()[held_->cut].points[static_cast<std::size_t>(held_->point)];
-    // An end on a rim goes along it as it is seen, with the pointer beside the cloth, too.
+    // An end on a rim slides along the rim, even if the pointer is beside the cloth.
     if (const auto rim = shaper.rimThrough(from, kSpacing); !rim.empty()) {
         std::optional<Eigen::Vector3d> nearest;
         double least = std::numeric_limits<double>::infinity();
@@ -292,7 +292,7 @@ SelectTool::SelectTool(Workspace& workspace)
         connect(&workspace.proposals(), signal, this, &Tool::changed);
     }
     connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        // The hint tells the lengths of the edge that is selected.
+        // The hint includes the lengths of the selected edge.
         if ((what & (DocumentChange::Mark | DocumentChange::SeamSelection)) ||
             (document_.mark() && what.testFlag(DocumentChange::Results))) {
             emit changed();
@@ -446,7 +446,7 @@ bool SelectTool::wants(const QKeyEvent& event) const {
         return event.key() == Qt::Key_Escape;
     }
     if (event.key() == Qt::Key_Escape && event.modifiers() == Qt::NoModifier) {
-        // While something runs, the key stops that.
+        // While a job runs, Escape stops the job.
         return !workspace_.jobs().isBusy() && (!document_.selection().empty() || document_.seam() ||
                                                document_.mark() || workspace_.proposals().isOpen());
     }

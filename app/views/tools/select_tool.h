@@ -15,27 +15,25 @@ class Document;
 class SheetGesture;
 class Workspace;
 
-/// Proposed cuts over the worn garment: dashed lines, the selected one with its name and its
-/// handles, which a drag moves. Logical pixels. Each question costs a ray for each place that lines
-/// are drawn through.
+/// Draws proposed cuts over the worn garment as dashed lines. The selected one shows its name and
+/// draggable handles. Logical pixels. Each query casts one ray per drawn point of the lines.
 class ProposalLines {
 public:
     ProposalLines(CutProposals& proposals, const Document& document)
         : proposals_(proposals), document_(document) {}
 
-    /// Whether there is anything to see.
     bool areShown(const ToolView& view) const;
-    /// @return whether the press has taken hold of a handle
+    /// @return whether the press grabbed a handle
     bool press(const ToolView& view, const QPointF& at);
-    /// False also where an answer or a cut has taken the proposals away under the pointer.
+    /// Also false if an answer or a cut has removed the proposals during the drag.
     bool isHeld() const;
     /// Requires `isHeld`.
     void drag(const ToolView& view, const QPointF& at);
     void release();
     void cancel();
-    /// Selects the line under the pointer. @return false where there is none
+    /// Selects the line under the pointer. @return false if there is none
     bool select(const ToolView& view, const QPointF& at);
-    /// @return whether another handle, or none, is under the pointer now
+    /// @return whether the hovered handle has changed
     bool hover(const ToolView& view, const QPointF& at);
     bool leave();
     bool isOverHandle() const { return hovered_.has_value(); }
@@ -47,9 +45,9 @@ private:
         int point;
         bool operator==(const Handle&) const = default;
     };
-    /// A line over the cloth, finely divided.
+    /// A finely divided line over the cloth.
     struct Line {
-        std::vector<Eigen::Vector3d> points;  ///< of the cut: while these are the same it stays
+        std::vector<Eigen::Vector3d> points;  ///< of the cut: cache key of `drawn`
         std::vector<Eigen::Vector3d> drawn;
     };
 
@@ -65,11 +63,11 @@ private:
     mutable std::vector<Line> lines_;
 };
 
-/// A click selects the piece, seam or vertex under it, a double click frames the piece or selects
-/// an edge from corner to corner. In the garment view drags move the view; in the pattern view they
-/// move pieces, turn them by the handle above the selection, or draw a box that selects. The arrow
-/// keys nudge what is selected; Escape selects nothing. Proposed cuts are selected and moved by
-/// their handles in the garment view while there are any; Escape then closes them.
+/// Selects and moves. A click selects a piece, seam or vertex; a double click frames the piece or
+/// selects an edge between corners. In the garment view, drags move the view. In the pattern view,
+/// they move pieces, turn them by the handle above the selection, or draw a selection box. Arrow
+/// keys nudge the selection; Escape clears it. Proposed cuts can be edited in the garment view;
+/// Escape closes them.
 class SelectTool : public Tool {
     Q_OBJECT
 
@@ -93,11 +91,11 @@ public:
     void paint(const ToolView& view, QPainter& painter, const RenderStyle& style) const override;
 
 private:
-    /// What the pointer is over in the pattern view.
+    /// The target under the pointer in the pattern view.
     enum class Target { Sheet, Piece, Handle };
 
     Target targetAt(const ToolView& view, const QPointF& at) const;
-    /// What is under a press that has become a drag.
+    /// Creates the gesture for a press that has become a drag.
     std::unique_ptr<SheetGesture> begin(ToolView& view, const Pointer& pressed);
     void nudge(const QKeyEvent& event);
     void selectNothing();
@@ -108,7 +106,7 @@ private:
     std::optional<Pointer> pressed_;  ///< in the pattern view, with the button down
     std::unique_ptr<SheetGesture> gesture_;
     Target hovered_ = Target::Sheet;
-    int nudging_ = -1;  ///< number of the nudges while a key is held
+    int nudging_ = -1;  ///< gesture number of the nudges while a key is held
 };
 
 }  // namespace toile::app

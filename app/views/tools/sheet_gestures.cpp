@@ -22,7 +22,7 @@ namespace toile::app {
 
 namespace {
 
-/// Points of a flat piece as they lie.
+/// Points of a flat piece in sheet coordinates.
 Points2 onSheet(const Document& document, int piece, const Points2& points) {
     const Placement placement = placementOf(document, piece);
     Points2 placed = points * placement.linear().transpose();
@@ -30,7 +30,7 @@ Points2 onSheet(const Document& document, int piece, const Points2& points) {
     return placed;
 }
 
-/// Whether box and piece have a point in common: their edges meet, or the box lies on the cloth.
+/// Whether box and piece intersect: their edges meet, or the box lies on the cloth.
 bool touches(const Eigen::AlignedBox2d& box, const Points2& outline) {
     QPolygonF polygon;
     for (Eigen::Index i = 0; i < outline.rows(); ++i) {
@@ -44,18 +44,18 @@ bool touches(const Eigen::AlignedBox2d& box, const Points2& outline) {
 }
 
 constexpr double kSnapRadius = 8;   // pixels
-constexpr double kGridRadii = 2.5;  // that grid lines are apart at least: else all is near one
+constexpr double kGridRadii = 2.5;  // minimum spacing of grid lines, or everything snaps
 constexpr double kStep = 15 * kDegree;
 constexpr double kGoodAngle = 3 * kDegree;
 
-/// The finest grid that is drawn and wide enough to leave room between its lines.
+/// The finest drawn grid with enough space between its lines.
 double gridStep(double pixelsPerMillimetre) {
     const GridSteps steps = gridSteps(pixelsPerMillimetre, LengthDisplay::instance().format().unit);
     return steps.minor() * pixelsPerMillimetre >= kGridRadii * kSnapRadius ? steps.minor()
                                                                            : steps.major;
 }
 
-/// The corners of the pieces' outlines as they lie.
+/// The corners of the pieces' outlines in sheet coordinates.
 Points2 cornersOnSheet(const Document& document, const std::vector<int>& pieces) {
     std::vector<Points2> outlines;
     Eigen::Index count = 0;
@@ -203,7 +203,7 @@ RotateGesture::RotateGesture(Document& document, const Eigen::Vector2d& pressed)
 
 double RotateGesture::snapped(double turn, const Pointer& pointer) const {
     if (pointer.modifiers.testFlag(Qt::ShiftModifier)) {
-        // A single piece comes to lie at a multiple, several are turned by one.
+        // Turn a single piece to a multiple of the step, several pieces by one.
         const double begun = before_.size() == 1 ? before_.begin()->second.turn : 0.0;
         return std::round((begun + turn) / kStep) * kStep - begun;
     }

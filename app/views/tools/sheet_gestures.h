@@ -10,21 +10,21 @@
 
 namespace toile::app {
 
-/// What a drag in the pattern view does, from the press to the release. What it changes is one step
-/// of the history; taken back it leaves none.
+/// A drag in the pattern view, from press to release. Its changes form one undo step; taken back,
+/// it leaves none.
 class SheetGesture {
 public:
     virtual ~SheetGesture() = default;
 
-    /// True where other pieces or flat points have come since the press: what it holds is of pieces
-    /// that are no more, or lie in other coordinates.
+    /// True if pieces or flat points have changed since the press. Its data then refers to pieces
+    /// that are gone or have other coordinates.
     bool isStale() const {
         return garment_ != document_.garment() || results_ != document_.results();
     }
 
-    /// The pointer has moved with the button down, far enough to be no click.
+    /// The pointer has moved with the button down, beyond the start drag distance.
     virtual void drag(ToolView& view, const Pointer& pointer) = 0;
-    /// Everything is to be as before the press.
+    /// Restores the state before the press.
     virtual void takeBack() = 0;
     virtual void paint(const ToolView&, QPainter&, const RenderStyle&) const {}
 
@@ -39,11 +39,11 @@ private:
     PieceResults results_;
 };
 
-/// Selects the pieces that a box drawn with the pointer touches.
+/// Selects the pieces that touch a box drawn with the pointer.
 class BoxGesture : public SheetGesture {
 public:
-    /// @param pressed  place of the sheet under the pointer
-    /// @param adds     to what is selected already
+    /// @param pressed  sheet position under the pointer
+    /// @param adds     keeps the current selection
     BoxGesture(Document& document, const Eigen::Vector2d& pressed, bool adds);
 
     void drag(ToolView& view, const Pointer& pointer) override;
@@ -53,19 +53,19 @@ public:
 private:
     Document::Selection before_;
     bool adds_;
-    Eigen::Vector2d from_, to_;  ///< corners on the sheet: the view may move meanwhile
+    Eigen::Vector2d from_, to_;  ///< corners on the sheet, because the view may move
 };
 
-/// Lays the selected pieces elsewhere.
+/// Base of gestures that place the selected pieces.
 class PlacingGesture : public SheetGesture {
 public:
     void takeBack() override;
 
 protected:
-    /// @param text  what is done, for the undo menu
+    /// @param text  name of the undo step
     PlacingGesture(Document& document, QString text);
     void lay(const PiecePlacements& placements);
-    /// Whether a drag catches: where snapping is on; Alt turns it the other way round.
+    /// Whether the drag snaps; Alt inverts the setting.
     bool snaps(const Pointer& pointer) const;
 
     const std::vector<int> pieces_;
@@ -78,10 +78,10 @@ private:
     std::vector<PieceSettings> settingsBefore_;
 };
 
-/// Moves them with the pointer, snapping where that is on.
+/// Moves the pieces with the pointer, with optional snapping.
 class MoveGesture : public PlacingGesture {
 public:
-    /// @param pressed  place of the sheet under the pointer
+    /// @param pressed  sheet position under the pointer
     MoveGesture(Document& document, const Eigen::Vector2d& pressed);
 
     void drag(ToolView& view, const Pointer& pointer) override;
@@ -89,15 +89,15 @@ public:
 
 private:
     Eigen::Vector2d pressed_;
-    Eigen::AlignedBox2d box_;          ///< around what moves, before
-    Points2 corners_ = Points2(0, 2);  ///< of what moves, before
+    Eigen::AlignedBox2d box_;          ///< bounding box of the moved pieces, before
+    Points2 corners_ = Points2(0, 2);  ///< of the moved pieces, before
     SnapTargets targets_;
     SnappedMove move_;
 };
 
-/// Turns them together about the middle of the box around them. Shift: in steps of 15 degrees;
-/// where snapping is on a single piece catches at whole right angles, where its grain or a straight
-/// edge runs along the sheet.
+/// Turns the pieces together around the middle of their bounding box. Shift: in steps of 15
+/// degrees. With snapping on, a single piece snaps to right angles and to where its grain or a
+/// straight edge is parallel to the sheet.
 class RotateGesture : public PlacingGesture {
 public:
     RotateGesture(Document& document, const Eigen::Vector2d& pressed);
@@ -109,9 +109,9 @@ private:
     double snapped(double turn, const Pointer& pointer) const;
 
     Eigen::Vector2d centre_;
-    double from_;  ///< direction of the pointer at the press, radians
+    double from_;  ///< pointer direction at the press, radians
     double turn_ = 0;
-    /// Turns modulo half a turn after which something of a single piece lies along the sheet.
+    /// Turns modulo 180 degrees that align the grain or an edge of a single piece with the sheet.
     std::vector<double> good_;
 };
 

@@ -27,7 +27,7 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     current_ = tools_.at(ToolId::Select).get();
     connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
         if (what.testFlag(DocumentChange::Garment)) {
-            // What they hold, or remember of pieces, may be of pieces that are no more.
+            // Tools may refer to pieces that no longer exist.
             for (const auto& [id, tool] : tools_) {
                 tool->cancel();
             }

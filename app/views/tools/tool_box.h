@@ -12,7 +12,7 @@ namespace toile::app {
 class DartTool;
 class Workspace;
 
-/// All tools, of which one is chosen.
+/// Owns all tools, one of which is chosen.
 class ToolBox : public ToolChoice {
     Q_OBJECT
 
@@ -22,15 +22,15 @@ public:
     ~ToolBox() override;
 
     Tool& tool(ToolId id) const { return *tools_.at(id); }
-    /// The one that proposes.
+    /// The tool that shows proposed darts.
     DartTool& dart() const;
-    /// What the tool before had begun is thrown away.
+    /// Chooses a tool and discards unfinished work of the previous one.
     void choose(ToolId id);
 
 private:
     void add(std::unique_ptr<Tool> tool);
 
-    PathFinder finder_;  ///< of all tools, which go before it
+    PathFinder finder_;  ///< shared by all tools; declared first to outlive them
     std::map<ToolId, std::unique_ptr<Tool>> tools_;
 };
 

@@ -19,10 +19,10 @@ namespace {
 
 constexpr double kLineWidth = 2.2, kHaloWidth = 4.6, kHandle = 4.5;
 
-constexpr double kAir = 7;          // pixels between the cloth and the box
-constexpr double kStem = 20;        // from the box to the handle's middle
+constexpr double kAir = 7;          // pixels between cloth and box
+constexpr double kStem = 20;        // from the box to the handle's centre
 constexpr double kFrameHandle = 6;  // radius
-constexpr double kGrab = 10;        // radius that takes a press
+constexpr double kGrab = 10;        // picking radius
 
 std::optional<QRectF> frameOf(const Document& document, const ToolView& view) {
     const Eigen::AlignedBox2d box = boxOnSheet(document, selectedFlat(document));
@@ -70,7 +70,7 @@ void paintHandle(const ToolView& view, QPainter& painter, const RenderStyle& sty
     if (!at) {
         return;
     }
-    // What draws the pointer is seen before the click: a corner, an edge, a place set before.
+    // Show the snap target before the click: a corner, an edge, an earlier place.
     const double size = point.on == ClothPoint::On::Own && !isSet ? 1.7 * kHandle : kHandle;
     const QRectF box(at->x() - size, at->y() - size, 2 * size, 2 * size);
     const auto draw = [&] {
@@ -114,7 +114,7 @@ void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& point
                       metrics.height() * static_cast<double>(lines.size()) + 2 * kPadY);
     const double ratio = painter.device()->devicePixelRatioF();
     const QSizeF room(painter.device()->width() / ratio, painter.device()->height() / ratio);
-    // To the lower right of the pointer; on its other side where the view ends.
+    // At the lower right of the pointer, or on its other side near the view's edge.
     double x = pointer.x() + kAway, y = pointer.y() + kAway;
     x = x + size.width() + kMargin > room.width() ? pointer.x() - kAway - size.width() : x;
     y = y + size.height() + kMargin > room.height() ? pointer.y() - kAway - size.height() : y;

@@ -16,37 +16,37 @@ namespace toile::app {
 
 class Document;
 
-/// What tools draw over the views. Logical pixels.
+/// Painting of tools over the views. Logical pixels.
 
 struct ClothLineStyle {
     QColor colour;
-    bool isFixed = true;  ///< solid; dashed where it still follows the pointer
+    bool isFixed = true;  ///< solid; dashed while it follows the pointer
 };
 
-/// A line over the cloth, with a dark halo that carries it on any colour. Left out where it is not
-/// drawn in this view.
+/// Paints a line over the cloth, with a dark halo for contrast on any colour. Skips parts that are
+/// not drawn in this view.
 void paintClothLine(const ToolView& view, QPainter& painter, const RenderStyle& style, int piece,
                     const std::vector<SurfacePoint>& points, const ClothLineStyle& line);
 
-/// A place on the cloth: round, square on a corner, open where it is not set yet.
+/// A place on the cloth: round; square on a corner; hollow until it is set.
 void paintHandle(const ToolView& view, QPainter& painter, const RenderStyle& style,
                  const ClothPoint& point, const QColor& colour, bool isSet);
 
-/// A thin dotted line from place to place on the screen.
+/// A thin dotted line between two places on the screen.
 void paintStraight(QPainter& painter, const RenderStyle& style, const QPointF& from,
                    const QPointF& to);
 
-/// Lines of text on a label beside the pointer, inside the view.
+/// Text lines on a label beside the pointer, kept inside the view.
 void paintNote(QPainter& painter, const RenderStyle& style, const QPointF& pointer,
                const QStringList& lines);
 
-/// A way over the sheet, in the person's unit: "12.0, −3.5 mm".
+/// A displacement on the sheet in the user's unit: "12.0, −3.5 mm".
 QString wayText(const Eigen::Vector2d& millimetres);
 
 /// The box around the selected pieces in the pattern view, with a handle above it that turns them.
-/// Logical pixels. Each costs the outlines of the selected pieces.
+/// Logical pixels. Each function costs the outlines of the selected pieces.
 
-/// Middle of the handle; nothing where no flat piece is selected.
+/// Centre of the handle; nullopt if no flat piece is selected.
 std::optional<QPointF> turnHandle(const Document& document, const ToolView& view);
 bool isOnTurnHandle(const Document& document, const ToolView& view, const QPointF& at);
 void paintSelectionFrame(QPainter& painter, const RenderStyle& style, const Document& document,

@@ -6,9 +6,9 @@
 
 namespace toile::test {
 
-/// A picture of the documentation is there; with TOILE_UPDATE_DOCS set it is written, no wider than
-/// a page shows it.
-/// @param name  of the file in docs/images, without its ending
+/// Checks that a picture of the documentation exists. With TOILE_UPDATE_DOCS set, writes it first,
+/// no wider than a page shows it.
+/// @param name  file name in docs/images, without extension
 inline void keepForDocs(const QString& name, QPixmap picture) {
     constexpr int kWidest = 1100;
     const QString file = TOILE_SOURCE_DIR "/docs/images/" + name + ".png";

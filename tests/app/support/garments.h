@@ -11,7 +11,7 @@
 
 namespace toile::test {
 
-/// Small garments with known shapes, made here so that a clone passes its tests alone.
+/// Small garments with known shapes, made here so that a clone needs no other files for its tests.
 
 /// Flat rectangle in the plane z = 0, lower left corner at `corner`, facing +z.
 MeshArrays makeSheet(double width, double height, int columns, int rows,
@@ -24,18 +24,18 @@ MeshArrays makeCap(double x);
 /// The part of that cap between two shares of its width, 0 to 1. Parts that share a border have
 /// the same vertices there.
 MeshArrays makeCapPart(double x, double from, double to, int columns);
-/// Closed: no disk.
+/// A closed surface, so not a disk.
 MeshArrays makeTetrahedron(double size);
 
 std::shared_ptr<const Garment> makeGarment(std::vector<std::pair<std::string, MeshArrays>> pieces);
 
-/// Two unequal parts of a cap of radius 200 mm, sewn along the line between them, which is bent on
-/// either: freely flattened its two sides come out of different length. The seams are found.
+/// Two unequal parts of a cap of radius 200 mm, sewn along the line between them. The line is bent
+/// on both, so free flattening gives its sides different lengths. The seams are found.
 std::shared_ptr<const Garment> makeSewnCap();
-/// The same two parts, "narrow" and "wide", for a file.
+/// The same two parts, "narrow" and "wide", to write to a file.
 std::vector<std::pair<std::string, MeshArrays>> sewnCapParts();
 
-/// The pieces as one OBJ file, an object each, millimetres.
+/// Writes all pieces to an OBJ file in millimetres, an object each.
 void writeObj(const std::filesystem::path& path,
               const std::vector<std::pair<std::string, MeshArrays>>& pieces);
 

@@ -33,14 +33,14 @@ struct GuideStep {
 
 std::vector<GuideStep> readGuide(const QString& path);
 
-/// Follows a script in a window as a person would: with keys, menus and the mouse.
+/// Follows a script in a window as a user does: with keys, menus and the mouse.
 class GuideWalker {
 public:
     /// @param source  folder of the script's file names
     GuideWalker(WindowFixture& fixture, QString source)
         : fixture_(fixture), source_(std::move(source)) {}
 
-    /// Does one step. @return what is wrong; empty if nothing is
+    /// Does one step. @return the problem, or empty
     QString follow(const QString& sentence);
 
 private:

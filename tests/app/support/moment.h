@@ -9,7 +9,7 @@ namespace toile::test {
 
 using namespace app;
 
-/// A document at one moment: what was decided, and what was shown of it.
+/// A document at one moment: the user's decisions, and everything derived from them.
 struct Moment {
     DocumentState state{};
     Derived derived{};
@@ -25,20 +25,20 @@ inline void open(Document& document, const Moment& moment) {
     document.open(moment.state, moment.derived);
 }
 
-/// What was said of the reading, without what is known of earlier pieces.
+/// The load options that the user set, without the known earlier pieces.
 inline LoadOptions typed(LoadOptions loading) {
     loading.known.clear();
     return loading;
 }
 
-/// Opens a garment alone: what else there is to say of it is as before.
+/// Opens a garment alone. Options, fabric and load options stay; everything else is reset.
 void setGarment(Document& document, std::shared_ptr<const Garment> garment,
                 std::shared_ptr<const Scene> scene = nullptr);
-/// Shows these results as if they had been worked out.
+/// Shows these results as if they had been computed.
 void setResults(Document& document, PieceResults results, std::shared_ptr<const Scene> scene);
-/// A step after which this is the garment, as if it had been worked out; nothing is flat.
+/// Adds an undo step that changes the garment, as if it had been computed; nothing is flat.
 void editGarment(Document& document, const QString& text, std::shared_ptr<const Garment> garment);
-/// What has been said of a piece, to be said otherwise.
+/// The settings of a piece in `state`, copied from the document, to be changed.
 PieceSettings& said(DocumentState& state, const Document& document, int piece);
 
 }  // namespace toile::test

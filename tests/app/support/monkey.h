@@ -25,27 +25,26 @@ namespace toile::test {
 
 using namespace app;
 
-/// Through points anywhere on some piece, mm; often such as cannot be made.
+/// A path through points anywhere on some piece, mm; often one that cannot be cut.
 UserCut randomCut(const Document& document, Generator& random);
 
-/// Does what a person might do with a window and a garment in it, at random and without sense:
-/// mouse and keys in the views, actions, numbers in the panels, requests to the workspace, any of
-/// it in the middle of a drag or a job. The same seed gives the same intentions; what comes of them
-/// depends on how far jobs are.
+/// Uses a window and its garment at random: mouse and keys in the views, actions, numbers in the
+/// panels, and requests to the workspace, even during a drag or a job. The same seed gives the same
+/// attempts; their effect depends on how far jobs are.
 ///
-/// It never opens another garment and never leaves: those clear the history.
+/// It never opens another garment and never quits, because those clear the history.
 class Monkey {
 public:
     /// @param folder  where it may write
     Monkey(MainWindow& window, Generator& random, QString folder);
     ~Monkey();
 
-    /// Does one thing.
+    /// Does one random thing.
     void act();
-    /// The last things it did, the latest last.
+    /// The last things it did, latest last.
     QStringList trace() const;
     int actionsDone() const { return done_; }
-    /// What a file said otherwise than the pattern that it was made from; empty: none did.
+    /// How an exported file differed from the pattern that it was made from; empty if none did.
     const QString& misread() const { return misread_; }
 
 private:
@@ -59,7 +58,7 @@ private:
     QPoint placeIn(const QWidget& widget);
     Qt::KeyboardModifiers someModifiers();
     Qt::MouseButton someButton();
-    /// Most widgets of the window may be gone or hidden the next moment.
+    /// A random visible widget of this type. It may be hidden or deleted soon after.
     template <class Widget>
     Widget* someVisible() {
         const auto is = [](QWidget* widget) { return qobject_cast<Widget*>(widget) != nullptr; };
@@ -93,7 +92,7 @@ private:
     void decideOnSymmetry();
     void layOut();
     void openMenu();
-    /// In the menu that is open, if any, and in those below it.
+    /// Chooses an entry of the open menu, if any, or of its submenus.
     void chooseInMenu();
     bool isLeftAlone(const QAction& action) const;
     void typeNameOfPiece();
@@ -106,7 +105,7 @@ private:
     void cancel();
     void pause();
     void settle();
-    /// Something else in the middle of a drag.
+    /// Does something else in the middle of a drag.
     void interrupt();
     void answerDialogs();
     void watchExports();
@@ -114,7 +113,7 @@ private:
     MainWindow& window_;
     Generator& random_;
     QString folder_;
-    QTimer closer_;  ///< of what waits for a person
+    QTimer closer_;  ///< closes dialogs that wait for the user
     std::vector<Habit> habits_;
     std::vector<ActionId> ids_;
     std::deque<QString> trace_;

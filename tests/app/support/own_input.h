@@ -7,11 +7,10 @@ namespace toile::test {
 
 using namespace app;
 
-/// While it lives, a program under test hears of no pointer, keyboard and focus but those that the
-/// test sends it: not of where the display's own pointer happens to rest, and on a desktop not of
-/// what somebody does there meanwhile.
-/// Which of its own windows is active, the test says: QApplication::setActiveWindow.
-/// Of other platforms than X11 nothing is held back. An application must be there.
+/// While it exists, the program under test receives pointer, keyboard and focus events only from
+/// the test. It ignores the position of the display's own pointer and other input on a desktop. The
+/// test sets the active window itself: QApplication::setActiveWindow. It filters X11 events only.
+/// Precondition: an application exists.
 class OwnInput : public QAbstractNativeEventFilter {
 public:
     OwnInput();

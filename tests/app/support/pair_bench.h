@@ -12,8 +12,7 @@ namespace toile::test {
 
 using namespace app;
 
-/// A window as a person meets it, 1200 x 800, still empty; and the file of a garment of two pieces,
-/// a bent strip and a cap.
+/// An empty window of 1200 x 800, and the file of a garment of two pieces, a bent strip and a cap.
 class PairBench : public QObject {
     Q_OBJECT
 
@@ -51,7 +50,7 @@ protected:
         const auto at = garmentView().camera().project(box.center());
         return {at.x(), at.y()};
     }
-    /// Where a piece's name stands, in the pattern view.
+    /// Position of a piece's name, in the pattern view.
     QPointF onPattern(int piece) {
         const auto& entry = document().scene()->pieces[static_cast<std::size_t>(piece)];
         const auto at = patternView().camera().toScreen(placement(piece).applied(entry.label));

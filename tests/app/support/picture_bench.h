@@ -28,7 +28,7 @@ namespace toile::test {
 using namespace app;
 
 inline constexpr int kSameColour = 6;
-/// Of a line, whose rim is blended with what is beside it.
+/// Tolerance for the colour of a line, whose edge is blended with the background.
 inline constexpr int kLineColour = 20;
 inline constexpr double kMax = 0.9, kSamePicture = 0.02;
 inline constexpr QSize kSize(700, 600);
@@ -42,7 +42,7 @@ inline int distance(QRgb a, QRgb b) {
                      std::abs(qBlue(a) - qBlue(b))});
 }
 
-/// Share of the pixels that a person could tell apart; 1 where the sizes differ.
+/// Share of the pixels that a viewer could tell apart; 1 if the sizes differ.
 inline double differing(const QImage& a, const QImage& b, int steps = 24) {
     if (a.size() != b.size() || a.isNull()) {
         return 1;
@@ -56,7 +56,7 @@ inline double differing(const QImage& a, const QImage& b, int steps = 24) {
     return count / double(a.width() * a.height());
 }
 
-/// A piece whose flat coordinates are those given.
+/// A piece with the given flat coordinates.
 inline std::shared_ptr<const PieceResult> resultOf(const std::shared_ptr<const Piece>& piece,
                                                    Points2 flat, const FlattenOptions& options) {
     auto result = std::make_shared<PieceResult>();
@@ -94,7 +94,7 @@ inline MeshArrays makeRoundCap(double radius, double opening, int rings, int sec
     return mesh;
 }
 
-/// A document to draw pictures of, and what tests ask of them.
+/// A document to draw pictures of, with helpers for tests.
 class PictureBench {
 protected:
     std::unique_ptr<OffscreenContext> context_;
@@ -142,7 +142,7 @@ protected:
         document_->setView(&ViewState::rulers, false);
     }
 
-    /// A worn sheet of 200 x 120 mm facing the eye whose cloth is stretched sideways by this part.
+    /// A sheet of 200 x 120 mm facing the viewer, with its cloth stretched sideways by `stretch`.
     void openStretched(double stretch) {
         auto garment = test::makeGarment({{"front", test::makeSheet(200, 120, 20, 12)}});
         Points2 flat = garment->pieces[0]->mesh.V.leftCols<2>();
@@ -178,7 +178,7 @@ protected:
         return camera;
     }
 
-    /// Where the only piece is, less a rim and, in the pattern, the quarter with its name.
+    /// Area of the only piece, less a margin and, in the pattern, less the quarter with its name.
     QRect inside(ViewsShown view, double rim = 5) {
         Eigen::Vector2d low, high;
         if (view == ViewsShown::Pattern) {
@@ -193,7 +193,7 @@ protected:
         return {QPoint(qCeil(low.x()), qCeil(low.y())), QPoint(qFloor(high.x()), qFloor(high.y()))};
     }
 
-    /// Of the pixels inside, away from the grain's arrow.
+    /// Share of the pixels inside, away from the grain arrow, for which `counts` is true.
     template <class Counts>
     double shareInside(const QImage& image, ViewsShown view, const Counts& counts) {
         const QRect part = inside(view);
@@ -222,7 +222,7 @@ protected:
             std::lround(scale.shade(value) * (kColourMapSize - 1)))]);
     }
 
-    /// Pixels between two views drawn with and without something.
+    /// Share of the picture that has the colour of the cloth.
     double shareOfCloth(const PictureOptions& asked) {
         document().setOverlay(Overlay::None);
         document().setView(&ViewState::pieceColours, true);

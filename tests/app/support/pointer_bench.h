@@ -14,9 +14,9 @@ namespace toile::test {
 
 using namespace app;
 
-inline const QColor kHighlight(255, 214, 10);  ///< of a seam that is highlighted
+inline const QColor kHighlight(255, 214, 10);  ///< of a highlighted seam
 
-/// A window with two parts of a cap, sewn together, and a pointer in it.
+/// A window with two sewn parts of a cap, and a mouse pointer in it.
 class PointerBench : public QObject {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ protected:
     void moveTo(QWidget& view, const QPointF& at) { test::moveTo(view, at); }
     void leave(QWidget& view) { test::leave(view); }
 
-    /// With the wheel, at the middle of the view.
+    /// Turns the wheel at the middle of the view.
     void zoomIn(QWidget& view, int notches) {
         for (int i = 0; i < notches; ++i) {
             turnWheel(view, view.rect().center(), 1);

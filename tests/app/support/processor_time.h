@@ -5,8 +5,7 @@
 
 namespace toile::test {
 
-/// That this thread has had of the processor, milliseconds: what other threads and programs do
-/// meanwhile does not count.
+/// Processor time of this thread, milliseconds. Other threads and programs do not count.
 inline double processorTime() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -13,33 +13,33 @@ namespace toile::test {
 
 using namespace app;
 
-/// To this a place is the same: it is found by anchors of which not every digit is written, mm.
+/// Two places this close are the same, mm: the anchors that define them are stored rounded.
 inline constexpr double kSameShape = 1e-6;
 
-/// What a person has done is the same, and every vertex lies at the same place of the sheet to
-/// within kSameShape, the grain in the same direction. Both flattened.
+/// True if the user's decisions are the same, every vertex is at the same place of the sheet to
+/// within kSameShape, and the grain has the same direction. Both must be flattened.
 bool isSame(const Moment& a, const Moment& b);
 
-/// A window with a garment of three pieces, "front", "back" and "cap", and a person who answers
-/// what is asked about files as the test says.
+/// A window with a garment of three pieces, "front", "back" and "cap", and answers to file dialogs
+/// that the test sets.
 class ProjectBench : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase();
-    /// Another folder, "dress.obj" in it, open and flat; and all answers as below.
+    /// Makes a new folder with "dress.obj", which is open and flat, and resets all answers below.
     void init();
     void cleanup();
 
 protected:
     std::unique_ptr<WindowFixture> fixture_;
     SaveAnswer answer_ = SaveAnswer::Cancel;
-    int asked_ = 0;  ///< whether to save
+    int asked_ = 0;  ///< number of questions whether to save
     OverwriteAnswer overwrite_ = OverwriteAnswer::Cancel;
-    int askedAboutOthers_ = 0;  ///< whether to save over what another program wrote
+    int askedAboutOthers_ = 0;  ///< number of questions whether to overwrite other changes
     QString target_;            ///< where to save
-    QString foundMesh_;         ///< where a mesh is that has gone
-    QStringList lookedFor_;     ///< such meshes
+    QString foundMesh_;         ///< new path of a missing mesh
+    QStringList lookedFor_;     ///< names of missing meshes
 
     MainWindow& window() { return fixture_->window(); }
     Workspace& workspace() { return fixture_->workspace(); }
@@ -51,9 +51,9 @@ protected:
     void openWindow();
     void reopenWindow();
     void writeMesh(const QString& name, double width = 300);
-    /// A bit of everything.
+    /// Makes one edit of every kind.
     void doThings();
-    /// The smallest edit.
+    /// Makes the smallest edit.
     void edit();
     bool waitUntilFlat();
     bool waitForBanner();

@@ -11,13 +11,13 @@ namespace toile::test {
 
 using namespace app;
 
-/// How long a test waits for what is sure to come, milliseconds: long for a slow machine that does
-/// much else.
+/// How long a test waits for an event that must come, milliseconds. Long enough for a slow and busy
+/// machine.
 inline constexpr int kPatience = 60000;
 
-/// What has to be said before there is an application: the views' surface format.
+/// Settings that must precede the application, such as the surface format of the views.
 void prepareApplication();
-/// The program's own files, and the C locale.
+/// Loads the program's resources and writers, and sets the C locale.
 void prepareTest();
 
 /// Runs a test as an application like the program's own.
@@ -30,8 +30,8 @@ int run(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-/// Makes a test known to the one program that holds them all, by its file: `NAME_test.cpp` is
-/// NAME. @return true
+/// Registers a test in the program that contains all of them, by its file: `NAME_test.cpp` is NAME.
+/// @return true
 bool add(std::string_view file, int (*run)(int argc, char** argv));
 
 }  // namespace toile::test
@@ -41,7 +41,7 @@ bool add(std::string_view file, int (*run)(int argc, char** argv));
     static const bool is##Test##Known = \
         toile::test::add(__FILE__, toile::test::run<Test __VA_OPT__(, ) __VA_ARGS__>);
 
-/// Skips a test by name where no OpenGL 3.3 context can be made.
+/// Skips a test if no OpenGL 3.3 context can be created.
 #define SKIP_WITHOUT_GL()                                \
     do {                                                 \
         const QString problem = toile::app::glProblem(); \

@@ -9,11 +9,11 @@ namespace toile::test {
 
 using namespace app;
 
-/// What of two moments is not the same to the last bit, a word or two; empty where all is: what was
-/// decided, pieces and results by their positions and errors, scenes by their buffers.
+/// Names a part of two moments that is not equal to the last bit; empty if all are. Compares
+/// decisions, positions and errors of pieces and results, and the buffers of scenes.
 QString difference(const Moment& one, const Moment& other);
 
-/// What of two garments' results is not the same to the last bit: pieces, points, errors.
+/// Names a difference between two garments' results, to the last bit: pieces, points, errors.
 QString pointsDifference(const PieceResults& one, const PieceResults& other);
 
 }  // namespace toile::test

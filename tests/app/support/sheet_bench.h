@@ -13,13 +13,13 @@ namespace toile::test {
 using namespace app;
 
 /// Three pieces on the sheet of the pattern view, and a mouse there: two strips, "left" and
-/// "middle", and a rectangle of 120 x 80 mm, "sheet". Nothing snaps at first.
+/// "middle", and a rectangle of 120 x 80 mm, "sheet". Snapping is off at first.
 class SheetBench : public QObject {
     Q_OBJECT
 
 private slots:
     void initTestCase();
-    /// A window with the three pieces, flat.
+    /// Opens a window with the three pieces, flat.
     void init();
     void cleanup() { fixture_.close(); }
 
@@ -31,17 +31,17 @@ protected:
     QAction& action(ActionId id) { return fixture_.action(id); }
     Placement placement(int piece) { return placementOf(document(), piece); }
     Eigen::AlignedBox2d box(int piece) { return boxOnSheet(document(), piece); }
-    /// Of the history, that are done.
+    /// Number of undo steps that are done.
     int steps() { return document().history().index(); }
 
     QPointF onScreen(const Eigen::Vector2d& point) { return SheetMap(view())(point); }
-    /// Well inside the piece, away from its name's label.
+    /// A point well inside the piece, away from its name.
     QPointF on(int piece);
 
     void press(const QPointF& at) {
         sendMouse(view(), QEvent::MouseButtonPress, at, Qt::LeftButton, Qt::LeftButton);
     }
-    /// With the left button down.
+    /// Moves with the left button held.
     void move(const QPointF& at) {
         sendMouse(view(), QEvent::MouseMove, at, Qt::NoButton, Qt::LeftButton);
     }
@@ -52,9 +52,9 @@ protected:
         test::drag(view(), from, to, Qt::LeftButton, modifiers);
     }
 
-    /// The view shows everything, and the tests know where.
+    /// Fits everything into the view and paints it, so that positions are known.
     void frameAll();
-    /// Into a field of the panel of positions.
+    /// Types into a field of the position form.
     void type(const char* field, const QString& text);
 };
 

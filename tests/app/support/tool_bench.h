@@ -13,7 +13,7 @@ namespace toile::test {
 
 using namespace app;
 
-/// A window with a garment for the tools that work on it, in both views.
+/// A window with a garment for tools that work in both views.
 class ToolBench : public QObject {
     Q_OBJECT
 
@@ -26,8 +26,8 @@ protected:
 
     WindowFixture fixture_;
 
-    /// Two sheets beside each other that nothing joins: one of kWidth x kHeight from the origin,
-    /// and one of 50 x 50 mm from x = 300.
+    /// Two separate sheets next to each other: one of kWidth x kHeight from the origin, and one of
+    /// 50 x 50 mm from x = 300.
     void openSheets();
     /// Two parts of a cap with one sewn seam between them.
     void openCap();
@@ -38,19 +38,19 @@ protected:
     const PathTool& pathTool() { return dynamic_cast<const PathTool&>(tools().current()); }
     Document& document() { return fixture_.document(); }
 
-    /// Where a point of the garment is in a view.
+    /// Position of a point of the garment in a view.
     QPointF at(SceneView& view, int piece, const Eigen::Vector3d& point);
     /// True once the garment has this many pieces, all flat.
     bool waitForPieces(int count);
 
-    /// What the status bar tells of the tool.
+    /// The tool hint in the status bar.
     QString hint();
-    /// What the banner says; empty where it is not there.
+    /// Text of the banner; empty if it is hidden.
     QString said();
 
     /// The one sewn seam.
     std::optional<int> sewn();
-    /// In its middle.
+    /// A point in the middle of the seam.
     QPointF onSeam(SceneView& view, int seam);
 
 private:

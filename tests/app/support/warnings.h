@@ -7,8 +7,8 @@ namespace toile::test {
 
 using namespace app;
 
-/// Collects what Qt warns of while it lives; one at a time. What the platform says of itself (the
-/// display, its fonts, the driver) does not count.
+/// Collects Qt's warnings while it exists; there must be only one. Ignores messages of the platform
+/// (display, fonts, driver).
 class Warnings {
 public:
     Warnings();

@@ -20,21 +20,21 @@ namespace toile::test {
 
 using namespace app;
 
-/// A window on the screen that remembers nothing, and a folder for its files.
+/// A window that stores no preferences, and a folder for its files.
 class WindowFixture {
 public:
     static constexpr int kPatience = test::kPatience;  ///< milliseconds
 
     QString path(const QString& name) const { return folder_.filePath(name); }
 
-    /// @param start  most tests are about what has not been drawn over
+    /// @param start  most tests need the exact outlines
     void open(QSize size = {1400, 900}, NewGarment start = NewGarment::Exact) {
         preferences_ = std::make_unique<Preferences>(QString());
         Choices choices = preferences_->choices();
         choices.newGarment = start;
         preferences_->setChoices(choices);
         window_ = std::make_unique<MainWindow>(*preferences_);
-        // A question nobody answers would stop the test.
+        // An unanswered question would stop the test.
         window_->garmentActions().fileDialogs().askToSave = [](QWidget*, const QString&) {
             return SaveAnswer::Discard;
         };
@@ -64,7 +64,7 @@ public:
         return waitForResults();
     }
 
-    /// True once the last job is over and both views show what came of it.
+    /// True once the last job has finished and both views show its results.
     bool waitForResults() {
         return QTest::qWaitFor(
             [this] {

@@ -18,7 +18,7 @@ namespace toile::test {
 
 using namespace app;
 
-/// Takes the place of a job that reads a project.
+/// Replaces a job that reads a project.
 class ReadingJob : public Job {
 public:
     explicit ReadingJob(std::function<void()> done) : done_(std::move(done)) {}
@@ -30,7 +30,7 @@ private:
     std::function<void()> done_;
 };
 
-/// Holds jobs up as long as it lives, or until it is told to let go.
+/// Blocks jobs while it exists, or until release().
 class Hold {
 public:
     ~Hold() { release(); }
@@ -41,7 +41,7 @@ public:
 private:
     using Callout = std::shared_ptr<std::atomic<bool>>;
 
-    /// Does nothing until it is let go or cancelled.
+    /// Does nothing until it is released or cancelled.
     class HeldJob : public Job {
     public:
         explicit HeldJob(Callout held) : held_(std::move(held)) {}
@@ -61,7 +61,7 @@ private:
     Callout held_ = std::make_shared<std::atomic<bool>>(true);
 };
 
-/// A workspace with a garment of two pieces, and files of others.
+/// A workspace with a garment of two pieces, and files of other garments.
 class WorkspaceFixture {
 public:
     static constexpr int kPatience = 30000;  ///< milliseconds
@@ -103,14 +103,14 @@ public:
         });
     }
 
-    /// Changes the fabric: a step that no job follows.
+    /// Changes the fabric, which starts no job.
     void changeFabric(const char* preset) {
         DocumentState next = document().state();
         next.fabric = *fabricPreset(preset);
         document().edit("Fabric", std::move(next));
     }
 
-    /// Does it in the very moment when the next garment is open, before anything of it is flat.
+    /// Calls `act` when the next garment is open, before anything is flat.
     void whenOpened(std::function<void()> act) {
         auto context = std::make_unique<QObject>();
         QObject::connect(&document(), &Document::changed, context.get(),
