@@ -67,6 +67,19 @@ std::string unknownFirstWord(const Words& words) {
            (meant.empty() ? "" : " (did you mean " + meant + "?)");
 }
 
+/// The message about a word before the command, which must be the first. Empty if there is none.
+std::string wordBeforeCommand(const Words& words) {
+    const auto isCommand = [](const std::string& word) {
+        return !word.empty() && std::ranges::find(commandRows(), word, &CommandRow::word) !=
+                                    std::ranges::end(commandRows());
+    };
+    const auto command = std::ranges::find_if(words, isCommand);
+    return command == words.end() || command == words.begin()
+               ? std::string()
+               : '"' + shownText(words.front(), kMaxOfPlace) + "\" stands before the command \"" +
+                     *command + "\"; type the command first";
+}
+
 /// The words after the program's name. `help` is `--help`, and `help flatten` is
 /// `flatten --help`.
 Words wordsAfterProgram(int argc, const char* const* argv) {
@@ -281,8 +294,10 @@ Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned tak
     } catch (const CLI::ParseError& error) {
         const bool isHelp = error.get_exit_code() == 0;
         if (!isHelp || taken != kEveryOption) {
-            return wrongUsage(*chosen().row,
-                              isHelp ? outOfPlace("--help", kForTerminal) : sentenceOf(app, error));
+            const std::string misplaced = isHelp ? std::string() : wordBeforeCommand(words);
+            return wrongUsage(*chosen().row, isHelp ? outOfPlace("--help", kForTerminal)
+                                             : misplaced.empty() ? sentenceOf(app, error)
+                                                                 : misplaced);
         }
         std::ostringstream help;
         app.exit(error, help, help);
@@ -293,12 +308,7 @@ Answer<Arguments> parseArguments(int argc, const char* const* argv, unsigned tak
     const BuiltCommand& command = chosen();
     for (std::size_t k = 0; &command != &window && k < window.added.size(); ++k) {
         if (window.countOf(k) > 0) {
-            const Option& option = window.options.rows()[k];
-            const bool isFile = option.group == kInputFiles;
-            return wrongUsage(*command.row,
-                              '"' +
-                                  (isFile ? window.added[k].front()->results()[0] : option.key()) +
-                                  "\" stands before the command");
+            return wrongUsage(*command.row, wordBeforeCommand(words));
         }
     }
     arguments.command = command.row->command;

@@ -319,9 +319,10 @@ void ProofPanel::showRun() {
     }
     outdated_->setVisible((isOld || isOfOtherPlan) && !isRunning);
     outdated_->setText(isOld ? tr("Of an earlier pattern") : tr("Sewn by other settings"));
-    outdated_->setToolTip(isOld ? tr("The pattern, its fabric or its seams have changed since it "
-                                     "was sewn: prove it again")
-                                : tr("The settings have changed since it was sewn: prove it again"));
+    outdated_->setToolTip(isOld
+                              ? tr("The pattern, its fabric or its seams have changed since it "
+                                   "was sewn: prove it again")
+                              : tr("The settings have changed since it was sewn: prove it again"));
     sentence_->setEnabled(!isOld);
     table_->setEnabled(!isOld || isOfThis());
     empty_->setText(

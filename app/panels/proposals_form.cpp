@@ -292,8 +292,7 @@ void ProposalsForm::refresh() {
     if (!enough_->isModified()) {
         const auto stated = proposals_.statedEnough(), used = proposals_.enough();
         enough_->setText(stated ? strainWord(*stated) : QString());
-        enough_->setPlaceholderText(used ? tr("fabric: %1").arg(strainWord(*used))
-                                         : tr("none"));
+        enough_->setPlaceholderText(used ? tr("fabric: %1").arg(strainWord(*used)) : tr("none"));
     }
     showChart();
     showSelection();

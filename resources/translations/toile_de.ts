@@ -2188,10 +2188,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>der Stoff an seiner Spitze ist um %1 % zu lang</translation>
     </message>
     <message>
-        <source>Own fabric</source>
-        <translation>Eigener Stoff</translation>
-    </message>
-    <message>
         <source>%1: %2 mm wide, %3 mm long, %4 % used</source>
         <translation>%1: %2 mm breit, %3 mm lang, zu %4 % genutzt</translation>
     </message>
@@ -4158,6 +4154,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Distance between layers of cloth</source>
         <translation>Abstand zwischen Lagen von Stoff</translation>
+    </message>
+    <message>
+        <source>Garment&apos;s fabric</source>
+        <translation>Stoff des Kleidungsstücks</translation>
     </message>
 </context>
 <context>
@@ -6945,6 +6945,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>3D length</source>
         <translation>3D-Länge</translation>
     </message>
+    <message>
+        <source>Plus, minus</source>
+        <translation>Plus, Minus</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Move the view, where the tool does not take them</source>
+        <translation>Ansicht verschieben, wenn das Werkzeug sie nicht braucht</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -9460,8 +9472,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Mit anderen Angaben genäht</translation>
     </message>
     <message>
-        <source>On the left something else is said than what it was sewn by: prove it again</source>
-        <translation>Links steht anderes, als womit genäht wurde: erneut prüfen</translation>
+        <source>The settings have changed since it was sewn: prove it again</source>
+        <translation>Die Einstellungen haben sich seit dem Nähen geändert: neu prüfen</translation>
     </message>
 </context>
 <context>
@@ -9509,14 +9521,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Make this &amp;cut</source>
         <translation>Diesen &amp;Schnitt machen</translation>
-    </message>
-    <message>
-        <source>&amp;Enough</source>
-        <translation>&amp;Genug</translation>
-    </message>
-    <message>
-        <source>Enough</source>
-        <translation>Genug</translation>
     </message>
     <message>
         <source>The mean strain from which on no cut is worth its length, in percent. Empty: what the fabric allows, where that is known</source>
@@ -9571,8 +9575,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Material: %1</translation>
     </message>
     <message>
-        <source>not said</source>
-        <translation>nicht gesagt</translation>
+        <source>Stop at strai&amp;n</source>
+        <translation>Ende bei Deh&amp;nung</translation>
+    </message>
+    <message>
+        <source>Stop at strain</source>
+        <translation>Ende bei Dehnung</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>

@@ -336,6 +336,19 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
     }
 }
 
+TEST(Arguments, NameTheWordBeforeACommand) {
+    for (const std::vector<const char*>& typed :
+         {std::vector<const char*>{"--ledger", "flatten", "a.obj"},
+          {"--unit", "cm", "flatten", "a.obj"},
+          {"a.obj", "flatten"}}) {
+        const std::string message = refused(typed).message;
+        EXPECT_NE(message.find(std::string("\"") + typed.front() +
+                               "\" stands before the command \"flatten\""),
+                  std::string::npos)
+            << message;
+    }
+}
+
 /// The commands by the help, and the window, "".
 std::vector<std::string> everyCommand() {
     std::vector<std::string> commands{""};
@@ -424,8 +437,9 @@ TEST(Arguments, AnOptionThatIsSaidTwiceIsCalledThat) {
 TEST(Arguments, AnOlderNameWorksAndIsNotInTheHelp) {
     EXPECT_EQ(parse({"info", "a.obj", "--max-strain", "2.5"}).load.enoughStrain, 0.025);
     EXPECT_EQ(parse({"info", "--help"}).message.find("--enough"), std::string::npos);
-    EXPECT_EQ(refused({"info", "a.obj", "--enough", "3", "--max-strain", "4"}).message,
-              "toile: --max-strain is given more than once; give it once; see toile info --help.\n");
+    EXPECT_EQ(
+        refused({"info", "a.obj", "--enough", "3", "--max-strain", "4"}).message,
+        "toile: --max-strain is given more than once; give it once; see toile info --help.\n");
 }
 
 TEST(Arguments, EveryHelpIsGroupedBySubjectAndEndsWithAnExample) {
