@@ -111,9 +111,9 @@ TEST(CutAdviceTruthSlow, ForetoldStrainRanksCutsAsFlatteningDoes) {
         {"garments/dress.obj", 3}, {"garments/leggings.ply", 5}, {"disks/mannequin-devil.off", 5}};
     TOILE_NEEDS_SHARED(test::sharedFile("garments"));
     std::string table =
-        "| File | Cut, after those before it | In all mm | Mean strain foretold % | solved % | "
-        "Most foretold % | solved % |\n|---|---|--:|--:|--:|--:|--:|\n";
-    std::vector<double> foretold, solved, mostForetold, mostSolved;
+        "| File | Cut, after those before it | In all mm | Mean strain predicted % | solved % | "
+        "Most predicted % | solved % |\n|---|---|--:|--:|--:|--:|--:|\n";
+    std::vector<double> predictedMeans, solved, mostPredicted, mostSolved;
     for (const auto& [file, count] : kFiles) {
         const Garment skin = skinOf(file);
         ASSERT_EQ(skin.uncut.size(), 1U);
@@ -126,9 +126,9 @@ TEST(CutAdviceTruthSlow, ForetoldStrainRanksCutsAsFlatteningDoes) {
             ASSERT_TRUE(flat) << file << k;
             const StrainFigures& predicted = k == 0 ? advice.before : advice.cuts[k - 1].predicted;
             inAll += k == 0 ? 0 : advice.cuts[k - 1].length;
-            foretold.push_back(predicted.mean);
+            predictedMeans.push_back(predicted.mean);
             solved.push_back(flat->mean);
-            mostForetold.push_back(predicted.most);
+            mostPredicted.push_back(predicted.most);
             mostSolved.push_back(flat->most);
             table += "| " + std::filesystem::path(file).filename().string() + " | " +
                      (k == 0 ? "the shortest" : advice.cuts[k - 1].what.cut.name) + " | " +
@@ -137,9 +137,9 @@ TEST(CutAdviceTruthSlow, ForetoldStrainRanksCutsAsFlatteningDoes) {
                      percentOf(flat->most) + " |\n";
         }
     }
-    EXPECT_GT(rankCorrelation(foretold, solved), 0.9);
-    EXPECT_GT(rankCorrelation(mostForetold, mostSolved), 0.9);
-    test::updateTableInDocs("tailor.md", "strain foretold and solved", table);
+    EXPECT_GT(rankCorrelation(predictedMeans, solved), 0.9);
+    EXPECT_GT(rankCorrelation(mostPredicted, mostSolved), 0.9);
+    test::updateTableInDocs("tailor.md", "strain predicted and solved", table);
 }
 
 struct Outcome {
