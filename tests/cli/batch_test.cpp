@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // toile batch: every garment once, whatever is bad, killed or run again.
+#include "app/cli/batch.h"
+
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -16,7 +18,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "app/cli/batch.h"
 #include "core/base/sanitized.h"
 #include "core/project/project_file.h"
 #include "tests/cli/run_program.h"

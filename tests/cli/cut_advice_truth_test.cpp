@@ -204,8 +204,8 @@ TEST(CutAdviceTruthSlow, TailorsCutsStrainLessAndAreLittleLonger) {
             }
         }
         table += "| " + std::filesystem::path(file).filename().string() +
-                 (enough ? ", `--max-strain 3`" : "") + " | " + std::to_string(tailor.pieces) + " | " +
-                 fixed(tailor.length / 1000, 2) + " | " + percentOf(tailor.mean) + " | " +
+                 (enough ? ", `--max-strain 3`" : "") + " | " + std::to_string(tailor.pieces) +
+                 " | " + fixed(tailor.length / 1000, 2) + " | " + percentOf(tailor.mean) + " | " +
                  std::to_string(shortest.pieces) + " | " + fixed(shortest.length / 1000, 2) +
                  " | " + percentOf(shortest.mean) + " |\n";
     }

@@ -31,8 +31,8 @@ std::string nearerSentence(const Comparison& comparison);
 std::string writeComparisonMarkdown(const Garment& garment, const Comparison& comparison,
                                     bool perPiece);
 
-/// All figures with full digits, per method and per piece, as JSON (docs/comparison.md). Never NaN or
-/// Infinity: null.
+/// All figures with full digits, per method and per piece, as JSON (docs/comparison.md). Never NaN
+/// or Infinity: null.
 std::string writeComparison(const Garment& garment, const Comparison& comparison);
 
 }  // namespace toile
