@@ -139,9 +139,7 @@ void SegmentForm::makeLayout() {
         fields_.addRow(*grid, path, row++);
     }
     addLine({bothSides_}, 1);
-    for (const char* path : {"corner", "extension", "facing", "ease"}) {
-        fields_.addRow(*grid, path, row++);
-    }
+    row = fields_.addRemainingRows(*grid, row);
     grid->addWidget(new QLabel(tr("Notches"), this), row, 0);
     addLine({notches_, addNotch_, removeNotch_}, 1);
     grid->addWidget(kinks_, row++, 0, 1, 3);
