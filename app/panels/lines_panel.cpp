@@ -9,14 +9,11 @@
 #include <QLocale>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <utility>
 
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
-#include "app/panels/dart_form.h"
 #include "app/panels/seam_ends_list.h"
-#include "app/panels/segment_form.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/widgets/scrolled.h"
@@ -48,23 +45,14 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
           *this, [this] { return document_.newGesture(); },
           [this](const SettingChange& change) { take(change); }),
       straying_(makeNote("lineStraying", this)),
-      ends_(new SeamEndsList(this)),
-      dart_(new DartForm(document, this)),
-      segment_(new SegmentForm(document, this)) {
+      ends_(new SeamEndsList(this)) {
     fields_.make(kLineFields, {}, proposedLines());
     auto* columns = new QHBoxLayout(this);
     columns->setContentsMargins(0, 0, 0, 0);
     columns->setSpacing(0);
     columns->addWidget(scrolledColumn(*makeSettings(), this), 1);
     columns->addWidget(scrolledColumn(*makeAdditions(), this), 1);
-    columns->addWidget(ends_, 4);
-    auto* selected = new QWidget(this);
-    auto* forms = new QVBoxLayout(selected);
-    forms->setContentsMargins(0, 0, 0, 0);
-    forms->setSpacing(0);
-    forms->addWidget(dart_);
-    forms->addWidget(segment_, 1);
-    columns->addWidget(scrolledColumn(*selected, this), 3);
+    columns->addWidget(ends_, 2);
     connect(ends_, &SeamEndsList::trueingWanted, this, [this](int end, bool trued) {
         const LineSettings lines = withSeamEnd(document_.state().lines, document_.garment()->seams,
                                                facts_.ends[static_cast<std::size_t>(end)], trued);
@@ -142,8 +130,8 @@ void LinesPanel::onChanged(DocumentChanges what) {
     if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
                 DocumentChange::Seams | DocumentChange::Options)) {
         refresh();
-    } else if (what & (DocumentChange::Mark | DocumentChange::SeamSelection)) {
-        showSelected();
+    } else if (what.testFlag(DocumentChange::SeamSelection) && !isStale_) {
+        ends_->select(document_.seam());
     }
 }
 
@@ -158,11 +146,11 @@ void LinesPanel::refresh() {
                  : LineFacts{};
     if (document_.garment()) {
         ends_->show(document_, facts_);
+        ends_->select(document_.seam());
     } else {
         ends_->clear();
     }
     showStraying();
-    showSelected();
 }
 
 void LinesPanel::showSettings() {
@@ -183,18 +171,6 @@ void LinesPanel::showStraying() {
             .arg(fineLength(facts_.farthest) + ' ' + lengthUnit(),
                  tr("%1 %").arg(percent(facts_.exactStrain)),
                  tr("%1 %").arg(percent(facts_.strain))));
-}
-
-void LinesPanel::showSelected() {
-    if (isStale_ || !isVisible() || !document_.garment()) {
-        isStale_ = isStale_ || document_.garment();
-        dart_->refresh();
-        segment_->clear();
-        return;
-    }
-    ends_->select(document_.seam());
-    dart_->refresh();
-    segment_->show(facts_);
 }
 
 void LinesPanel::take(const SettingChange& change) {

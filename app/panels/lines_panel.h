@@ -11,14 +11,11 @@ class QLabel;
 
 namespace toile::app {
 
-class DartForm;
 class Document;
 class SeamEndsList;
-class SegmentForm;
 
 /// How the lines of the pattern are drawn: fair or exact, trued at seam ends, with seam allowances
-/// and notches. Also edits the selected dart and segment. Segments and kinks are computed only
-/// while the panel is visible.
+/// and notches. Kinks are computed only while the panel is visible.
 class LinesPanel : public QWidget {
     Q_OBJECT
 
@@ -39,15 +36,12 @@ private:
     void refresh();
     void showSettings();
     void showStraying();
-    void showSelected();
     void take(const SettingChange& change);
 
     Document& document_;
     SettingFields fields_;
     QLabel* straying_;
     SeamEndsList* ends_;
-    DartForm* dart_;
-    SegmentForm* segment_;
     LineFacts facts_;
     NotchRules notches_{};  ///< last rules in use; restored with the user's notches
     bool isStale_ = true;

@@ -99,6 +99,8 @@ SegmentForm::SegmentForm(Document& document, QWidget* parent)
     bothSides_->setObjectName("segmentBothSides");
     bothSides_->setToolTip(tr("Set the allowance of the edge that is sewn to the segment, too"));
     bothSides_->setChecked(true);
+    lengths_->setWordWrap(true);
+    kinks_->setWordWrap(true);
     kinks_->setToolTip(
         tr("A kink is the angle that two lines sewn together lack to run into each other; at other "
            "ends the angle by which the outline turns"));
@@ -117,49 +119,33 @@ SegmentForm::SegmentForm(Document& document, QWidget* parent)
 void SegmentForm::makeLayout() {
     title_->setObjectName("segmentTitle");
     title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto* columns = new QHBoxLayout(this);
-    columns->setContentsMargins(10, 6, 10, 6);
-    columns->setSpacing(12);
-    auto* grid = new QGridLayout;
-    auto* added = new QGridLayout;  // additions to the segment, beside its own properties
-    for (QGridLayout* column : {grid, added}) {
-        columns->addLayout(column);
-        column->setHorizontalSpacing(8);
-        column->setVerticalSpacing(4);
-    }
-    columns->addStretch(1);
-    const auto addButtons = [](QGridLayout& to, int row, int column, int span,
-                               std::initializer_list<QWidget*> buttons) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(10, 6, 10, 6);
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(4);
+    int row = 0;
+    const auto addLine = [&](std::initializer_list<QWidget*> widgets, int column = 0) {
         auto* line = new QHBoxLayout;
         line->setSpacing(4);
-        for (QWidget* button : buttons) {
-            line->addWidget(button);
+        for (QWidget* widget : widgets) {
+            line->addWidget(widget);
         }
         line->addStretch(1);
-        to.addLayout(line, row, column, 1, span);
+        grid->addLayout(line, row++, column, 1, -1);
     };
-    grid->addWidget(title_, 0, 0, 1, 4);
-    grid->addWidget(lengths_, 1, 0, 1, 4);
-    int row = 2;
-    for (const char* path : {"length", "tolerance", "allowance", "corner"}) {
+    grid->addWidget(title_, row++, 0, 1, 3);
+    grid->addWidget(lengths_, row++, 0, 1, 3);
+    for (const char* path : {"length", "tolerance", "straight", "allowance"}) {
         fields_.addRow(*grid, path, row++);
     }
-    grid->addWidget(&fields_.at("straight"), 2, 3);
-    grid->addWidget(bothSides_, 4, 3);
-    grid->addWidget(kinks_, row++, 0, 1, 4);
-    addButtons(*grid, row++, 0, 4, {addPoint_, removePoint_});
-    grid->setColumnStretch(3, 1);
+    addLine({bothSides_}, 1);
+    row = fields_.addRemainingRows(*grid, row);
+    grid->addWidget(new QLabel(tr("Notches"), this), row, 0);
+    addLine({notches_, addNotch_, removeNotch_}, 1);
+    grid->addWidget(kinks_, row++, 0, 1, 3);
+    addLine({addPoint_, removePoint_});
+    grid->setColumnStretch(2, 1);
     grid->setRowStretch(row, 1);
-    added->setRowMinimumHeight(0, title_->sizeHint().height());
-    added->setRowMinimumHeight(1, lengths_->sizeHint().height());
-    row = 2;
-    for (const char* path : {"extension", "facing", "ease"}) {
-        fields_.addRow(*added, path, row++);
-    }
-    added->addWidget(new QLabel(tr("Notches"), this), row, 0);
-    added->addWidget(notches_, row, 1);
-    addButtons(*added, row++, 2, 1, {addNotch_, removeNotch_});
-    added->setRowStretch(row, 1);
 }
 
 void SegmentForm::clear() {

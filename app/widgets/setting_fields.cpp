@@ -167,6 +167,7 @@ QWidget* SettingFields::makeField(const SettingField& of) {
 
 void SettingFields::add(const SettingField& of, const QString& prefix) {
     const Setting& setting = of.setting;
+    order_.push_back(of.path);
     Row& row = rows_[of.path];
     row.of = of;
     row.of.isInForce = true;
@@ -212,6 +213,7 @@ QWidget* SettingFields::labelOf(Row& row) {
 
 void SettingFields::addRow(QGridLayout& grid, const std::string& path, int row, int column) {
     Row& at = rows_.at(path);
+    at.hasRow = true;
     QWidget* label = labelOf(at);
     if (!label) {
         grid.addWidget(at.field, row, column, 1, 2);
@@ -230,6 +232,15 @@ void SettingFields::addRow(QGridLayout& grid, const std::string& path, int row, 
 void SettingFields::addRow(QFormLayout& form, const std::string& path) {
     Row& at = rows_.at(path);
     form.addRow(labelOf(at), at.field);
+}
+
+int SettingFields::addRemainingRows(QGridLayout& grid, int row) {
+    for (const std::string& path : order_) {
+        if (!rows_.at(path).hasRow) {
+            addRow(grid, path, row++);
+        }
+    }
+    return row;
 }
 
 void SettingFields::setRange(const std::string& path, double least, double most) {

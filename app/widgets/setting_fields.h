@@ -9,6 +9,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "app/widgets/number_edits.h"
 #include "core/base/setting.h"
@@ -229,6 +230,9 @@ public:
     /// Label, field and reset button, if there is one, in three columns.
     void addRow(QGridLayout& grid, const std::string& path, int row, int column = 0);
     void addRow(QFormLayout& form, const std::string& path);
+    /// Rows of the fields that have none yet, in the order of their description, so that a new
+    /// setting appears without an edit of the form.  @return the next row
+    int addRemainingRows(QGridLayout& grid, int row);
     /// Makes another field of the form behave like these.
     void dress(QWidget& field, const QString& objectName, const QString& name, const QString& help);
     void setShown(const std::string& path, bool shown);
@@ -244,7 +248,7 @@ private:
         QWidget* field;
         QWidget* label = nullptr;  ///< a check box, if the setting has a switch
         QToolButton* reset = nullptr;
-        bool isSet = false;
+        bool isSet = false, hasRow = false;
 
         FieldValue value() const;
     };
@@ -263,6 +267,7 @@ private:
     std::function<int()> newGesture_;
     std::function<void(const SettingChange&)> taken_;
     std::map<std::string, Row> rows_;  ///< by path
+    std::vector<std::string> order_;   ///< paths as described
     int gesture_ = -1;
 };
 

@@ -41,7 +41,7 @@ constexpr int kBarAir = 8, kBelowCaption = 40;
 
 constexpr double kPartOfTheScreen = 0.92;
 /// Version of the docks and their arrangement. Layouts of other versions are ignored.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 QStringList openableFiles(const QMimeData& data) {
     QStringList files;

@@ -14,12 +14,12 @@
 #include "app/document/shown_proof.h"
 #include "app/panels/fabric_panel.h"
 #include "app/panels/lines_panel.h"
-#include "app/panels/piece_panel.h"
 #include "app/panels/pieces_panel.h"
 #include "app/panels/problems_panel.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_panel.h"
 #include "app/panels/seams_panel.h"
+#include "app/panels/selection_panel.h"
 #include "app/panels/symmetry_panel.h"
 #include "app/render/piece_values.h"
 #include "app/render/scene.h"
@@ -36,11 +36,12 @@ namespace toile::app {
 namespace {
 
 /// Logical pixels.
-constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPieceHeight = 400, kFabricHeight = 280;
+constexpr int kListsHeight = 215, kPropertiesWidth = 280, kPropertiesHeight = 400,
+              kFabricHeight = 280;
 
 /// True for docks beside the views, false for those below them.
 bool isBeside(Panel panel) {
-    return panel == Panel::Piece || panel == Panel::Fabric;
+    return panel == Panel::Properties || panel == Panel::Fabric;
 }
 
 /// The overlay that shows a finding, if there is one.
@@ -81,7 +82,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       symmetry_(new SymmetryPanel(document_)),
       proof_(new ProofPanel(document_, workspace.proof(), actions[ActionId::ProveBySewing],
                             actions[ActionId::SaveProof])),
-      piece_(new PiecePanel(document_, actions)),
+      properties_(new SelectionPanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
     history_->setEmptyLabel(tr("As opened"));
@@ -95,8 +96,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
     add(Panel::Symmetry, tr("Symmetry"), "symmetryDock", symmetry_, symmetry_->firstField(),
         ActionId::GoToSymmetry);
     add(Panel::Proof, tr("Proof"), "proofDock", proof_, proof_->firstField(), ActionId::GoToProof);
-    add(Panel::Piece, tr("Piece"), "pieceDock", scrolledColumn(*piece_, &window_),
-        piece_->placeField(), ActionId::GoToPosition);
+    add(Panel::Properties, tr("Properties"), "propertiesDock",
+        scrolledColumn(*properties_, &window_), properties_->placeField(), ActionId::GoToPosition);
     add(Panel::Fabric, tr("Fabric"), "fabricDock", fabric_, fabric_->firstField(),
         ActionId::GoToFabric);
     arrange();
@@ -248,9 +249,9 @@ void WindowDocks::arrange() {
     }
     dock(Panel::Pieces)->raise();
     // Docks beside the views leave the full width of the window to the lists below.
-    window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Piece));
+    window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Properties));
     window_.addDockWidget(Qt::RightDockWidgetArea, dock(Panel::Fabric));
-    window_.splitDockWidget(dock(Panel::Piece), dock(Panel::Fabric), Qt::Vertical);
+    window_.splitDockWidget(dock(Panel::Properties), dock(Panel::Fabric), Qt::Vertical);
 }
 
 void WindowDocks::show() {
@@ -258,9 +259,9 @@ void WindowDocks::show() {
         each->show();
     }
     window_.resizeDocks({dock(Panel::Pieces)}, {kListsHeight}, Qt::Vertical);
-    window_.resizeDocks({dock(Panel::Piece)}, {kPropertiesWidth}, Qt::Horizontal);
-    window_.resizeDocks({dock(Panel::Piece), dock(Panel::Fabric)}, {kPieceHeight, kFabricHeight},
-                        Qt::Vertical);
+    window_.resizeDocks({dock(Panel::Properties)}, {kPropertiesWidth}, Qt::Horizontal);
+    window_.resizeDocks({dock(Panel::Properties), dock(Panel::Fabric)},
+                        {kPropertiesHeight, kFabricHeight}, Qt::Vertical);
 }
 
 bool WindowDocks::setAvailable(bool available) {

@@ -21,11 +21,11 @@ namespace toile::app {
 class FabricPanel;
 class LinesPanel;
 class PiecesPanel;
-class PiecePanel;
 class Preferences;
 class ProblemsPanel;
 class ProofPanel;
 class SeamsPanel;
+class SelectionPanel;
 class SymmetryPanel;
 class ViewArea;
 class Workspace;
@@ -96,7 +96,7 @@ private:
     LinesPanel* lines_;
     SymmetryPanel* symmetry_;
     ProofPanel* proof_;
-    PiecePanel* piece_;
+    SelectionPanel* properties_;
     FabricPanel* fabric_;
     struct Place {
         QDockWidget* dock;

@@ -8552,13 +8552,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
-    <name>toile::app::PiecePanel</name>
-    <message>
-        <source>Position</source>
-        <translation>Lage</translation>
-    </message>
-</context>
-<context>
     <name>toile::app::PiecesModel</name>
     <message>
         <source>Not flat: %1</source>
@@ -10009,6 +10002,21 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::SelectionPanel</name>
+    <message>
+        <source>Select a piece, a seam or an edge to change its properties.</source>
+        <translation>Wähle ein Schnittteil, eine Naht oder eine Kante, um deren Eigenschaften zu ändern.</translation>
+    </message>
+    <message>
+        <source>Garment</source>
+        <translation>Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::SettingFields</name>
     <message>
         <source>Clear the field to remove your value.</source>
@@ -10338,12 +10346,12 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <translation>Symmetrie</translation>
     </message>
     <message>
-        <source>Piece</source>
-        <translation>Schnittteil</translation>
-    </message>
-    <message>
         <source>Proof</source>
         <translation>Nähprobe</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Eigenschaften</translation>
     </message>
 </context>
 <context>

@@ -95,7 +95,7 @@ private slots:
         document().setSelection({});
         QVERIFY(!fixture_.find<QDoubleSpinBox>("positionX").isEnabled());
         action(ActionId::GoToPosition).trigger();
-        QVERIFY(!fixture_.find<QWidget>("pieceDock").isHidden());
+        QVERIFY(!fixture_.find<QWidget>("propertiesDock").isHidden());
     }
 
     void piecesLineUpAndKeepTheirDistance() {

@@ -415,7 +415,7 @@ private slots:
         auto& seams = fixture_.find<QDockWidget>("seamsDock");
         window().addDockWidget(Qt::RightDockWidgetArea, &seams);
         pieces.setFloating(true);
-        auto& position = fixture_.find<QDockWidget>("pieceDock");
+        auto& position = fixture_.find<QDockWidget>("propertiesDock");
         auto& fabric = fixture_.find<QDockWidget>("fabricDock");
         window().addDockWidget(Qt::LeftDockWidgetArea, &fabric);
         position.close();

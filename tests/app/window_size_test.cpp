@@ -52,14 +52,17 @@ private slots:
         fixture_.open();
         QVERIFY(fixture_.openAndWait(TOILE_SOURCE_DIR "/resources/samples/tshirt.obj"));
         const int before = fixture_.patternView().width();
-        const int column = dockWidth("pieceDock");
+        const int column = dockWidth("propertiesDock");
         for (const Document::Selection& pieces :
              {Document::Selection{0}, Document::Selection{1, 2}, Document::Selection{}}) {
             fixture_.document().setSelection(pieces);
             QCoreApplication::processEvents();
-            QCOMPARE(dockWidth("pieceDock"), column);
+            QCOMPARE(dockWidth("propertiesDock"), column);
             QCOMPARE(fixture_.patternView().width(), before);
         }
+        fixture_.document().setSeam(0);
+        QCoreApplication::processEvents();
+        QCOMPARE(dockWidth("propertiesDock"), column);
     }
 };
 

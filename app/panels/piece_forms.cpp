@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/panels/piece_panel.h"
+#include "app/panels/piece_forms.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -9,7 +9,6 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -39,22 +38,6 @@ void showPlace(LengthEdit& field, double value, bool any) {
     field.setRange(any ? -kFarthest : kNowhere, kFarthest);
     field.setSpecialValueText(any ? QString() : QStringLiteral(" "));
     field.setValue(any ? value : kNowhere);
-}
-
-/// Lines up the fields of all forms.
-void alignLabels(std::initializer_list<QWidget*> forms) {
-    int widest = 0;
-    for (const QWidget* form : forms) {
-        const auto* grid = qobject_cast<QGridLayout*>(form->layout());
-        for (int row = 0; row < grid->rowCount(); ++row) {
-            if (const QLayoutItem* label = grid->itemAtPosition(row, 0)) {
-                widest = std::max(widest, label->sizeHint().width());
-            }
-        }
-    }
-    for (const QWidget* form : forms) {
-        qobject_cast<QGridLayout*>(form->layout())->setColumnMinimumWidth(0, widest);
-    }
 }
 
 }  // namespace
@@ -395,34 +378,6 @@ void PieceForm::turnGrain(double degrees) {
     }
     setGrain(document_, tr("Grain of %1"), grains);
     refresh();
-}
-
-PiecePanel::PiecePanel(Document& document, const ActionRegistry& actions, QWidget* parent)
-    : QWidget(parent),
-      piece_(new PieceForm(document, actions, this)),
-      position_(new PositionForm(document, this)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(10, 6, 10, 6);
-    layout->setSpacing(5);
-    layout->addWidget(piece_);
-    layout->addWidget(makeHeading(tr("Position"), this));
-    layout->addWidget(position_);
-    layout->addStretch(1);
-    alignLabels({piece_, position_});
-    connect(&document, &Document::changed, this, &PiecePanel::onChanged);
-    connect(&LengthDisplay::instance(), &LengthDisplay::changed, piece_, &PieceForm::refresh);
-}
-
-QWidget& PiecePanel::placeField() const {
-    return position_->firstField();
-}
-
-void PiecePanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
-                DocumentChange::Settings | DocumentChange::Fabric)) {
-        piece_->refresh();
-        position_->refresh();
-    }
 }
 
 }  // namespace toile::app

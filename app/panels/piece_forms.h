@@ -89,23 +89,4 @@ private:
     QString shownMaterial_;           ///< common to all; empty if they differ
 };
 
-/// Properties and position of the selected pieces. Fields that do not apply are disabled rather
-/// than hidden, so that the layout stays still.
-class PiecePanel : public QWidget {
-    Q_OBJECT
-
-public:
-    /// Both must outlive the panel.
-    PiecePanel(Document& document, const ActionRegistry& actions, QWidget* parent = nullptr);
-
-    /// The field that takes the keyboard focus for placing pieces.
-    QWidget& placeField() const;
-
-private:
-    void onChanged(DocumentChanges what);
-
-    PieceForm* piece_;
-    PositionForm* position_;
-};
-
 }  // namespace toile::app
