@@ -31,7 +31,7 @@ public:
     /// From now on does what the table says, for as long as `garment` lives.
     void connectTo(GarmentActions& garment) const;
     /// Asks the table which actions can be done now, of those that read what has changed.
-    void followEnabled(Workspace& workspace, DocumentChanges what = ~DocumentChanges()) const;
+    void followEnabled(Workspace& workspace) const;
     /// How many conditions were evaluated so far.
     int evaluations() const { return evaluations_; }
     /// And which are chosen, or switched on.

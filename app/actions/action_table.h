@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
@@ -210,26 +209,8 @@ enum class ActionGroup {
     Split
 };
 
-/// What has to hold so that an action can be done, and what of the document that reads.
-struct When {
-    using Holds = std::function<bool(Workspace&)>;
-
-    /// What the pointer is on decides about no action.
-    static constexpr DocumentChanges kAnything = ~DocumentChanges(DocumentChange::Hover);
-
-    When() = default;
-    When(std::nullptr_t) {}
-    template <class Function>
-    requires std::is_invocable_r_v<bool, Function&, Workspace&> When(
-        Function function, DocumentChanges what = kAnything)
-        : holds(std::move(function)), reads(what) {}
-
-    Holds holds{};  ///< none: always
-    DocumentChanges reads = kAnything;
-
-    bool operator()(Workspace& on) const { return holds(on); }
-    explicit operator bool() const { return holds != nullptr; }
-};
+/// What has to hold so that an action can be done.
+using When = std::function<bool(Workspace&)>;
 
 /// What an action does, and when. What is done by views, panels and the window is connected where
 /// these are (`ActionRegistry::on`).

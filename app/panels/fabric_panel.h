@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "app/render/overlay_values.h"
 #include "app/widgets/setting_fields.h"
 
@@ -19,6 +18,7 @@ class QStackedWidget;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 struct DocumentState;
 
 /// The fabric of the garment and of other materials: not stated, a preset, or limits that the user
@@ -52,7 +52,7 @@ private:
     void addCloth(QGridLayout& grid, int row);
     void addLimits(QGridLayout& grid);
     void addFit(QGridLayout& grid, int row);
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showDirections();
     /// How much of the cloth that is shown the arrangement takes.

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 
-#include "app/document/document_change.h"
 #include "app/document/line_facts.h"
 #include "app/widgets/setting_fields.h"
 
@@ -13,6 +12,7 @@ namespace toile::app {
 
 class DartForm;
 class Document;
+class DocumentChange;
 class SeamEndsList;
 class SegmentForm;
 
@@ -35,7 +35,8 @@ protected:
 private:
     QWidget* makeSettings();
     QWidget* makeAdditions();
-    void onChanged(DocumentChanges what);
+    void onOpened();
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showSettings();
     void showStraying();

@@ -409,7 +409,7 @@ PiecePanel::PiecePanel(Document& document, const ActionRegistry& actions, QWidge
     layout->addWidget(position_);
     layout->addStretch(1);
     alignLabels({piece_, position_});
-    connect(&document, &Document::changed, this, &PiecePanel::onChanged);
+    connect(&document, &Document::changed, this, &PiecePanel::refresh);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, piece_, &PieceForm::refresh);
 }
 
@@ -417,12 +417,9 @@ QWidget& PiecePanel::placeField() const {
     return position_->firstField();
 }
 
-void PiecePanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
-                DocumentChange::Settings | DocumentChange::Fabric)) {
-        piece_->refresh();
-        position_->refresh();
-    }
+void PiecePanel::refresh() {
+    piece_->refresh();
+    position_->refresh();
 }
 
 }  // namespace toile::app

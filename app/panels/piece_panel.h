@@ -4,8 +4,6 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/document/document_change.h"
-
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
@@ -102,7 +100,7 @@ public:
     QWidget& placeField() const;
 
 private:
-    void onChanged(DocumentChanges what);
+    void refresh();
 
     PieceForm* piece_;
     PositionForm* position_;

@@ -5,8 +5,6 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/document/document_change.h"
-
 class QLabel;
 class QSortFilterProxyModel;
 class QTreeView;
@@ -15,6 +13,7 @@ namespace toile::app {
 
 class ColumnChooser;
 class Document;
+class DocumentChange;
 class PiecesModel;
 
 /// The table of pieces. What is changed in one of several selected rows is meant for all of them:
@@ -67,7 +66,7 @@ private:
     /// Every column as wide as its contents; what is wanting is taken from the widest.
     void fitColumns();
     void fillWidth();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void selectInTable();
     void selectInDocument();
     void updateDetails();

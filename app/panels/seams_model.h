@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "app/widgets/columns_model.h"
 #include "core/seam/seam_measure.h"
 
@@ -17,6 +16,7 @@ struct Seam;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
 /// The ease of a seam can be edited, in percent; the model asks for it and shows what comes of it.
@@ -65,7 +65,7 @@ protected:
     Cell cell(int row, int column) const override;
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void measureAll();
     /// Whether the rows are still of the same seams, in the same order.
     bool hasTheSameRows() const;

@@ -291,13 +291,8 @@ SelectTool::SelectTool(Workspace& workspace)
                               &CutProposals::opened, &CutProposals::closed}) {
         connect(&workspace.proposals(), signal, this, &Tool::changed);
     }
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        // The hint tells the lengths of the edge that is selected.
-        if ((what & (DocumentChange::Mark | DocumentChange::SeamSelection)) ||
-            (document_.mark() && what.testFlag(DocumentChange::Results))) {
-            emit changed();
-        }
-    });
+    // The hint tells the lengths of the edge that is selected.
+    connect(&document_, &Document::changed, this, &Tool::changed);
 }
 
 SelectTool::~SelectTool() = default;
