@@ -99,25 +99,18 @@ private:
 /// Shows the panel when the first garment opens, since that is when the lists appear.
 void showOnceOpen(MainWindow& window, Panel panel) {
     QObject::connect(
-        &window.workspace().document(), &Document::changed, &window,
-        [&window, panel, shown = false](DocumentChanges what) mutable {
-            if (what.testFlag(DocumentChange::Garment) && !std::exchange(shown, true)) {
-                window.goTo(panel);
-            }
-        });
+        &window.workspace().document(), &Document::opened, &window,
+        [&window, panel] { window.goTo(panel); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 
 /// Makes the given overlay override that of the first project, which is applied after opening.
 void keepOverlay(Document& document, Overlay overlay) {
     document.setOverlay(overlay);
     QObject::connect(
-        &document, &Document::changed, &document,
-        [&document, overlay, kept = false](DocumentChanges what) mutable {
-            if (what.testFlag(DocumentChange::Opened) && !std::exchange(kept, true)) {
-                document.setOverlay(overlay);
-            }
-        },
-        Qt::QueuedConnection);
+        &document, &Document::opened, &document,
+        [&document, overlay] { document.setOverlay(overlay); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
 }
 
 /// Proves the first garment's pattern as soon as it is flat.

@@ -69,9 +69,9 @@ void ActionRegistry::connectTo(GarmentActions& garment) const {
     }
 }
 
-void ActionRegistry::followEnabled(Workspace& workspace, DocumentChanges what) const {
+void ActionRegistry::followEnabled(Workspace& workspace) const {
     for (const ActionSpec& spec : actionTable()) {
-        if (spec.work.enabledWhen && (spec.work.enabledWhen.reads & what)) {
+        if (spec.work.enabledWhen) {
             ++evaluations_;
             (*this)[spec.id].setEnabled(spec.work.enabledWhen(workspace));
         }

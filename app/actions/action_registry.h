@@ -30,8 +30,8 @@ public:
     }
     /// Connects all actions to their work in the table, while `garment` lives.
     void connectTo(GarmentActions& garment) const;
-    /// Updates which actions are enabled. Evaluates only conditions that read a changed part.
-    void followEnabled(Workspace& workspace, DocumentChanges what = ~DocumentChanges()) const;
+    /// Updates which actions are enabled.
+    void followEnabled(Workspace& workspace) const;
     /// Number of conditions evaluated so far.
     int evaluations() const { return evaluations_; }
     /// Updates which actions are checked.

@@ -28,60 +28,47 @@ using PieceIndices = std::vector<int>;
 
 constexpr double kRightAngle = std::numbers::pi / 2;
 
-/// A document that is opened has the changes of a new garment, too.
-constexpr DocumentChanges kOpens = DocumentChange::Opened | DocumentChange::Garment;
-constexpr DocumentChanges kDraws = kOpens | DocumentChange::Results;
-
-const When isOpen([](Workspace& on) { return on.document().garment() != nullptr; }, kOpens);
+bool isOpen(Workspace& on) {
+    return on.document().garment() != nullptr;
+}
 
 bool canRedo(Workspace& on) {
     return on.document().history().canRedo();
 }
 
-const When showsFigures(
-    [](Workspace& on) { return isOpen(on) && isMeasured(on.document().view().overlay); },
-    kOpens | DocumentChange::View);
+bool showsFigures(Workspace& on) {
+    return isOpen(on) && isMeasured(on.document().view().overlay);
+}
 
-const When hasReference(
-    [](Workspace& on) {
-        const auto& scene = on.document().scene();
-        return on.document().state().reference.file ||
-               (scene && !scene->patternLines.reference.empty());
-    },
-    kDraws | DocumentChange::Reference);
+bool hasReference(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return on.document().state().reference.file ||
+           (scene && !scene->patternLines.reference.empty());
+}
 
 bool namesReference(Workspace& on) {
     return isOpen(on) && !on.document().state().reference.path.empty();
 }
 
-const When hasExactOutline(
-    [](Workspace& on) {
-        const auto& scene = on.document().scene();
-        return scene && !scene->patternLines.exact.empty();
-    },
-    kDraws);
+bool hasExactOutline(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.exact.empty();
+}
 
-const When hasCuttingLine(
-    [](Workspace& on) {
-        const auto& scene = on.document().scene();
-        return scene && !scene->patternLines.cutting.empty();
-    },
-    kDraws);
+bool hasCuttingLine(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.cutting.empty();
+}
 
-const When hasNotches(
-    [](Workspace& on) {
-        const auto& scene = on.document().scene();
-        return scene && !scene->patternLines.notches.empty();
-    },
-    kDraws);
+bool hasNotches(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !scene->patternLines.notches.empty();
+}
 
-const When hasInternalLines(
-    [](Workspace& on) {
-        const auto& scene = on.document().scene();
-        return scene &&
-               !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
-    },
-    kDraws);
+bool hasInternalLines(Workspace& on) {
+    const auto& scene = on.document().scene();
+    return scene && !(scene->patternLines.internal.empty() && scene->garmentLines.internal.empty());
+}
 
 bool drawsMirrored(Workspace& on) {
     return isOpen(on) && on.document().state().lines.mirror != Mirror::None;
@@ -100,18 +87,18 @@ const Seam* selectedSeam(Workspace& on) {
     return seam ? &on.document().garment()->seams.seams[static_cast<std::size_t>(*seam)] : nullptr;
 }
 
-const When isSewnSeam(
-    [](Workspace& on) {
-        const Seam* seam = selectedSeam(on);
-        return seam && seam->kind != SeamKind::Free;
-    },
-    kOpens | DocumentChange::SeamSelection);
+bool isSewnSeam(Workspace& on) {
+    const Seam* seam = selectedSeam(on);
+    return seam && seam->kind != SeamKind::Free;
+}
 
-const When isOnePiece([](Workspace& on) { return on.document().selection().size() == 1; },
-                      kOpens | DocumentChange::Selection);
+bool isOnePiece(Workspace& on) {
+    return on.document().selection().size() == 1;
+}
 
-const When isAnyPiece([](Workspace& on) { return !on.document().selection().empty(); },
-                      kOpens | DocumentChange::Selection);
+bool isAnyPiece(Workspace& on) {
+    return !on.document().selection().empty();
+}
 
 bool isAnyPieceOut(Workspace& on, bool leftOut) {
     return std::ranges::any_of(on.document().selection(), [&on, leftOut](int piece) {

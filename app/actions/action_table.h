@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "core/flatten/base/flat_piece.h"
 
 namespace toile::app {
@@ -210,26 +209,8 @@ enum class ActionGroup {
     Split
 };
 
-/// Condition under which an action is enabled, and which document changes affect it.
-struct When {
-    using Holds = std::function<bool(Workspace&)>;
-
-    /// No condition depends on the object under the pointer.
-    static constexpr DocumentChanges kAnything = ~DocumentChanges(DocumentChange::Hover);
-
-    When() = default;
-    When(std::nullptr_t) {}
-    template <class Function>
-    requires std::is_invocable_r_v<bool, Function&, Workspace&> When(
-        Function function, DocumentChanges what = kAnything)
-        : holds(std::move(function)), reads(what) {}
-
-    Holds holds{};  ///< none: always true
-    DocumentChanges reads = kAnything;
-
-    bool operator()(Workspace& on) const { return holds(on); }
-    explicit operator bool() const { return holds != nullptr; }
-};
+/// Condition under which an action is enabled.
+using When = std::function<bool(Workspace&)>;
 
 /// What an action does, and when it is enabled. Work of views, panels and the window is connected
 /// there (`ActionRegistry::on`).

@@ -58,7 +58,7 @@ GarmentActions::GarmentActions(ActionRegistry& actions, Workspace& workspace,
 
 void GarmentActions::connectState() {
     const auto askWhich = [this] { actions_.followEnabled(workspace_); };
-    connect(&workspace_.document(), &Document::changed, this, &GarmentActions::onChanged);
+    connect(&workspace_.document(), &Document::changed, this, &GarmentActions::followAll);
     for (const JobRunner* jobs : workspace_.runners()) {
         connect(jobs, &JobRunner::started, this, askWhich);
         connect(jobs, &JobRunner::idle, this, askWhich);
@@ -67,22 +67,17 @@ void GarmentActions::connectState() {
     for (const auto signal : {&CutProposals::changed, &CutProposals::closed}) {
         connect(&workspace_.proposals(), signal, this, &GarmentActions::updateHistory);
     }
-    connect(&workspace_, &Workspace::loadingChanged, this, [this, askWhich] {
-        actions_.followChecked(workspace_);
-        askWhich();
-    });
+    connect(&workspace_, &Workspace::loadingChanged, this, &GarmentActions::followAll);
     // indexChanged may precede the document's update, so only texts of the history are used.
     connect(&workspace_.document().history(), &QUndoStack::indexChanged, this,
             &GarmentActions::updateHistory);
     updateHistory();
-    onChanged(~DocumentChanges());
+    followAll();
 }
 
-void GarmentActions::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::View | DocumentChange::Options | DocumentChange::Results)) {
-        actions_.followChecked(workspace_);
-    }
-    actions_.followEnabled(workspace_, what);
+void GarmentActions::followAll() {
+    actions_.followChecked(workspace_);
+    actions_.followEnabled(workspace_);
 }
 
 void GarmentActions::updateHistory() {

@@ -5,7 +5,6 @@
 
 #include "app/actions/action_registry.h"
 #include "app/actions/file_dialogs.h"
-#include "app/document/document_change.h"
 #include "app/jobs/job_runner.h"
 #include "core/pattern/piece_grain.h"
 
@@ -72,7 +71,7 @@ signals:
 private:
     void connectState();
     void updateHistory();
-    void onChanged(DocumentChanges what);
+    void followAll();
     void openNow(const QStringList& files);
     /// @param format  suggested extension  @param onlySelected  suggested, too
     void askAndExportAs(const QString& format, bool onlySelected = false);

@@ -87,11 +87,7 @@ ProjectActions::ProjectActions(Workspace& workspace, Preferences& preferences,
     connect(&session_, &ProjectSession::changedByOthers, this, &ProjectActions::askAboutOthers);
     connect(&session_, &ProjectSession::saved, this,
             [this](const QString& path) { recent_.add({path}); });
-    connect(&workspace_.document(), &Document::changed, this, [this](DocumentChanges what) {
-        if (what.testFlag(DocumentChange::Opened)) {
-            onOpened();
-        }
-    });
+    connect(&workspace_.document(), &Document::opened, this, &ProjectActions::onOpened);
 }
 
 void ProjectActions::onOpened() {

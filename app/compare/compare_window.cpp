@@ -179,9 +179,8 @@ CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWid
     column->addWidget(legend_);
     column->addWidget(note);
     connect(&comparison_, &MethodComparison::changed, this, &CompareWindow::refresh);
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (isVisible() && (what & (DocumentChange::View | DocumentChange::Fabric |
-                                    DocumentChange::Settings | DocumentChange::Options))) {
+    connect(&document_, &Document::changed, this, [this] {
+        if (isVisible()) {
             showPictures();
         }
     });

@@ -78,9 +78,8 @@ MethodComparison::MethodComparison(const Document& document, const JobRunner& or
             pause_.start();
         }
     };
-    connect(&document_, &Document::changed, this, [refreshSoon](DocumentChanges what) {
-        if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Options |
-                    DocumentChange::Seams | DocumentChange::Selection)) {
+    connect(&document_, &Document::changed, this, [refreshSoon](const DocumentChange& what) {
+        if (what.touchesContent() || what.touches(DocumentChange::Selection)) {
             refreshSoon();
         }
     });

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "core/compare/comparison.h"
 
 namespace toile {

@@ -22,24 +22,6 @@ namespace {
 /// Steps that can be undone. States share what they have in common, so most cost little.
 constexpr int kMaxSteps = 500;
 
-bool haveTheSamePieces(const Garment* a, const Garment* b) {
-    return a == b || (a && b && a->pieces == b->pieces);
-}
-
-bool haveTheSameNames(const PieceLabels& a, const PieceLabels& b) {
-    const auto isNamed = [](const auto& label) { return !label.second.name.empty(); };
-    const auto names = [&](const PieceLabels& labels) {
-        std::vector<std::pair<PieceId, std::string>> found;
-        for (const auto& label : labels) {
-            if (isNamed(label)) {
-                found.emplace_back(label.first, label.second.name);
-            }
-        }
-        return found;
-    };
-    return names(a) == names(b);
-}
-
 /// The first seam that one of the cuts has made.
 std::optional<int> seamOfCuts(const SeamGraph& graph, const std::vector<CutId>& cuts) {
     const auto isOf = [&cuts](const Seam& seam) {
@@ -101,7 +83,7 @@ std::optional<ReferenceFit> Document::referenceFit(int piece) const {
 }
 
 void Document::showReference(std::shared_ptr<const ReferenceMatch> found) {
-    set(reference_, std::move(found), DocumentChange::Reference);
+    set(reference_, std::move(found), DocumentChange::ReferenceMatch);
 }
 
 bool Document::isProofCurrent() const {
@@ -159,9 +141,9 @@ bool Document::isFlattened() const {
 }
 
 void Document::open(DocumentState state, Derived derived) {
-    state_ = std::move(state);
-    state_.inputs = derived.inputs;
-    derived_ = std::move(derived);
+    const DocumentState stateBefore = std::exchange(state_, std::move(state));
+    const Derived before = std::exchange(derived_, std::move(derived));
+    state_.inputs = derived_.inputs;
     if (garment()) {
         state_.labels = withColours(std::move(state_.labels), nullptr, *garment());
     }
@@ -177,23 +159,26 @@ void Document::open(DocumentState state, Derived derived) {
     mark_.reset();
     hover_.reset();
     ++revision_;
-    emit changed(DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                 DocumentChange::Selection | DocumentChange::Mark | DocumentChange::Hover |
-                 DocumentChange::Seams | DocumentChange::SeamSelection | DocumentChange::Loading |
-                 DocumentChange::Options | DocumentChange::Fabric | DocumentChange::Settings |
-                 DocumentChange::Reference | DocumentChange::Marker | DocumentChange::Proof |
-                 DocumentChange::ProofPlan);
+    emit opened();
+    tell(stateBefore, before, ~0U);
 }
 
 void Document::edit(const QString& text, DocumentState next, int gesture) {
-    if (!(next == state_)) {
+    if (next == state_) {
+        return;
+    }
+    if (garment()) {
         history_.push(new StateStep(*this, text, std::move(next), gesture));
+    } else {
+        exchange(next, wasFlat_);
     }
 }
 
 void Document::takeBack(DocumentState rest) {
     const QString text = history_.undoText();
     const bool wentBack = history_.index() < currentAt_;
+    const DocumentState stateBefore = state_;
+    const Derived before = derived_;
     takesBack_ = true;
     while (history_.index() > currentAt_ && !isCurrent()) {
         history_.undo();  // it goes by that: StateStep::undo
@@ -201,39 +186,42 @@ void Document::takeBack(DocumentState rest) {
     while (history_.index() < currentAt_ && history_.canRedo()) {
         history_.redo();
     }
-    takesBack_ = false;
     if (!wentBack || !isCurrent()) {  // a step back that came to nothing was never made
         edit(text, std::move(rest));
     }
-    tell({});
+    takesBack_ = false;
+    tell(stateBefore, before);
 }
 
 void Document::exchange(DocumentState& other, bool& wasFlat) {
     const bool wasCurrent = isCurrent();
     std::swap(state_, other);
     std::swap(wasFlat_, wasFlat);
-    DocumentChanges what = differences(other);
     Derived derived = knownOf(state_);
-    const bool otherPieces = !haveTheSamePieces(derived.garment.get(), garment().get());
-    const bool samePieces = wasCurrent && derived.inputs == state_.inputs && !otherPieces;
-    const bool othersLeftOut = what.testFlag(DocumentChange::Settings) &&
-                               app::leftOut(state_.settings) != app::leftOut(other.settings);
-    const bool otherTargets = what.testFlag(DocumentChange::Loading) && !derived.lines;
-    if (otherPieces || otherTargets || othersLeftOut || what.testFlag(DocumentChange::Options) ||
-        (what.testFlag(DocumentChange::Loading) && !samePieces)) {
+    const bool otherPieces = DocumentChange(other, state_, derived_, derived).hasOtherPieces();
+    const bool otherReading =
+        !(state_.inputs == other.inputs) &&
+        (!derived.lines || otherPieces || !wasCurrent || !(derived.inputs == state_.inputs));
+    if (otherPieces || otherReading || !(state_.options == other.options) ||
+        state_.lines != other.lines ||
+        app::leftOut(state_.settings) != app::leftOut(other.settings)) {
         ++revision_;
     }
-    tell(what | showOther(std::move(derived)));
+    tell(other, showOther(std::move(derived)));
 }
 
-void Document::tell(DocumentChanges what) {
-    untold_ |= what;
-    if (!takesBack_ && untold_) {
-        emit changed(std::exchange(untold_, {}));
+void Document::tell(const DocumentState& stateBefore, const Derived& before, unsigned parts) {
+    if (!takesBack_) {
+        emit changed({stateBefore, state_, before, derived_, parts});
     }
 }
 
 Derived Document::knownOf(const DocumentState& state) {
+    if (!garment()) {
+        Derived nothing;
+        nothing.inputs = state.inputs;
+        return nothing;
+    }
     if (derived_.inputs == state.inputs && app::isFlattened(derived_, state)) {
         return derived_;
     }
@@ -243,7 +231,7 @@ Derived Document::knownOf(const DocumentState& state) {
     }
     Derived eased = derived_;
     eased.inputs.loading.seamSettings = state.inputs.loading.seamSettings;
-    if (garment() && eased.inputs == state.inputs) {
+    if (eased.inputs == state.inputs) {
         if (auto other = easedGarment(*garment(), state.inputs.loading.seamSettings)) {
             if (drawsEase(*garment()) || drawsEase(*other)) {
                 eased.lines.reset();
@@ -255,36 +243,16 @@ Derived Document::knownOf(const DocumentState& state) {
     return derived_;
 }
 
-DocumentChanges Document::differences(const DocumentState& before) const {
-    DocumentChanges what;
-    what.setFlag(DocumentChange::Loading, !(state_.inputs == before.inputs));
-    what.setFlag(DocumentChange::Options,
-                 !(state_.options == before.options) || state_.lines != before.lines);
-    what.setFlag(DocumentChange::Fabric,
-                 !(state_.fabric == before.fabric) || state_.materials != before.materials);
-    what.setFlag(DocumentChange::Settings,
-                 state_.settings != before.settings || state_.labels != before.labels);
-    what.setFlag(DocumentChange::Seams, !haveTheSameNames(state_.labels, before.labels));
-    what.setFlag(DocumentChange::Reference, state_.reference != before.reference);
-    what.setFlag(DocumentChange::Marker, !(state_.markers == before.markers));
-    what.setFlag(DocumentChange::ProofPlan, !(state_.proof == before.proof));
-    return what;
-}
-
-DocumentChanges Document::showOther(Derived derived) {
-    const Derived before = std::exchange(derived_, std::move(derived));
-    DocumentChanges what;
-    const bool otherPieces = !haveTheSamePieces(garment().get(), before.garment.get());
-    what.setFlag(DocumentChange::Garment, otherPieces);
-    what.setFlag(DocumentChange::Seams, garment() != before.garment);
-    what.setFlag(DocumentChange::Results, results() != before.results || scene() != before.scene);
+Derived Document::showOther(Derived derived) {
+    Derived before = std::exchange(derived_, std::move(derived));
+    const bool otherPieces = DocumentChange(state_, state_, before, derived_).hasOtherPieces();
     if (otherPieces) {
         state_.labels = withColours(std::move(state_.labels), before.garment.get(), *garment());
-        what |= keepSelection(before);
+        keepSelection(before);
     }
     refreshSettings(otherPieces);
     wasFlat_ = wasFlat_ || isFlattened();
-    return what;
+    return before;
 }
 
 void Document::refreshSettings(bool otherPieces) {
@@ -301,7 +269,7 @@ void Document::refreshSettings(bool otherPieces) {
     }
 }
 
-DocumentChanges Document::keepSelection(const Derived& before) {
+void Document::keepSelection(const Derived& before) {
     Selection kept;
     std::optional<int> seam;
     if (!selection_.empty()) {
@@ -331,32 +299,21 @@ DocumentChanges Document::keepSelection(const Derived& before) {
     // Vertices and edges are others in a piece that was cut.
     mark_.reset();
     hover_.reset();
-    return DocumentChange::Selection | DocumentChange::SeamSelection | DocumentChange::Mark |
-           DocumentChange::Hover;
 }
 
 void Document::show(Derived derived, SettingsById settings) {
-    DocumentChanges what;
-    what.setFlag(DocumentChange::Settings, settings != state_.settings);
+    const DocumentState stateBefore = state_;
     state_.settings = std::move(settings);
-    MaterialList materials = materialsInUse(state_);
-    what.setFlag(DocumentChange::Fabric, materials != state_.materials);
-    state_.materials = std::move(materials);
+    state_.materials = materialsInUse(state_);
     state_.inputs = derived.inputs;
     currentAt_ = history_.index();
-    tell(what | showOther(std::move(derived)));
+    tell(stateBefore, showOther(std::move(derived)));
 }
 
 void Document::setOptions(const FlattenOptions& options, const QString& text) {
-    if (garment()) {
-        DocumentState next = state_;
-        next.options = options;
-        edit(text.isEmpty() ? tr("Change of method") : text, std::move(next));
-    } else if (!(options == state_.options)) {
-        state_.options = options;
-        ++revision_;
-        emit changed(DocumentChange::Options);
-    }
+    DocumentState next = state_;
+    next.options = options;
+    edit(text.isEmpty() ? tr("Change of method") : text, std::move(next));
 }
 
 const Fabric& Document::fabricOf(int piece) const {
@@ -373,27 +330,16 @@ void Document::setLines(LineSettings lines, const QString& text, int gesture) {
 }
 
 void Document::setProofPlan(ProofPlan plan, const QString& text, int gesture) {
-    if (garment()) {
-        DocumentState next = state_;
-        next.proof = std::move(plan);
-        edit(text, std::move(next), gesture);
-    } else {
-        set(state_.proof, std::move(plan), DocumentChange::ProofPlan);
-    }
-}
-
-void Document::setLoading(LoadOptions loading) {
-    Q_ASSERT(!garment());
-    state_.inputs.loading = std::move(loading);
-    derived_.inputs = state_.inputs;
-    emit changed(DocumentChange::Loading);
+    DocumentState next = state_;
+    next.proof = std::move(plan);
+    edit(text, std::move(next), gesture);
 }
 
 template <class Value>
-void Document::set(Value& field, std::type_identity_t<Value> value, DocumentChange what) {
+void Document::set(Value& field, std::type_identity_t<Value> value, DocumentChange::Part part) {
     if (value != field) {
         field = std::move(value);
-        emit changed(what);
+        tell(state_, derived_, part);
     }
 }
 
@@ -407,15 +353,11 @@ void Document::setSelection(Selection selection) {
 }
 
 void Document::select(Selection pieces, std::optional<int> seam, std::optional<Feature> mark) {
-    DocumentChanges what;
-    what.setFlag(DocumentChange::Selection, pieces != selection_);
-    what.setFlag(DocumentChange::SeamSelection, seam != seam_);
-    what.setFlag(DocumentChange::Mark, mark != mark_);
-    if (what) {
+    if (pieces != selection_ || seam != seam_ || mark != mark_) {
         selection_ = std::move(pieces);
         seam_ = seam;
         mark_ = mark;
-        emit changed(what);
+        tell(state_, derived_, DocumentChange::Selection);
     }
 }
 
@@ -470,7 +412,11 @@ void Document::setMark(const std::optional<Feature>& mark, std::optional<int> se
 }
 
 void Document::setHover(const std::optional<Feature>& hover) {
-    set(hover_, hover && isInGarment(*hover) ? hover : std::nullopt, DocumentChange::Hover);
+    const auto known = hover && isInGarment(*hover) ? hover : std::nullopt;
+    if (known != hover_) {
+        hover_ = known;
+        emit hovered();
+    }
 }
 
 void Document::setSeamEase(int seam, std::optional<double> ease, int gesture) {

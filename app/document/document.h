@@ -111,8 +111,8 @@ public:
     /// Opens another document: history and selections are cleared.
     /// @param derived  its garment, and what else has been worked out
     void open(DocumentState state, Derived derived);
-    /// One step of the history; nothing where the state is the same already. What follows from it
-    /// is shown at once where it was worked out before.
+    /// Makes `next` the state: one step of the history, or none if no garment is open. Does nothing
+    /// if the state is the same already. What follows from it is shown at once if it is known.
     /// @param text     what was done, for the undo menu: "Move piece"
     /// @param gesture  edits with the same number, see `newGesture`, become one step; -1: alone
     void edit(const QString& text, DocumentState next, int gesture = -1);
@@ -146,8 +146,6 @@ public:
     /// How the pattern is proved: a step of the history where a garment is open.
     /// @param text, gesture  as for `edit`
     void setProofPlan(ProofPlan plan, const QString& text, int gesture = -1);
-    /// Says how the next files are read; where a garment is open that is a matter of `edit`.
-    void setLoading(LoadOptions loading);
     /// One thing is selected at a time: pieces, a seam, or a mark. Whatever is selected drops the
     /// others; nothing in its place leaves them.
 
@@ -178,7 +176,11 @@ public:
     void setOverlay(Overlay overlay);
 
 signals:
-    void changed(toile::app::DocumentChanges what);
+    /// Another document is open. `changed` follows.
+    void opened();
+    void changed(const toile::app::DocumentChange& what);
+    /// `hover` is another; nothing else has changed.
+    void hovered();
 
 private:
     friend class StateStep;
@@ -187,17 +189,17 @@ private:
     void exchange(DocumentState& other, bool& wasFlat);
     /// What is known already to follow from the state; what is shown else.
     Derived knownOf(const DocumentState& state);
-    DocumentChanges differences(const DocumentState& before) const;
-    DocumentChanges showOther(Derived derived);
-    DocumentChanges keepSelection(const Derived& before);
+    /// @return what was shown before
+    Derived showOther(Derived derived);
+    void keepSelection(const Derived& before);
     void refreshSettings(bool otherPieces);
-    void tell(DocumentChanges what);
+    void tell(const DocumentState& stateBefore, const Derived& before, unsigned parts = 0);
     bool isInGarment(const Feature& feature) const;
     bool isInGarment(std::optional<int> seam) const;
     void select(Selection pieces, std::optional<int> seam, std::optional<Feature> mark);
-    /// Says so where that is another value.
+    /// Announces the part if that is another value.
     template <class Value>
-    void set(Value& field, std::type_identity_t<Value> value, DocumentChange what);
+    void set(Value& field, std::type_identity_t<Value> value, DocumentChange::Part part);
 
     DocumentState state_;
     Derived derived_;
@@ -208,7 +210,6 @@ private:
     int currentAt_ = 0;  ///< step of the history that the garment shown is of
     bool takesBack_ = false;
     bool wasFlat_ = false;
-    DocumentChanges untold_;
     Selection selection_;
     std::optional<int> seam_;
     std::optional<Feature> mark_, hover_;

@@ -1,32 +1,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFlags>
+#include "app/document/document_state.h"
 
 namespace toile::app {
 
-/// What a change of the document is about; views redraw only what they show of it.
-enum class DocumentChange : unsigned {
-    Opened = 1U << 0,         ///< another document: everything below, and no history
-    Garment = 1U << 1,        ///< other pieces or names
-    Results = 1U << 2,        ///< flat pieces, their figures and the scene made of them
-    Selection = 1U << 3,      ///< which pieces are selected
-    Options = 1U << 4,        ///< how pieces are to be flattened; results follow later
-    View = 1U << 5,           ///< what is painted: overlay, wireframe, designer's outline
-    Seams = 1U << 6,          ///< the ease or the names of seams; pieces and results stay
-    SeamSelection = 1U << 7,  ///< which seam is selected
-    Loading = 1U << 8,        ///< how files are read, divided and cut
-    Fabric = 1U << 9,         ///< what the garment is cut from
-    Settings = 1U << 10,      ///< of pieces: name, place, grain, quantity
-    Reference = 1U << 11,     ///< the reference pattern, and how it lies on the pieces
-    Marker = 1U << 12,        ///< what has been said of laying the pattern on cloth
-    Proof = 1U << 13,         ///< the pattern sewn back together, or on its way there
-    ProofPlan = 1U << 14,     ///< what has been said of how it is sewn
-    Mark = 1U << 16,          ///< which stretch of an outline or vertex is selected
-    Hover = 1U << 17,         ///< what the pointer is on
-};
+/// What a change of the document is about, for as long as it is announced: the document before and
+/// after it. Listeners ask whether it touches what they read, so that a new setting needs no edit
+/// here, nor in them.
+class DocumentChange {
+public:
+    /// What is neither part of the state nor derived from it.
+    enum Part : unsigned {
+        Selection = 1U << 0,       ///< which pieces, seam or mark are selected
+        View = 1U << 1,            ///< ViewState
+        Proof = 1U << 2,           ///< the pattern sewn back together, or on its way there
+        ReferenceMatch = 1U << 3,  ///< how the reference pattern lies on the pieces
+    };
 
-Q_DECLARE_FLAGS(DocumentChanges, DocumentChange)
-Q_DECLARE_OPERATORS_FOR_FLAGS(DocumentChanges)
+    DocumentChange() = default;
+    /// All of them outlive this. `stateBefore` is `state` and `before` is `after` where neither has
+    /// changed.
+    DocumentChange(const DocumentState& stateBefore, const DocumentState& state,
+                   const Derived& before, const Derived& after, unsigned parts = 0)
+        : stateBefore_(&stateBefore),
+          state_(&state),
+          before_(&before),
+          after_(&after),
+          parts_(parts) {}
+
+    /// True if there are other pieces: indices of pieces and seams may mean others now.
+    bool hasOtherPieces() const {
+        const Garment *was = before_->garment.get(), *is = after_->garment.get();
+        return was != is && !(was && is && was->pieces == is->pieces);
+    }
+    /// True if something that is saved, or that follows from it, may have changed.
+    bool touchesContent() const { return state_ != stateBefore_ || after_ != before_; }
+    /// True if any of these has changed: members of DocumentState or of Derived, or parts.
+    template <class... Keys>
+    bool touches(Keys... keys) const {
+        return (isTouched(keys) || ...);
+    }
+
+private:
+    template <class Value>
+    bool isTouched(Value DocumentState::*key) const {
+        return state_ != stateBefore_ && !(state_->*key == stateBefore_->*key);
+    }
+    template <class Value>
+    bool isTouched(Value Derived::*key) const {
+        return after_ != before_ && !(after_->*key == before_->*key);
+    }
+    bool isTouched(Part part) const {
+        return (parts_ & part) != 0 || (part == Selection && hasOtherPieces());
+    }
+
+    const DocumentState *stateBefore_ = nullptr, *state_ = nullptr;
+    const Derived *before_ = nullptr, *after_ = nullptr;
+    unsigned parts_ = 0;
+};
 
 }  // namespace toile::app

@@ -14,12 +14,6 @@ namespace {
 /// Changes that come closer after each other than this are one.
 constexpr int kDelayMilliseconds = 60;
 
-constexpr DocumentChanges kMatters = DocumentChange::Garment | DocumentChange::Results |
-                                     DocumentChange::Options | DocumentChange::Fabric |
-                                     DocumentChange::Settings | DocumentChange::Seams |
-                                     DocumentChange::Loading | DocumentChange::Proof |
-                                     DocumentChange::Marker | DocumentChange::Reference;
-
 }  // namespace
 
 ReadyChecker::ReadyChecker(Document& document, QObject* parent)
@@ -41,14 +35,9 @@ void ReadyChecker::setGuessesKept(bool kept) {
     }
 }
 
-void ReadyChecker::onChanged(DocumentChanges what) {
-    if (!(what & kMatters)) {
-        return;
-    }
-    // Cloth on its way tells of itself many times a second.
-    auto proof = proofNow();
-    const bool isSame = proof == std::exchange(proof_, proof);
-    if ((what & kMatters) == DocumentChange::Proof && isSame) {
+void ReadyChecker::onChanged() {
+    CutPlan plan = planOfDocument();
+    if (plan == std::exchange(asked_, plan)) {
         return;
     }
     worker_.cancel();

@@ -5,7 +5,6 @@
 #include <QTimer>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "core/check/ready_to_cut.h"
 
 namespace toile::app {
@@ -37,7 +36,7 @@ signals:
     void changed();
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged();
     CutPlan planOfDocument() const;
     /// Of the document's own pattern as it is now; null: there is none.
     std::shared_ptr<const Proof> proofNow() const;
@@ -47,7 +46,7 @@ private:
     Document& document_;
     QTimer delay_;
     CutPlan plan_;
-    std::shared_ptr<const Proof> proof_;  ///< seen last
+    CutPlan asked_;  ///< last
     Readiness readiness_;
     bool guessesKept_ = false;
     Worker<Readiness> worker_;

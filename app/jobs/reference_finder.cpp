@@ -15,9 +15,6 @@ namespace toile::app {
 
 namespace {
 
-/// What may be asked of another pattern, or by other names, then.
-constexpr DocumentChanges kAskedOf = DocumentChange::Garment | DocumentChange::Results |
-                                     DocumentChange::Settings | DocumentChange::Reference;
 /// Names in one sentence.
 constexpr int kNamed = 4;
 
@@ -68,13 +65,10 @@ ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
           [this](const Attempt<ReferenceMatch>& made, const ReferenceQuestion&, bool) {
               take(made);
           }) {
-    connect(&document_, &Document::changed, this, &ReferenceFinder::onChanged);
+    connect(&document_, &Document::changed, this, &ReferenceFinder::ask);
 }
 
-void ReferenceFinder::onChanged(DocumentChanges what) {
-    if (!(what & kAskedOf)) {
-        return;
-    }
+void ReferenceFinder::ask() {
     if (auto question = referenceQuestion(document_)) {
         answerer_.ask(*std::move(question));
     }

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "app/document/reference.h"
 #include "core/base/result.h"
 
@@ -49,7 +48,7 @@ signals:
     void paired(const QString& sentence);
 
 private:
-    void onChanged(DocumentChanges what);
+    void ask();
     void take(const Attempt<ReferenceMatch>& made);
     QString summaryOf(const ReferenceMatch& found) const;
 

@@ -81,6 +81,7 @@ MarkerDesk::MarkerDesk(Workspace& workspace, QObject* parent)
     pause_.setSingleShot(true);
     pause_.setInterval(kMarkerPauseMilliseconds);
     connect(&pause_, &QTimer::timeout, this, &MarkerDesk::askForGround);
+    connect(&document_, &Document::opened, this, &MarkerDesk::onOpened);
     connect(&document_, &Document::changed, this, &MarkerDesk::onDocumentChanged);
     connect(&search_, &MarkerSearch::changed, this, &MarkerDesk::compose);
     connect(&search_, &MarkerSearch::failed, this, &MarkerDesk::failed);
@@ -241,25 +242,19 @@ QString MarkerDesk::nameOf(int copy) const {
     return QString::fromStdString(pattern()->pieces[static_cast<std::size_t>(piece)].name);
 }
 
-void MarkerDesk::onDocumentChanged(DocumentChanges what) {
-    constexpr DocumentChanges kOfThePattern = DocumentChange::Opened | DocumentChange::Garment |
-                                              DocumentChange::Results | DocumentChange::Settings |
-                                              DocumentChange::Fabric | DocumentChange::Options |
-                                              DocumentChange::Seams;
-    if (!isActive_ ||
-        !(what & (kOfThePattern | DocumentChange::Loading | DocumentChange::Marker))) {
+void MarkerDesk::onOpened() {
+    ground_.reset();
+    material_.clear();
+    plan_ = {};
+    search_.clear();
+}
+
+void MarkerDesk::onDocumentChanged(const DocumentChange& what) {
+    if (!isActive_ || !what.touchesContent()) {
         return;
     }
-    if (what.testFlag(DocumentChange::Opened)) {
-        ground_.reset();
-        material_.clear();
-        plan_ = {};
-        search_.clear();
-    }
-    if (what & kOfThePattern) {
-        pause_.start();
-    }
-    if (what.testFlag(DocumentChange::Marker) && ground_) {
+    pause_.start();
+    if (ground_ && plan() != plan_) {
         const bool otherSettings = !(plan().settings == plan_.settings);
         const bool otherCloth = otherSettings && (plan().settings.width != plan_.settings.width ||
                                                   plan().settings.sheet != plan_.settings.sheet ||

@@ -93,7 +93,8 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void onDocumentChanged(DocumentChanges what);
+    void onOpened();
+    void onDocumentChanged(const DocumentChange& what);
     void askForGround();
     void takeGround(std::shared_ptr<const ClothGround> ground);
     std::optional<int> rounds() const;

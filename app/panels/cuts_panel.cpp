@@ -70,12 +70,11 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     hide();
 }
 
-void CutsPanel::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment)) {
+void CutsPanel::onChanged(const DocumentChange& what) {
+    if (what.hasOtherPieces()) {
         rebuild();
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Selection |
-                DocumentChange::SeamSelection | DocumentChange::Mark)) {
+    if (what.touches(DocumentChange::Selection)) {
         selectInTable();
     }
 }

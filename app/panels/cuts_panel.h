@@ -4,7 +4,6 @@
 #include <QWidget>
 #include <string>
 
-#include "app/document/document_change.h"
 #include "core/base/id.h"
 
 class QLabel;
@@ -13,6 +12,7 @@ class QTreeWidget;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// The cuts and joins made before flattening: name, author and length. Delete removes one of the
 /// user's. Hidden if there are none.
@@ -34,7 +34,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void rebuild();
     void removeCurrent();
     /// Selects the cut of the selected seam, or nothing.

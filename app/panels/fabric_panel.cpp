@@ -299,21 +299,13 @@ void FabricPanel::showDirections() {
     }
 }
 
-void FabricPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric)) {
+void FabricPanel::onChanged(const DocumentChange& what) {
+    if (what.hasOtherPieces() || what.touches(&DocumentState::fabric, &DocumentState::materials)) {
         refresh();
-    }
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                DocumentChange::Settings)) {
+    } else if (what.touchesContent()) {
         showNeed();
     }
-    if (what & DocumentChange::Garment) {
-        showFit();  // names may have changed, even if the figures have not
-    }
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
-                DocumentChange::Fabric | DocumentChange::Settings)) {
-        askForFit();
-    }
+    askForFit();
 }
 
 void FabricPanel::showNeed() {

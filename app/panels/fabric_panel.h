@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/base/worker.h"
-#include "app/document/document_change.h"
 #include "app/render/overlay_values.h"
 #include "app/widgets/setting_fields.h"
 
@@ -19,6 +18,7 @@ class QStackedWidget;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 struct DocumentState;
 
 /// Edits the fabric of the garment and of its materials: none, a preset, or typed limits. Below
@@ -51,7 +51,7 @@ private:
     void addCloth(QGridLayout& grid, int row);
     void addLimits(QGridLayout& grid);
     void addFit(QGridLayout& grid, int row);
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showDirections();
     /// Shows the cloth length that the layout needs of the shown fabric.

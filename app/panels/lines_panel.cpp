@@ -60,6 +60,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
                            trued ? tr("Trueing of a seam end") : tr("Kink at a seam end"));
     });
     connect(ends_, &SeamEndsList::seamChosen, &document_, &Document::setSeam);
+    connect(&document_, &Document::opened, this, &LinesPanel::onOpened);
     connect(&document_, &Document::changed, this, &LinesPanel::onChanged);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &LinesPanel::refresh);
     refresh();
@@ -121,16 +122,17 @@ void LinesPanel::showEvent(QShowEvent* event) {
     }
 }
 
-void LinesPanel::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Opened)) {  // drop what belongs to another garment
-        notches_ = {};
-        fields_.at<QLineEdit>("label.size").setModified(false);
-        fields_.at<QLineEdit>("label.date").setModified(false);
-    }
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                DocumentChange::Seams | DocumentChange::Options)) {
+void LinesPanel::onOpened() {
+    notches_ = {};  // drop what belongs to another garment
+    fields_.at<QLineEdit>("label.size").setModified(false);
+    fields_.at<QLineEdit>("label.date").setModified(false);
+}
+
+void LinesPanel::onChanged(const DocumentChange& what) {
+    if (what.touches(&Derived::garment, &Derived::results, &Derived::pattern, &DocumentState::lines,
+                     &DocumentState::labels)) {
         refresh();
-    } else if (what.testFlag(DocumentChange::SeamSelection) && !isStale_) {
+    } else if (what.touches(DocumentChange::Selection) && !isStale_) {
         ends_->select(document_.seam());
     }
 }

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 
-#include "app/document/document_change.h"
 #include "app/document/line_facts.h"
 #include "app/widgets/setting_fields.h"
 
@@ -12,6 +11,7 @@ class QLabel;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 class SeamEndsList;
 
 /// How the lines of the pattern are drawn: fair or exact, trued at seam ends, with seam allowances
@@ -32,7 +32,8 @@ protected:
 private:
     QWidget* makeSettings();
     QWidget* makeAdditions();
-    void onChanged(DocumentChanges what);
+    void onOpened();
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showSettings();
     void showStraying();

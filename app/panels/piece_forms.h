@@ -4,8 +4,6 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/document/document_change.h"
-
 class QCheckBox;
 class QComboBox;
 class QGridLayout;

@@ -58,27 +58,19 @@ PiecesModel::PiecesModel(const Document& document, QObject* parent)
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &PiecesModel::showAgain);
 }
 
-void PiecesModel::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Garment)) {
+void PiecesModel::onChanged(const DocumentChange& what) {
+    if (what.hasOtherPieces()) {
         beginResetModel();
         setRows(document_.pieceCount());
         followLayers();
         endResetModel();
         return;
     }
-    if (what.testFlag(DocumentChange::Seams)) {
+    if (what.touches(&Derived::garment)) {
         followLayers();  // layers depend on how files are read
+    }
+    if (what.touchesContent() || what.touches(DocumentChange::ReferenceMatch)) {
         showColumns(0, ColumnCount - 1);
-    }
-    if (what & (DocumentChange::Results | DocumentChange::Settings)) {
-        showColumns(0, ColumnCount - 1);
-        return;
-    }
-    if (what.testFlag(DocumentChange::Reference)) {
-        showColumns(ReferenceRms, ReferenceMax);
-    }
-    if (what.testFlag(DocumentChange::Options)) {
-        showColumns(Method, Method);
     }
 }
 

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "app/widgets/columns_model.h"
 
 namespace toile {
@@ -15,6 +14,7 @@ struct PieceSettings;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// Explains why a piece is not flat, using its displayed name. Precondition: there is an error.
 QString whyNotFlat(const Document& document, const PieceResult& result);
@@ -81,7 +81,7 @@ protected:
     Cell cell(int row, int column) const override;
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void followLayers();
     const PieceSettings& settings(int row) const;
     /// True if the mean strain is more than any cloth can take.

@@ -197,20 +197,17 @@ void PiecesPanel::makeTable() {
     onEnter(*table_, [this] { emit activated(); });
 }
 
-void PiecesPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Results |
-                DocumentChange::Reference) ||
-        (what.testFlag(DocumentChange::Settings) &&
+void PiecesPanel::onChanged(const DocumentChange& what) {
+    if (what.touches(&Derived::garment, &Derived::results, &DocumentState::labels,
+                     &DocumentState::reference, DocumentChange::ReferenceMatch) ||
+        (what.touches(&DocumentState::settings) &&
          table_->isColumnHidden(PiecesModel::MaterialName) == model_->hasMaterials())) {
         fitColumns();
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Selection)) {
+    if (what.touches(DocumentChange::Selection)) {
         selectInTable();
     }
-    if (what & (DocumentChange::Garment | DocumentChange::Selection | DocumentChange::Results |
-                DocumentChange::Settings | DocumentChange::Reference)) {
-        updateDetails();
-    }
+    updateDetails();
 }
 
 QTreeView& PiecesPanel::table() {

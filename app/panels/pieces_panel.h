@@ -5,8 +5,6 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/document/document_change.h"
-
 class QLabel;
 class QSortFilterProxyModel;
 class QTreeView;
@@ -15,6 +13,7 @@ namespace toile::app {
 
 class ColumnChooser;
 class Document;
+class DocumentChange;
 class PiecesModel;
 
 /// The table of pieces. An edit in one of several selected rows applies to all of them, so a click
@@ -66,7 +65,7 @@ private:
     /// Fits every column to its contents. If space is short, the widest ones shrink.
     void fitColumns();
     void fillWidth();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void selectInTable();
     void selectInDocument();
     void updateDetails();

@@ -78,14 +78,8 @@ ProofForm::ProofForm(Document& document, PatternProof& proof, QWidget* parent)
     form_->addRow(fold_);
     form_->addRow(measured_);
     connect(&proof_, &PatternProof::changed, this, &ProofForm::show);
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Fabric |
-                    DocumentChange::Reference)) {
-            show();
-        }
-        if (what.testFlag(DocumentChange::Opened)) {
-            fold_->setChecked(document_.state().proof.settings.stiffness != StatedStiffness{});
-        }
+    connect(&document_, &Document::opened, this, [this] {
+        fold_->setChecked(document_.state().proof.settings.stiffness != StatedStiffness{});
     });
     show();
 }

@@ -187,15 +187,10 @@ QWidget* ProofPanel::makeResult() {
     return result;
 }
 
-void ProofPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Opened | DocumentChange::Proof | DocumentChange::Garment |
-                DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
-                DocumentChange::Options | DocumentChange::Fabric)) {
-        const bool isAnother = document_.proof() != shown_;
-        const bool isOnItsWay = what == DocumentChange::Proof && document_.sewing();
-        if (isAnother || !isOnItsWay) {
-            refresh();
-        }
+void ProofPanel::onChanged(const DocumentChange& what) {
+    const bool isOnItsWay = document_.sewing() && document_.proof() == shown_;
+    if (what.touchesContent() || (what.touches(DocumentChange::Proof) && !isOnItsWay)) {
+        refresh();
     }
 }
 

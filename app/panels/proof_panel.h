@@ -5,8 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "app/document/document_change.h"
-
 class QAction;
 class QLabel;
 class QProgressBar;
@@ -19,6 +17,7 @@ class QTreeWidget;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 class PatternProof;
 class ProofForm;
 class ProofModel;
@@ -54,7 +53,7 @@ private:
 
     QWidget* makeHead(QAction& prove, QAction& save);
     QWidget* makeResult();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showRun();
     void showMisfits();

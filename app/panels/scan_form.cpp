@@ -65,9 +65,8 @@ ScanForm::ScanForm(Workspace& workspace, QWidget* parent)
     soon_.setInterval(kSoon);
     connect(&soon_, &QTimer::timeout, this, &ScanForm::tryNow);
     Document& document = workspace_.document();
-    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
-        what.testFlag(DocumentChange::Opened) ? leave() : showEffect();
-    });
+    connect(&document, &Document::opened, this, &ScanForm::leave);
+    connect(&document, &Document::changed, this, &ScanForm::showEffect);
     connect(&document.history(), &QUndoStack::indexChanged, this, [this] {
         if (!isTrying_) {
             leave();

@@ -44,15 +44,12 @@ SeamsModel::SeamsModel(const Document& document, QObject* parent)
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, &SeamsModel::showAgain);
 }
 
-void SeamsModel::onChanged(DocumentChanges what) {
-    const bool another = what.testFlag(DocumentChange::Opened) ||
-                         (what.testFlag(DocumentChange::Garment) && !hasTheSameRows());
-    if (another) {
+void SeamsModel::onChanged(const DocumentChange& what) {
+    if (what.hasOtherPieces() && !hasTheSameRows()) {
         beginResetModel();
         measureAll();
         endResetModel();
-    } else if ((what &
-                (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Seams)) &&
+    } else if (what.touches(&Derived::garment, &Derived::results, &DocumentState::labels) &&
                rowCount() > 0) {
         measureAll();
         showColumns(0, ColumnCount - 1);

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "app/widgets/columns_model.h"
 #include "core/seam/seam_measure.h"
 
@@ -17,6 +16,7 @@ struct Seam;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// The document's seams and free edges as a table: row i is seam i, measured on the flat pieces.
 /// The ease in percent is editable: the model emits `easeWanted` and then follows the document.
@@ -65,7 +65,7 @@ protected:
     Cell cell(int row, int column) const override;
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void measureAll();
     /// True if the seams and their order are unchanged.
     bool hasTheSameRows() const;

@@ -169,12 +169,12 @@ void SeamsPanel::makeTable() {
     onEnter(*table_, [this] { emit activated(); });
 }
 
-void SeamsPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Seams)) {
+void SeamsPanel::onChanged(const DocumentChange& what) {
+    if (what.touches(&Derived::garment, &Derived::results, &DocumentState::labels)) {
         updateHead();
         fitColumns();
     }
-    if (what & (DocumentChange::Garment | DocumentChange::SeamSelection)) {
+    if (what.touches(DocumentChange::Selection)) {
         selectInTable();
     }
 }

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "app/document/document_change.h"
 #include "core/base/id.h"
 
 class QCheckBox;
@@ -18,6 +17,7 @@ namespace toile::app {
 
 class ActionRegistry;
 class Document;
+class DocumentChange;
 class SeamsModel;
 
 /// The seam ledger: every seam with the lengths of its two sides, the worst first, and the list of
@@ -45,7 +45,7 @@ signals:
 private:
     QWidget* makeHead(const ActionRegistry& actions);
     void makeTable();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void showFreeEdges(bool shown);
     void updateHead();
     void fitColumns();

@@ -110,11 +110,8 @@ void SelectionPanel::showEvent(QShowEvent* event) {
     }
 }
 
-void SelectionPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                DocumentChange::Seams | DocumentChange::Options | DocumentChange::Selection |
-                DocumentChange::SeamSelection | DocumentChange::Mark | DocumentChange::Settings |
-                DocumentChange::Fabric)) {
+void SelectionPanel::onChanged(const DocumentChange& what) {
+    if (what.touchesContent() || what.touches(DocumentChange::Selection)) {
         refresh();
     }
 }

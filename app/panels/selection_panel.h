@@ -37,7 +37,7 @@ private:
     QWidget* makeGarmentPage();
     QWidget* makePiecePage();
     QWidget* makeEdgePage();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showPage(QWidget& shown);
     void showEdge();

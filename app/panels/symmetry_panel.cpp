@@ -132,12 +132,10 @@ void SymmetryPanel::showEvent(QShowEvent* event) {
     }
 }
 
-void SymmetryPanel::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                DocumentChange::Seams | DocumentChange::Options | DocumentChange::Settings |
-                DocumentChange::View)) {
+void SymmetryPanel::onChanged(const DocumentChange& what) {
+    if (what.touchesContent() || what.touches(DocumentChange::View)) {
         refresh();
-    } else if (what.testFlag(DocumentChange::Selection)) {
+    } else if (what.touches(DocumentChange::Selection)) {
         pieces_->select(document_.selection());
     }
 }

@@ -3,7 +3,6 @@
 
 #include <QWidget>
 
-#include "app/document/document_change.h"
 #include "app/document/symmetry_facts.h"
 
 class QCheckBox;
@@ -14,6 +13,7 @@ class QTreeWidget;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 class MirroredPiecesList;
 
 /// Symmetry of the garment: how mirrored pieces are drawn, whether edits are mirrored, which pieces
@@ -34,7 +34,7 @@ protected:
 private:
     QWidget* makeSettings();
     void makeSeamList();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void refresh();
     void showFacts();
     void showSeams();

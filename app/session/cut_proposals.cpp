@@ -77,6 +77,7 @@ CutProposals::CutProposals(Workspace& workspace)
                 emit changed();
             });
     connect(&adviser_, &CutAdviser::solvedAll, this, &CutProposals::changed);
+    connect(&document_, &Document::opened, this, &CutProposals::close);
     connect(&document_, &Document::changed, this, &CutProposals::onChanged);
     connect(&workspace_, &Workspace::refused, this, [this] {
         if (awaited_ > 0) {
@@ -201,17 +202,17 @@ void CutProposals::solve() {
     }
 }
 
-void CutProposals::onChanged(DocumentChanges what) {
+void CutProposals::onChanged(const DocumentChange& what) {
     if (!isOpen()) {
         return;
     }
-    if (what.testFlag(DocumentChange::Opened) || !document_.garment()) {
+    if (!document_.garment()) {
         close();
-    } else if (what.testFlag(DocumentChange::Garment)) {
+    } else if (what.hasOtherPieces()) {
         follow();
     } else if (awaited_ > 0 && document_.isCurrent()) {  // it was not made after all
         ask(question_);
-    } else if (what.testFlag(DocumentChange::Fabric) && !stated_) {
+    } else if (what.touches(&DocumentState::fabric) && !stated_) {
         stateEnough(std::nullopt);
     }
 }

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "app/jobs/cut_adviser.h"
 #include "app/session/part_naming.h"
 #include "core/tailor/handles.h"
@@ -17,6 +16,7 @@
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 class Workspace;
 
 /// Cuts that Toile proposes for one piece, from when a person asks for them until they are closed:
@@ -104,7 +104,7 @@ private:
         bool hasMoved = false;
     };
 
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void follow();
     void ask(AdviceQuestion question);
     void take(const CutAdvice& advice);

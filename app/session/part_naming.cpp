@@ -12,10 +12,9 @@
 namespace toile::app {
 
 PartNaming::PartNaming(Document& document) : document_(document) {
-    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
-        if (what.testFlag(DocumentChange::Opened)) {
-            nameOf_ = nullptr;
-        } else if (nameOf_ && document_.isCurrent()) {
+    connect(&document, &Document::opened, this, [this] { nameOf_ = nullptr; });
+    connect(&document, &Document::changed, this, [this] {
+        if (nameOf_ && document_.isCurrent()) {
             // After all listeners have handled this change.
             QMetaObject::invokeMethod(this, &PartNaming::nameParts, Qt::QueuedConnection);
         }

@@ -5,7 +5,6 @@
 #include <functional>
 #include <string>
 
-#include "app/document/document_change.h"
 #include "core/base/id.h"
 
 namespace toile {

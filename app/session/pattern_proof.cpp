@@ -9,21 +9,13 @@
 
 namespace toile::app {
 
-namespace {
-
-constexpr DocumentChanges kTouchesCloth = DocumentChange::Garment | DocumentChange::Results |
-                                          DocumentChange::Options | DocumentChange::Seams |
-                                          DocumentChange::Loading | DocumentChange::Fabric |
-                                          DocumentChange::Settings | DocumentChange::Reference;
-
-}  // namespace
-
 PatternProof::PatternProof(Document& document, JobRunner& runner)
     : document_(document), runner_(runner) {
     poll_.setInterval(kPause);
     connect(&poll_, &QTimer::timeout, this, &PatternProof::fetch);
     connect(&runner_, &JobRunner::started, this, &PatternProof::changed);
     connect(&runner_, &JobRunner::idle, this, &PatternProof::onIdle);
+    connect(&document_, &Document::opened, &runner_, &JobRunner::cancel);
     connect(&document_, &Document::changed, this, &PatternProof::onChanged);
 }
 
@@ -83,15 +75,9 @@ void PatternProof::fit() {
     document_.showProof(std::make_shared<const ShownProof>(std::move(fitting)));
 }
 
-void PatternProof::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Opened)) {
-        runner_.cancel();
-    }
-    if (what & kTouchesCloth) {
-        fit();
-    }
-    if (what & (DocumentChange::Results | DocumentChange::Garment | DocumentChange::Options |
-                DocumentChange::Reference | DocumentChange::ProofPlan)) {
+void PatternProof::onChanged(const DocumentChange& what) {
+    fit();
+    if (what.touchesContent()) {
         emit changed();
     }
 }

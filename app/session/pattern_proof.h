@@ -5,7 +5,6 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/document/document_change.h"
 #include "app/document/shown_proof.h"
 #include "app/jobs/job_runner.h"
 #include "app/jobs/proof_job.h"
@@ -13,6 +12,7 @@
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// Proves the document's pattern by sewing it back together, as its state says: does it beside all
 /// other work, and shows the cloth on its way. What has been found stays until something else is,
@@ -50,7 +50,7 @@ signals:
     void wanted();
 
 private:
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     /// What the work has reached since.
     void fetch();
     void onIdle();

@@ -17,7 +17,7 @@ constexpr int kMaxSentences = 4;  ///< that are read when a project is opened
 
 ProjectSession::ProjectSession(Workspace& workspace, QObject* parent)
     : QObject(parent), workspace_(workspace) {
-    connect(&workspace.document(), &Document::changed, this, &ProjectSession::onChanged);
+    connect(&workspace.document(), &Document::opened, this, &ProjectSession::onAnother);
     connect(&workspace.document().history(), &QUndoStack::cleanChanged, this,
             &ProjectSession::changed);
     connect(&saves_, &JobRunner::failed, this, [this](const QString&, const QString& sentence) {
@@ -100,10 +100,7 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
     }
 }
 
-void ProjectSession::onChanged(DocumentChanges what) {
-    if (!what.testFlag(DocumentChange::Opened)) {
-        return;
-    }
+void ProjectSession::onAnother() {
     ++opened_;
     OpeningAs as = std::exchange(openingAs_, std::nullopt).value_or(OpeningAs{});
     path_ = std::move(as.path);

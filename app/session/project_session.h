@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "app/document/document_change.h"
 #include "app/jobs/file_jobs.h"
 #include "app/jobs/job_runner.h"
 
@@ -77,7 +76,7 @@ private:
                const std::function<void()>& done);
     /// @param moved  meshes are elsewhere than the file says
     void onOpened(const Path& file, const OpenedProject& opened, bool restoring, bool moved);
-    void onChanged(DocumentChanges what);
+    void onAnother();
     /// What was taken for saved is not.
     void onNotSaved();
     void onSaved(const Path& path, int of);

@@ -18,7 +18,10 @@ std::shared_ptr<GarmentFlattener> newFlattener() {
 }  // namespace
 
 Recompute::Recompute(Document& document, JobRunner& jobs)
-    : document_(document), jobs_(jobs), flattener_(newFlattener()) {}
+    : document_(document), jobs_(jobs), flattener_(newFlattener()) {
+    connect(&document_, &Document::opened, this, &Recompute::onOpened);
+    connect(&document_, &Document::changed, this, &Recompute::onChanged);
+}
 
 Recompute::~Recompute() = default;
 
@@ -38,15 +41,16 @@ void Recompute::retry() {
     }
 }
 
-void Recompute::note(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Results)) {
+void Recompute::onOpened() {
+    // What was open before must leave no trace in another garment's results.
+    flattener_ = newFlattener();
+    noScene_ = false;
+    flattening_ = document_.isFlattened() ? Flattening::AsUsual : Flattening::Wanted;
+}
+
+void Recompute::onChanged(const DocumentChange& what) {
+    if (what.touches(&Derived::garment, &Derived::results, &Derived::scene)) {
         noScene_ = false;
-    }
-    if (what.testFlag(DocumentChange::Opened)) {
-        // What was open before must leave no trace in another garment's results.
-        flattener_ = newFlattener();
-        flattening_ = document_.isFlattened() ? Flattening::AsUsual : Flattening::Wanted;
-        return;
     }
     const bool isOverruled = automatic_ && flattening_ == Flattening::Declined &&
                              document_.revision() != order_.revision;

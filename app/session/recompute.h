@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/document/document_change.h"
 #include "app/document/document_state.h"
 #include "app/jobs/garment_jobs.h"
 #include "app/jobs/job_runner.h"
@@ -18,6 +17,7 @@ class GarmentFlattener;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 
 /// Works out what follows from the document's state, in one job, whenever part of it is missing.
 /// The garment always; whether it is flattened depends on the last request:
@@ -54,8 +54,6 @@ public:
     }
     /// What was declined is as usual again: a step has led back.
     void retry();
-    /// To be called with every change of the document.
-    void note(DocumentChanges what);
     /// Has begun what is due, and nothing else, unless it is on its way. Not while other jobs are
     /// to change the state: it takes their place.
     void catchUp();
@@ -80,6 +78,8 @@ private:
         bool operator==(const Order&) const = default;
     };
 
+    void onOpened();
+    void onChanged(const DocumentChange& what);
     bool isDue(const Order& order) const;
     Order due() const;
     void take(Derivation made);

@@ -18,6 +18,8 @@ namespace toile::app {
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     proposals_ = std::make_unique<CutProposals>(*this);
     proof_ = std::make_unique<PatternProof>(document_, proving_);
+    // Cuts of what was open before.
+    connect(&document_, &Document::opened, &mirroring_, &JobRunner::cancel);
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
@@ -182,22 +184,14 @@ void Workspace::follow() {
     }
 }
 
-void Workspace::onChanged(DocumentChanges what) {
-    recompute_.note(what);
-    if (what.testFlag(DocumentChange::Opened)) {
-        mirroring_.cancel();  // cuts of what was open before
-    }
+void Workspace::onChanged(const DocumentChange& what) {
     if (document_.isCurrent()) {
         onTrial_.clear();
     }
-    if (what.testFlag(DocumentChange::Loading)) {
+    if (what.touches(&DocumentState::inputs)) {
         emit loadingChanged();
     }
-    constexpr DocumentChanges kWork = DocumentChange::Opened | DocumentChange::Garment |
-                                      DocumentChange::Seams | DocumentChange::Options |
-                                      DocumentChange::Loading | DocumentChange::Results |
-                                      DocumentChange::Settings;  // what is left out
-    if (what & kWork) {
+    if (what.touchesContent()) {
         follow();
     }
     followAge();
@@ -348,20 +342,18 @@ void Workspace::changeLoading(LoadingChange change) {
     if (opening_.files()) {
         opening_.files()->loading = std::move(after);
         startOpening();
-    } else if (document_.garment()) {
-        LoadOptions cutAlike = after;
-        cutAlike.seams = before.seams;
-        cutAlike.autoCut = before.autoCut;
-        cutAlike.cutStyle = before.cutStyle;
-        if (document_.isCurrent() && !(cutAlike == before)) {
-            after.known = knownPieces(*document_.garment());  // they are divided again
-        }
-        DocumentState next = document_.state();
-        next.inputs.loading = std::move(after);
-        document_.edit(change.text, std::move(next), change.gesture);
-    } else {
-        document_.setLoading(std::move(after));
+        return;
     }
+    LoadOptions cutAlike = after;
+    cutAlike.seams = before.seams;
+    cutAlike.autoCut = before.autoCut;
+    cutAlike.cutStyle = before.cutStyle;
+    if (document_.garment() && document_.isCurrent() && !(cutAlike == before)) {
+        after.known = knownPieces(*document_.garment());  // they are divided again
+    }
+    DocumentState next = document_.state();
+    next.inputs.loading = std::move(after);
+    document_.edit(change.text, std::move(next), change.gesture);
 }
 
 bool Workspace::canExport() const {

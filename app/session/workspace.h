@@ -272,7 +272,7 @@ private:
 
     template <class Value>
     void setOption(const QString& text, Value FlattenOptions::*field, Value value);
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void onStopped(bool failed);
 
     Document document_;

@@ -46,13 +46,11 @@ GarmentView::GarmentView(Document& document, ToolChoice& tools, QWidget* parent)
     setObjectName("garmentView");
     setAccessibleName(tr("Garment"));
     camera_.setFreeEdges(Camera3D::kSliderRoom);
-    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
-        if (what.testFlag(DocumentChange::Opened)) {
-            const Camera3D fresh;
-            setDirection({fresh.yaw(), fresh.pitch()});
-            if (camera_.isOrthographic()) {
-                look(ViewKey::Orthographic);
-            }
+    connect(&document, &Document::opened, this, [this] {
+        const Camera3D fresh;
+        setDirection({fresh.yaw(), fresh.pitch()});
+        if (camera_.isOrthographic()) {
+            look(ViewKey::Orthographic);
         }
     });
 }

@@ -35,13 +35,7 @@ OverlayWatcher::OverlayWatcher(Document& document, QObject* parent, const Work& 
               show(std::move(found));
           }
       }) {
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::View |
-                    DocumentChange::Fabric | DocumentChange::Settings | DocumentChange::Seams |
-                    DocumentChange::Proof)) {
-            ask();
-        }
-    });
+    connect(&document_, &Document::changed, this, &OverlayWatcher::ask);
     ask();
 }
 

@@ -235,9 +235,8 @@ PatternView::PatternView(Document& document, ToolChoice& tools, QWidget* parent)
     : SceneView(document, tools, std::make_unique<PatternRenderer>(), parent) {
     setObjectName("patternView");
     setAccessibleName(tr("Pattern"));
-    connect(&document, &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Opened | DocumentChange::Garment | DocumentChange::Results |
-                    DocumentChange::Settings)) {
+    connect(&document, &Document::changed, this, [this](const DocumentChange& what) {
+        if (what.touchesContent()) {
             follow();
         }
     });

@@ -27,13 +27,6 @@ namespace {
 /// Radius of the cloth framed around a spot: a share of its piece, at least this many mm.
 constexpr double kRadiusShare = 0.2, kMinRadius = 5;
 
-/// Changes that require the content to be drawn again.
-constexpr DocumentChanges kContent = DocumentChange::Garment | DocumentChange::Results |
-                                     DocumentChange::Settings | DocumentChange::Fabric |
-                                     DocumentChange::Selection | DocumentChange::SeamSelection |
-                                     DocumentChange::Mark | DocumentChange::Reference |
-                                     DocumentChange::Seams | DocumentChange::Proof;
-
 bool lieElsewhere(const SheetPlaces& a, const SheetPlaces& b) {
     return !std::ranges::equal(a, b, {}, &SheetPlace::placement, &SheetPlace::placement);
 }
@@ -50,7 +43,13 @@ SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<Scen
     setFormat(sceneSurfaceFormat());
     setMinimumSize(220, 150);
     setMouseTracking(true);
+    connect(&document_, &Document::opened, this, [this] { followsAll_ = true; });
     connect(&document_, &Document::changed, this, &SceneView::onChanged);
+    connect(&document_, &Document::hovered, this, [this] {
+        renderer().setHover(document_.hover());
+        hover_.follow();
+        update();
+    });
     connect(&tools_, &ToolChoice::changed, this, &SceneView::updateCursor);
     connect(&tools_, &ToolChoice::chosen, this, &SceneView::endPress);
     connect(&LengthDisplay::instance(), &LengthDisplay::changed, this, [this] {
@@ -61,30 +60,19 @@ SceneView::SceneView(Document& document, ToolChoice& tools, std::unique_ptr<Scen
     renderer().show(contentOf(document_));
 }
 
-void SceneView::onChanged(DocumentChanges what) {
-    if (what.testFlag(DocumentChange::Opened)) {
-        followsAll_ = true;
-    }
-    if (what & kContent) {
-        const SheetPlaces before = places();
-        renderer().show(contentOf(document_));
-        // When the user moves a piece, do not move the sheet.
-        const bool byHand = !(what & (DocumentChange::Garment | DocumentChange::Results)) &&
-                            lieElsewhere(places(), before);
-        followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
-    }
-    if (what & (DocumentChange::Garment | DocumentChange::Results | DocumentChange::Selection |
-                DocumentChange::SeamSelection | DocumentChange::Mark)) {
+void SceneView::onChanged(const DocumentChange& what) {
+    const SheetPlaces before = places();
+    renderer().show(contentOf(document_));
+    const bool othersFlat = what.touches(&Derived::garment, &Derived::results, &Derived::scene);
+    // When the user moves a piece, do not move the sheet.
+    const bool byHand = !othersFlat && lieElsewhere(places(), before);
+    followsAll_ = followsAll_ && !(byHand && kind() == ViewKind::Pattern);
+    if (othersFlat || what.touches(DocumentChange::Selection)) {
         shown_.reset();
     }
-    if (what.testFlag(DocumentChange::Hover)) {
-        renderer().setHover(document_.hover());
-        hover_.follow();
-    }
-    if (what.testFlag(DocumentChange::Garment)) {
+    if (what.hasOtherPieces()) {
         hover_.reset();  // its subject may no longer exist
-    } else if (what & (DocumentChange::Results | DocumentChange::Seams | DocumentChange::Settings |
-                       DocumentChange::View | DocumentChange::Fabric | DocumentChange::Proof)) {
+    } else {
         hover_.writeAgain();
     }
     update();

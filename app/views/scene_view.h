@@ -5,7 +5,6 @@
 #include <optional>
 #include <set>
 
-#include "app/document/document_change.h"
 #include "app/render/render_style.h"
 #include "app/render/scene.h"
 #include "app/views/callouts.h"
@@ -18,6 +17,7 @@ class QPainter;
 namespace toile::app {
 
 class Document;
+class DocumentChange;
 class ToolChoice;
 
 /// A place on a seam; `along` as in a SeamHit, on the left side.
@@ -122,7 +122,7 @@ private:
     /// Owner of the current mouse press.
     enum class Press { None, Tool, Camera, Overlay };
 
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void turn(const QPointF& delta) override;
     void pan(const QPointF& delta) override;
     void zoom(const QPointF& at, double factor) override;

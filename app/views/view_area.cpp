@@ -33,12 +33,7 @@ ViewArea::ViewArea(Document& document, ToolChoice& tools, QWidget* parent)
     connect(figures_, &OverlayWatcher::changed, this, &ViewArea::showFigures);
     connect(figures_, &OverlayWatcher::failed, this, &ViewArea::failed);
     // Updates the pointed value at once, even if the figures take longer.
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Settings | DocumentChange::View | DocumentChange::Fabric |
-                    DocumentChange::Garment | DocumentChange::Results | DocumentChange::Proof)) {
-            showPointedValue();
-        }
-    });
+    connect(&document_, &Document::changed, this, &ViewArea::showPointedValue);
     showFigures();
 }
 

@@ -29,10 +29,6 @@ constexpr int kAboveFoot = 50;
 constexpr double kNear = 0.5 + 1e-6;
 constexpr auto kBetween = " · ";
 
-constexpr DocumentChanges kWalkChanges = DocumentChange::Opened | DocumentChange::Garment |
-                                         DocumentChange::Results | DocumentChange::Seams |
-                                         DocumentChange::Settings | DocumentChange::SeamSelection;
-
 bool isEscape(const QEvent& event) {
     return (event.type() == QEvent::KeyPress || event.type() == QEvent::ShortcutOverride) &&
            static_cast<const QKeyEvent&>(event).key() == Qt::Key_Escape;
@@ -81,8 +77,8 @@ WalkBar::WalkBar(Document& document, PatternView& pattern, GarmentView& garment)
 
     connect(this, &PlayBar::moved, this, &WalkBar::roll);
     connect(close, &QToolButton::clicked, this, &WalkBar::end);
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (rolled_ && (what & kWalkChanges)) {
+    connect(&document_, &Document::changed, this, [this] {
+        if (rolled_) {
             follow();
         }
     });

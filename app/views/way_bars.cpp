@@ -39,14 +39,8 @@ MorphBar::MorphBar(Document& document, GarmentView& view)
     row->addWidget(makeLabel(tr("Flat")));
 
     connect(this, &PlayBar::moved, &view, &GarmentView::setMorph);
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (what.testFlag(DocumentChange::Opened)) {
-            rewind();
-        }
-        if (what & (DocumentChange::Results | DocumentChange::Garment)) {
-            showOrHide();
-        }
-    });
+    connect(&document_, &Document::opened, this, &MorphBar::rewind);
+    connect(&document_, &Document::changed, this, &MorphBar::showOrHide);
     showOrHide();
 }
 
@@ -88,19 +82,11 @@ SewnBar::SewnBar(Document& document, GarmentView& view, MorphBar& morph)
             rewind();
         }
     });
-    connect(&document_, &Document::changed, this, &SewnBar::onChanged);
+    connect(&document_, &Document::changed, this, &SewnBar::showOrHide);
     setVisible(false);
 }
 
-void SewnBar::onChanged(DocumentChanges what) {
-    if (!(what & (DocumentChange::Opened | DocumentChange::Proof | DocumentChange::Results |
-                  DocumentChange::Garment | DocumentChange::Seams | DocumentChange::Settings |
-                  DocumentChange::Fabric | DocumentChange::Options))) {
-        return;
-    }
-    if (what.testFlag(DocumentChange::Opened)) {
-        seen_.reset();
-    }
+void SewnBar::showOrHide() {
     const auto cloth = sewnOf(document_);
     const bool isThere = cloth && cloth->isMeasured;
     const bool isNew = isThere && document_.proof()->proof != seen_;

@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "app/document/document_change.h"
 #include "app/views/play_bar.h"
 
 namespace toile {
@@ -40,7 +39,7 @@ public:
     SewnBar(Document& document, GarmentView& view, MorphBar& morph);
 
 private:
-    void onChanged(DocumentChanges what);
+    void showOrHide();
 
     Document& document_;
     MorphBar& morph_;

@@ -187,6 +187,7 @@ void MainWindow::connectParts() {
         }
     });
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
+    connect(&workspace_.document(), &Document::opened, this, &MainWindow::adaptToWeight);
     connect(&workspace_.document(), &Document::changed, this, &MainWindow::onChanged);
     actions_.on(ActionId::Quit, this, &QWidget::close);
 }
@@ -218,25 +219,20 @@ void MainWindow::updateHint() {
     status_->setHint(workspace_.document().garment() ? centre_->hint() : QString());
 }
 
-void MainWindow::onChanged(DocumentChanges what) {
-    if (what & (DocumentChange::Garment | DocumentChange::Seams)) {
+void MainWindow::onChanged(const DocumentChange& what) {
+    if (what.touches(&Derived::garment, &DocumentState::labels)) {
         banner().hide();  // the message may refer to the previous garment
     }
-    if (what.testFlag(DocumentChange::Results) && !status_->hasSummary()) {
+    if (what.touches(&Derived::results, &Derived::scene) && !status_->hasSummary()) {
         status_->updateSummary();  // the scene exists again
         centre_->ask();
     }
-    const auto& symmetry = workspace_.document().derived().symmetry;
-    const bool isOtherSymmetry = symmetry != std::exchange(askedSymmetry_, symmetry);
-    if (!what.testFlag(DocumentChange::Garment)) {
+    if (!what.hasOtherPieces()) {
         // A file was read as another kind, or mirrored pieces differ.
-        if (what.testFlag(DocumentChange::Seams) || isOtherSymmetry) {
+        if (what.touches(&Derived::garment, &Derived::symmetry)) {
             centre_->ask();
         }
         return;
-    }
-    if (what.testFlag(DocumentChange::Opened)) {
-        adaptToWeight();
     }
     showGarmentParts(workspace_.document().garment() != nullptr);
     updateTitle();

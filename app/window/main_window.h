@@ -78,7 +78,7 @@ protected:
 
 private:
     void connectParts();
-    void onChanged(DocumentChanges what);
+    void onChanged(const DocumentChange& what);
     void showGarmentParts(bool shown);
     void updateTitle();
     void updateHint();
@@ -100,8 +100,7 @@ private:
     std::unique_ptr<WindowDialogs> dialogs_;
     std::unique_ptr<WindowContextMenus> contextMenus_;
     std::unique_ptr<Recovery> recovery_;
-    std::shared_ptr<const Symmetry> askedSymmetry_;  ///< that the current question is about
-    bool closingAnyway_ = false;                     ///< do not ask again
+    bool closingAnyway_ = false;  ///< do not ask again
 };
 
 }  // namespace toile::app

@@ -35,8 +35,8 @@ WindowBusy::WindowBusy(Workspace& workspace, QAction& cancel, QWidget& centre, Q
     connect(&jobs, &JobRunner::started, this, &WindowBusy::update);
     connect(&jobs, &JobRunner::idle, this, &WindowBusy::update);
     connect(&jobs, &JobRunner::progressed, this, &WindowBusy::showFraction);
-    connect(&workspace_.document(), &Document::changed, this, [this](DocumentChanges what) {
-        if (what & (DocumentChange::Garment | DocumentChange::Results)) {
+    connect(&workspace_.document(), &Document::changed, this, [this](const DocumentChange& what) {
+        if (what.touches(&Derived::garment, &Derived::results)) {
             update();
         }
     });

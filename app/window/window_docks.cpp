@@ -123,9 +123,8 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
         const QScopedValueRollback guard(goesToFinding_, true);
         showFindings(findings);
     });
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        if (!goesToFinding_ && (what & (DocumentChange::Selection | DocumentChange::SeamSelection |
-                                        DocumentChange::Mark))) {
+    connect(&document_, &Document::changed, this, [this](const DocumentChange& what) {
+        if (!goesToFinding_ && what.touches(DocumentChange::Selection)) {
             problems_->selectNothing();  // only one object is selected at a time
         }
     });

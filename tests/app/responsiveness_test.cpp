@@ -385,11 +385,8 @@ private slots:
         const double reading = *application().seenAfter();
 
         double firstFrame = -1;
-        connect(&document(), &Document::changed, &page, [this](DocumentChanges what) {
-            if (what.testFlag(DocumentChange::Opened)) {
-                application().watch(garmentView());
-            }
-        });
+        connect(&document(), &Document::opened, &page,
+                [this] { application().watch(garmentView()); });
         QVERIFY(QTest::qWaitFor([this, &seen] { return document().garment() && seen(); },
                                 test::kPatience));
         firstFrame = *application().seenAfter();

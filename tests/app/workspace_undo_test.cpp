@@ -147,13 +147,7 @@ private slots:
         QFETCH(bool, autoFlatten);
         workspace().setAutoFlatten(autoFlatten);
         const auto once =
-            connect(&document(), &Document::changed, this, [this](DocumentChanges what) {
-                if (what.testFlag(DocumentChange::Opened)) {
-                    DocumentState next = document().state();
-                    next.fabric = *fabricPreset("jersey");
-                    document().edit("Fabric", std::move(next));
-                }
-            });
+            connect(&document(), &Document::opened, this, [this] { changeFabric("jersey"); });
         workspace().open({file("other.obj")});
         QVERIFY(waitUntilDone());
         disconnect(once);

@@ -291,13 +291,8 @@ SelectTool::SelectTool(Workspace& workspace)
                               &CutProposals::opened, &CutProposals::closed}) {
         connect(&workspace.proposals(), signal, this, &Tool::changed);
     }
-    connect(&document_, &Document::changed, this, [this](DocumentChanges what) {
-        // The hint includes the lengths of the selected edge.
-        if ((what & (DocumentChange::Mark | DocumentChange::SeamSelection)) ||
-            (document_.mark() && what.testFlag(DocumentChange::Results))) {
-            emit changed();
-        }
-    });
+    // The hint includes the lengths of the selected edge.
+    connect(&document_, &Document::changed, this, &Tool::changed);
 }
 
 SelectTool::~SelectTool() = default;

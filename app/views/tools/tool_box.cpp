@@ -25,8 +25,8 @@ ToolBox::ToolBox(Workspace& workspace, QObject* parent) : ToolChoice(parent) {
     add(std::make_unique<NotchTool>(workspace.document()));
     add(std::make_unique<InternalLineTool>(workspace, finder_));
     current_ = tools_.at(ToolId::Select).get();
-    connect(&workspace.document(), &Document::changed, this, [this](DocumentChanges what) {
-        if (what.testFlag(DocumentChange::Garment)) {
+    connect(&workspace.document(), &Document::changed, this, [this](const DocumentChange& what) {
+        if (what.hasOtherPieces()) {
             // Tools may refer to pieces that no longer exist.
             for (const auto& [id, tool] : tools_) {
                 tool->cancel();

@@ -113,9 +113,9 @@ public:
     /// Calls `act` when the next garment is open, before anything is flat.
     void whenOpened(std::function<void()> act) {
         auto context = std::make_unique<QObject>();
-        QObject::connect(&document(), &Document::changed, context.get(),
-                         [this, act = std::move(act)](DocumentChanges what) {
-                             if (what.testFlag(DocumentChange::Opened) && listening_) {
+        QObject::connect(&document(), &Document::opened, context.get(),
+                         [this, act = std::move(act)] {
+                             if (listening_) {
                                  listening_.release()->deleteLater();
                                  act();
                              }
