@@ -346,7 +346,7 @@ private slots:
             ToolBox& tools = window().tools();
             tools.choose(id);
             for (const ViewKind view : {ViewKind::Garment, ViewKind::Pattern}) {
-                QVERIFY(tools.current().hint(view).contains("Esc: back to selecting"));
+                QVERIFY(tools.current().hint(view).contains("Esc: leave the tool"));
             }
             const QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
             QVERIFY(tools.current().wants(escape));
