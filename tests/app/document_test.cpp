@@ -178,7 +178,7 @@ private slots:
         document.setSeamEase(0, 0.04);
         QCOMPARE(lastChange(spy), DocumentChange::Seams | DocumentChange::Loading);
         QCOMPARE(document.garment()->seams.seams[0].ease, std::optional(0.04));
-        QCOMPARE(document.history().undoText(), "Ease of " + seamName(document, 0));
+        QCOMPARE(document.history().undoText(), "Set ease of " + seamName(document, 0));
         QVERIFY(!before->seams.seams[0].ease);  // a job may hold it
         QCOMPARE(document.garment()->pieces[0], before->pieces[0]);
         QCOMPARE(document.scene(), scene);

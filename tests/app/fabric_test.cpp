@@ -387,7 +387,7 @@ private slots:
         typeMaterial("Lining");
         QCOMPARE(materialOf(1), std::string("Lining"));
         QCOMPARE(materialOf(0), std::string());
-        QCOMPARE(lastStep(), QString("Material of cap: Lining"));
+        QCOMPARE(lastStep(), QString("Set material of cap to Lining"));
         QCOMPARE(steps(), 1);
         QVERIFY(isMaterialColumnShown());
         QVERIFY(*fabricFit(question()) == *woven);  // it begins with the garment's fabric
@@ -470,7 +470,7 @@ private slots:
         QCOMPARE(steps(), 1);
         document().setSelection({0});
         typeMaterial("");
-        QCOMPARE(lastStep(), QString("Material of sheet: as the garment"));
+        QCOMPARE(lastStep(), QString("Set material of sheet to garment's fabric"));
         QCOMPARE(document().state().materials.size(), std::size_t(1));
         document().setSelection({0, 1});
         QCOMPARE(material().currentText(), QString());  // they differ

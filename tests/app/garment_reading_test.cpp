@@ -252,7 +252,7 @@ private slots:
         QVERIFY(fixture_.action(ActionId::ReadInner).isChecked());
         const double inner = document().garment()->pieces[0]->mesh.V.col(2).maxCoeff();
         QVERIFY(std::abs(std::abs(outer - inner) - 2) < 1e-9);
-        QCOMPARE(document().history().undoText(), QString("Reading"));
+        QCOMPARE(document().history().undoText(), QString("Change import options"));
         fixture_.action(ActionId::ReadSheet).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().garment()->pieces[0]->defect->code, ErrorCode::ClosedSurface);

@@ -206,7 +206,7 @@ private slots:
         QCOMPARE(document().selection(), Document::Selection{0});
         chooseMaterial("Lining");
         QCOMPARE(materials(), QStringList({"Lining", "", "Lining", "Lining"}));
-        QCOMPARE(document().history().undoText(), QString("Material of front: Lining"));
+        QCOMPARE(document().history().undoText(), QString("Set material of front to Lining"));
     }
 
     void alikePiecesAreSelectedTogether() {
