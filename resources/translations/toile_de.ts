@@ -47,68 +47,68 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>%1 of the cloth is beyond the fabric along the warp</source>
-        <translation>%1 des Stoffes liegen in Kettrichtung jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the fabric along the weft</source>
-        <translation>%1 des Stoffes liegen in Schussrichtung jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the fabric on the bias</source>
-        <translation>%1 des Stoffes liegen im schrägen Fadenlauf jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
         <source>%1 of the cloth has an edge beyond the tightest limit</source>
         <translation>%1 des Stoffes haben eine Kante jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the tightest limit</source>
-        <translation>%1 des Stoffes liegen jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric along the warp</source>
-        <translation>aller Stoff bleibt in Kettrichtung in dem, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric along the weft</source>
-        <translation>aller Stoff bleibt in Schussrichtung in dem, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric on the bias</source>
-        <translation>aller Stoff bleibt im schrägen Fadenlauf in dem, was das Material zulässt</translation>
     </message>
     <message>
         <source>no edge is beyond the tightest limit</source>
         <translation>keine Kante liegt jenseits der engsten Grenze</translation>
     </message>
     <message>
-        <source>all of the cloth is within the tightest limit</source>
-        <translation>aller Stoff bleibt in der engsten Grenze</translation>
+        <source>%1 of the cloth exceeds the warp limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen der Kette</translation>
     </message>
     <message>
-        <source>%1 beyond the fabric (hatched)</source>
-        <translation>%1 mehr, als der Stoff hergibt (schraffiert)</translation>
+        <source>all cloth is within the warp limits</source>
+        <translation>aller Stoff liegt in den Grenzen der Kette</translation>
     </message>
     <message>
-        <source>all within the fabric</source>
-        <translation>alles innerhalb des Stoffs</translation>
+        <source>%1 of the cloth exceeds the weft limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen des Schusses</translation>
     </message>
     <message>
-        <source>not sewn yet, or since the last change: prove it by sewing</source>
-        <translation>noch nicht oder nicht seit der letzten Änderung genäht: durch Nähen prüfen</translation>
+        <source>all cloth is within the weft limits</source>
+        <translation>aller Stoff liegt in den Grenzen des Schusses</translation>
     </message>
     <message>
-        <source>it is being sewn</source>
+        <source>%1 of the cloth exceeds the bias limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>all cloth is within the bias limits</source>
+        <translation>aller Stoff liegt in den Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the tightest limit</source>
+        <translation>%1 des Stoffes liegen außerhalb der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>all cloth is within the tightest limit</source>
+        <translation>aller Stoff liegt in der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>sewing in progress</source>
         <translation>wird gerade genäht</translation>
     </message>
     <message>
-        <source>of the designer&apos;s panels · %1</source>
-        <translation>der Teile des Entwerfers · %1</translation>
+        <source>no current proof; prove by sewing first</source>
+        <translation>keine aktuelle Prüfung; zuerst durch Nähen prüfen</translation>
     </message>
     <message>
-        <source>of the reference pattern · %1</source>
-        <translation>des Vergleichsschnitts · %1</translation>
+        <source>designer&apos;s panels · %1</source>
+        <translation>Teile des Entwerfers · %1</translation>
+    </message>
+    <message>
+        <source>reference pattern · %1</source>
+        <translation>Referenzschnitt · %1</translation>
+    </message>
+    <message>
+        <source>%1 beyond the limits (hatched)</source>
+        <translation>%1 außerhalb der Grenzen (schraffiert)</translation>
+    </message>
+    <message>
+        <source>all within the limits</source>
+        <translation>alles in den Grenzen</translation>
     </message>
 </context>
 <context>
@@ -124,10 +124,6 @@
 </context>
 <context>
     <name>FabricName</name>
-    <message>
-        <source>not stated</source>
-        <translation>nicht angegeben</translation>
-    </message>
     <message>
         <source>woven</source>
         <translation>Webstoff</translation>
@@ -167,6 +163,10 @@
     <message>
         <source>custom</source>
         <translation>eigenes</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>nicht festgelegt</translation>
     </message>
 </context>
 <context>
@@ -290,12 +290,12 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>The views need OpenGL 3.3, but this computer offers none here. Flattening and export work all the same; a newer graphics driver brings the views back.</source>
-        <translation>Die Ansichten brauchen OpenGL 3.3, das dieser Rechner hier nicht bietet. Abwickeln und Exportieren gehen trotzdem; ein neuerer Grafiktreiber bringt die Ansichten zurück.</translation>
+        <source>The views need OpenGL 3.3, which is not available. Flattening and export still work. Update the graphics driver to get the views.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, das nicht verfügbar ist. Abwickeln und Exportieren gehen trotzdem. Aktualisieren Sie den Grafiktreiber, um die Ansichten zu sehen.</translation>
     </message>
     <message>
-        <source>The views need OpenGL 3.3, but the graphics driver offers only %1.%2. Flattening and export work all the same; a newer driver brings the views back.</source>
-        <translation>Die Ansichten brauchen OpenGL 3.3, der Grafiktreiber bietet aber nur %1.%2. Abwickeln und Exportieren gehen trotzdem; ein neuerer Treiber bringt die Ansichten zurück.</translation>
+        <source>The views need OpenGL 3.3, but the graphics driver only offers %1.%2. Flattening and export still work. Update the driver to get the views.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, aber der Grafiktreiber bietet nur %1.%2. Abwickeln und Exportieren gehen trotzdem. Aktualisieren Sie den Treiber, um die Ansichten zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -326,8 +326,8 @@
 <context>
     <name>OffscreenContext</name>
     <message>
-        <source>pictures need OpenGL 3.3, and there is neither a display that offers it nor a driver that does without one; xvfb-run lends a display, and the package libgl1-mesa-dri has such a driver</source>
-        <translation>Bilder brauchen OpenGL 3.3, und es gibt weder einen Bildschirm, der es bietet, noch einen Treiber, der ohne auskommt; xvfb-run leiht einen Bildschirm, und das Paket libgl1-mesa-dri hat einen solchen Treiber</translation>
+        <source>pictures need OpenGL 3.3, but neither a display nor a driver without display offers it; use xvfb-run, or install the package libgl1-mesa-dri</source>
+        <translation>Bilder brauchen OpenGL 3.3, aber weder ein Bildschirm noch ein Treiber ohne Bildschirm bietet es; benutzen Sie xvfb-run oder installieren Sie das Paket libgl1-mesa-dri</translation>
     </message>
 </context>
 <context>
@@ -374,16 +374,8 @@ veraltet</translation>
         <translation>°</translation>
     </message>
     <message>
-        <source>largest change of a corner, flat against worn</source>
-        <translation>größte Änderung einer Ecke, flach gegen getragen</translation>
-    </message>
-    <message>
         <source>Edge strain</source>
         <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>what the cloth must do: orange stretches, blue has surplus</source>
-        <translation>was der Stoff tun muss: Orange dehnt sich, Blau hat zu viel</translation>
     </message>
     <message>
         <source>Strain along warp</source>
@@ -414,28 +406,12 @@ veraltet</translation>
         <translation>Hauptdehnung</translation>
     </message>
     <message>
-        <source>arrows outwards stretch, arrows inwards have surplus</source>
-        <translation>Pfeile nach außen dehnen sich, Pfeile nach innen haben zu viel</translation>
-    </message>
-    <message>
         <source>Distortion energy</source>
         <translation>Verzerrungsenergie</translation>
     </message>
     <message>
-        <source>symmetric Dirichlet, above that of cloth that keeps its shape</source>
-        <translation>symmetrische Dirichlet-Energie, über der von Stoff, der seine Form behält</translation>
-    </message>
-    <message>
-        <source>worn against flat: orange must stretch, blue has surplus</source>
-        <translation>getragen gegen flach: Orange muss sich dehnen, Blau hat zu viel</translation>
-    </message>
-    <message>
         <source>Surface normals</source>
         <translation>Flächennormalen</translation>
-    </message>
-    <message>
-        <source>where the worn cloth faces: one colour for each direction</source>
-        <translation>wohin der getragene Stoff weist: eine Farbe für jede Richtung</translation>
     </message>
     <message>
         <source>squares of 1/2 in on the flat cloth</source>
@@ -446,16 +422,40 @@ veraltet</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>sewn against designed: orange lies outside, blue inside</source>
-        <translation>genäht gegen Entwurf: Orange liegt außen, Blau innen</translation>
-    </message>
-    <message>
         <source>Worn strain</source>
         <translation>Dehnung genäht</translation>
     </message>
     <message>
-        <source>of the cloth as sewn: orange pulls, blue is slack</source>
-        <translation>des genähten Stoffs: Orange spannt, Blau ist lose</translation>
+        <source>3D against flat: orange stretches, blue has surplus</source>
+        <translation>3D gegen flach: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>largest change of a triangle&apos;s corner angle</source>
+        <translation>größte Änderung eines Winkels im Dreieck</translation>
+    </message>
+    <message>
+        <source>mesh edges: orange stretches, blue has surplus</source>
+        <translation>Netzkanten: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>outward arrows stretch, inward arrows have surplus</source>
+        <translation>Pfeile nach außen: Dehnung, Pfeile nach innen: zu viel</translation>
+    </message>
+    <message>
+        <source>symmetric Dirichlet energy; 0 if the cloth keeps its shape</source>
+        <translation>symmetrische Dirichlet-Energie; 0, wenn der Stoff seine Form behält</translation>
+    </message>
+    <message>
+        <source>direction of the 3D surface, one colour for each axis</source>
+        <translation>Richtung der 3D-Oberfläche, eine Farbe je Achse</translation>
+    </message>
+    <message>
+        <source>sewn cloth against design: orange outside, blue inside</source>
+        <translation>genähter Stoff gegen Entwurf: Orange außen, Blau innen</translation>
+    </message>
+    <message>
+        <source>sewn cloth: orange pulls, blue is slack</source>
+        <translation>genähter Stoff: Orange spannt, Blau ist lose</translation>
     </message>
 </context>
 <context>
@@ -463,10 +463,6 @@ veraltet</translation>
     <message>
         <source>The flat pieces appear here.</source>
         <translation>Hier erscheinen die flachen Schnittteile.</translation>
-    </message>
-    <message>
-        <source>None of the pieces could be flattened. The list of pieces says why.</source>
-        <translation>Keines der Schnittteile ließ sich abwickeln. Die Liste der Schnittteile sagt, warum.</translation>
     </message>
     <message>
         <source>%1 · wrong side up</source>
@@ -493,19 +489,23 @@ veraltet</translation>
         <translation>rechte Stoffseite oben, Schnitt- und Nahtlinien</translation>
     </message>
     <message>
-        <source>The pieces have changed and wait to be flattened.</source>
-        <translation>Die Schnittteile haben sich geändert und sind noch nicht wieder abgewickelt.</translation>
+        <source>The pieces have changed and are not flattened yet.</source>
+        <translation>Die Schnittteile haben sich geändert und sind noch nicht abgewickelt.</translation>
+    </message>
+    <message>
+        <source>No piece could be flattened. See the list of pieces for the reasons.</source>
+        <translation>Kein Schnittteil ließ sich abwickeln. Die Gründe stehen in der Liste der Schnittteile.</translation>
     </message>
 </context>
 <context>
     <name>PlatformChoice</name>
     <message>
-        <source>there is no display to open the window on; &quot;toile flatten&quot; and &quot;toile render&quot; need none, and xvfb-run lends one</source>
-        <translation>es gibt keinen Bildschirm für das Fenster; „toile flatten“ und „toile render“ brauchen keinen, und xvfb-run leiht einen</translation>
+        <source>there is no display for the window; use xvfb-run, or &quot;toile flatten&quot; and &quot;toile render&quot;, which need none</source>
+        <translation>es gibt keinen Bildschirm für das Fenster; benutzen Sie xvfb-run, oder „toile flatten“ und „toile render“, die keinen brauchen</translation>
     </message>
     <message>
-        <source>there is no display to draw on, and Qt&apos;s part for drawing without one is not installed; xvfb-run lends a display</source>
-        <translation>es gibt keinen Bildschirm zum Zeichnen, und der Teil von Qt, der ohne einen zeichnet, ist nicht eingerichtet; xvfb-run leiht einen Bildschirm</translation>
+        <source>there is no display, and Qt&apos;s offscreen plugin is not installed; use xvfb-run</source>
+        <translation>es gibt keinen Bildschirm, und das Offscreen-Plugin von Qt ist nicht installiert; benutzen Sie xvfb-run</translation>
     </message>
 </context>
 <context>
@@ -833,7 +833,7 @@ veraltet</translation>
         <translation>Diese Ansicht braucht OpenGL 3.3, das der Grafiktreiber nicht bietet.</translation>
     </message>
     <message>
-        <source>The graphics driver refused to draw this view (%1).</source>
+        <source>The graphics driver cannot draw this view (%1).</source>
         <translation>Der Grafiktreiber kann diese Ansicht nicht zeichnen (%1).</translation>
     </message>
 </context>
@@ -855,11 +855,11 @@ veraltet</translation>
 <context>
     <name>ViewPicture</name>
     <message>
-        <source>the graphics driver has no room for a picture of %1 x %2 pixels; try a smaller one</source>
-        <translation>der Grafiktreiber hat keinen Platz für ein Bild von %1 x %2 Bildpunkten; versuchen Sie ein kleineres</translation>
+        <source>the graphics driver cannot draw %1 x %2 pixels; choose a smaller size</source>
+        <translation>der Grafiktreiber kann %1 x %2 Bildpunkte nicht zeichnen; wählen Sie eine kleinere Größe</translation>
     </message>
     <message>
-        <source>there is no memory for a picture of that size</source>
+        <source>there is not enough memory for a picture of this size</source>
         <translation>für ein Bild dieser Größe reicht der Speicher nicht</translation>
     </message>
 </context>
@@ -1122,10 +1122,6 @@ veraltet</translation>
     <message>
         <source>Messages</source>
         <translation>Meldungen</translation>
-    </message>
-    <message>
-        <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
-        <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
     </message>
     <message>
         <source>seam line, no allowance</source>
@@ -1556,14 +1552,6 @@ veraltet</translation>
         <translation>Mittlere Dehnung, %</translation>
     </message>
     <message>
-        <source>Most stretch, %</source>
-        <translation>Größte Dehnung, %</translation>
-    </message>
-    <message>
-        <source>Most surplus, %</source>
-        <translation>Größtes Zuviel, %</translation>
-    </message>
-    <message>
         <source>Seam Δ, %1</source>
         <translation>Naht-Δ, %1</translation>
     </message>
@@ -1586,10 +1574,6 @@ veraltet</translation>
     <message>
         <source>Time, ms</source>
         <translation>Zeit, ms</translation>
-    </message>
-    <message>
-        <source>To the reference panel, %1</source>
-        <translation>Zum Referenzteil, %1</translation>
     </message>
     <message>
         <source>up to %1 mm from the exact outline, not %2 mm</source>
@@ -1712,18 +1696,6 @@ veraltet</translation>
         <translation>Gruppen nach Teil</translation>
     </message>
     <message>
-        <source>Stays text</source>
-        <translation>Bleibt Text</translation>
-    </message>
-    <message>
-        <source>Outlines of letters</source>
-        <translation>Umrisse der Buchstaben</translation>
-    </message>
-    <message>
-        <source>As drawn</source>
-        <translation>Wie gezeichnet</translation>
-    </message>
-    <message>
         <source>Exact outlines</source>
         <translation>Genaue Umrisse</translation>
     </message>
@@ -1748,14 +1720,6 @@ veraltet</translation>
         <translation>Laserschneider</translation>
     </message>
     <message>
-        <source>For</source>
-        <translation>Für</translation>
-    </message>
-    <message>
-        <source>The program that is to open the DXF file: profile and unit as it expects them</source>
-        <translation>Das Programm, das die DXF-Datei öffnen soll: Profil und Einheit, wie es sie erwartet</translation>
-    </message>
-    <message>
         <source>Profile</source>
         <translation>Profil</translation>
     </message>
@@ -1768,68 +1732,32 @@ veraltet</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Unit of the DXF file&apos;s numbers</source>
-        <translation>Einheit der Zahlen in der DXF-Datei</translation>
-    </message>
-    <message>
         <source>Rule table</source>
         <translation>Sprungwerttabelle</translation>
-    </message>
-    <message>
-        <source>Write a rule table of one size (.rul) beside the DXF file</source>
-        <translation>Neben die DXF-Datei eine Sprungwerttabelle mit einer Größe (.rul) schreiben</translation>
     </message>
     <message>
         <source>Control piece</source>
         <translation>Kontrollteil</translation>
     </message>
     <message>
-        <source>A square of 100 mm as a piece of its own, to measure in the other program</source>
-        <translation>Ein Quadrat von 100 mm als eigenes Teil, zum Nachmessen im anderen Programm</translation>
-    </message>
-    <message>
         <source>Paper</source>
         <translation>Papier</translation>
-    </message>
-    <message>
-        <source>What the PDF file is printed on: tiles of a4, letter or tile, which fits both; one page of a0, arch-d or arch-e; a roll; or projector</source>
-        <translation>Worauf die PDF-Datei gedruckt wird: Blätter in a4, letter oder tile, das auf beide passt; ein Bogen a0, arch-d oder arch-e; eine Rolle; oder projector</translation>
     </message>
     <message>
         <source>Overlap</source>
         <translation>Überlappung</translation>
     </message>
     <message>
-        <source>By how much the tiles of a PDF file overlap, mm</source>
-        <translation>Um wie viel die Blätter einer PDF-Datei überlappen, mm</translation>
-    </message>
-    <message>
-        <source>The program or machine that is to open the SVG file</source>
-        <translation>Das Programm oder die Maschine, die die SVG-Datei öffnen soll</translation>
-    </message>
-    <message>
         <source>Groups</source>
         <translation>Gruppen</translation>
-    </message>
-    <message>
-        <source>Layers of one kind of line each, or a group for each piece</source>
-        <translation>Ebenen mit je einer Art von Linien, oder eine Gruppe je Teil</translation>
     </message>
     <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
-        <source>Text that stays text, or the outlines of its letters</source>
-        <translation>Text, der Text bleibt, oder die Umrisse seiner Buchstaben</translation>
-    </message>
-    <message>
         <source>Turned</source>
         <translation>Gedreht</translation>
-    </message>
-    <message>
-        <source>Turn the plot by a quarter</source>
-        <translation>Den Plot um ein Viertel drehen</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -1844,16 +1772,8 @@ veraltet</translation>
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Texture coordinates of OBJ, USD and GLB files: the pattern as it is drawn, or with exact outlines</source>
-        <translation>Texturkoordinaten von OBJ-, USD- und GLB-Dateien: der Schnitt wie gezeichnet, oder mit genauen Umrissen</translation>
-    </message>
-    <message>
         <source>A file for each piece</source>
         <translation>Eine Datei je Teil</translation>
-    </message>
-    <message>
-        <source>Write each piece as an OBJ file of its own too</source>
-        <translation>Auch jedes Teil als eigene OBJ-Datei schreiben</translation>
     </message>
     <message>
         <source>%1 mm x %2 mm; a page can be %3 mm long</source>
@@ -1942,10 +1862,6 @@ veraltet</translation>
     <message>
         <source>PNG picture</source>
         <translation>PNG-Bild</translation>
-    </message>
-    <message>
-        <source>mails and web pages, at a stated resolution</source>
-        <translation>Nachrichten und Webseiten, mit angegebener Auflösung</translation>
     </message>
     <message>
         <source>OBJ with UV map</source>
@@ -2716,20 +2632,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>die Simulation ist nicht zur Ruhe gekommen, daher ist der Abstand nicht verlässlich</translation>
     </message>
     <message>
-        <source>Time that the last solve of this piece took</source>
-        <translation>Zeit, die der Löser zuletzt für dieses Schnittteil brauchte</translation>
-    </message>
-    <message>
         <source>Share of the area that moved to other triangles; 0 if each keeps its share of the garment</source>
         <translation>Anteil der Fläche, der zu anderen Dreiecken gewandert ist; 0, wenn jedes seinen Anteil behält</translation>
     </message>
     <message>
         <source>Largest change in length of an outline edge</source>
         <translation>Größte Längenänderung einer Umrisskante</translation>
-    </message>
-    <message>
-        <source>Triangles that are turned over in the pattern, which cloth cannot be</source>
-        <translation>Dreiecke, die im Schnittmuster umgeklappt sind; Stoff kann das nicht</translation>
     </message>
     <message>
         <source>Number of places where the outline crosses itself</source>
@@ -3504,16 +3412,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>die Teilung nach „%1“ ergibt %2 Schnittteile, mehr als die Grenze von %3; teilen Sie sie nach etwas anderem, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
     </message>
     <message>
-        <source>Either way up</source>
-        <translation>In beide Richtungen</translation>
-    </message>
-    <message>
         <source>One way</source>
         <translation>In einer Richtung</translation>
-    </message>
-    <message>
-        <source>Freely</source>
-        <translation>Frei</translation>
     </message>
     <message>
         <source>Repeat a&amp;long</source>
@@ -3548,10 +3448,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite des Schnittbilds</translation>
     </message>
     <message>
-        <source>From selvedge to selvedge; by default that of the fabric</source>
-        <translation>Von Webkante zu Webkante; zunächst die des Stoffs</translation>
-    </message>
-    <message>
         <source>Ga&amp;p</source>
         <translation>&amp;Abstand</translation>
     </message>
@@ -3572,32 +3468,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rand des Schnittbilds</translation>
     </message>
     <message>
-        <source>Smallest distance between the pieces and all edges of the cloth</source>
-        <translation>Kleinster Abstand zwischen den Teilen und allen Kanten des Stoffs</translation>
-    </message>
-    <message>
-        <source>&amp;Turned</source>
-        <translation>Ge&amp;dreht</translation>
-    </message>
-    <message>
-        <source>Turning of pieces</source>
-        <translation>Drehen der Teile</translation>
-    </message>
-    <message>
-        <source>With the grain along the warp either way up, all one way for nap and directional prints, or freely on cloth without a grain</source>
-        <translation>Mit dem Fadenlauf längs der Kette in beide Richtungen, alle in einer Richtung bei Strich und gerichteten Mustern, oder frei auf Stoff ohne Fadenlauf</translation>
-    </message>
-    <message>
         <source>Grain tol&amp;erance</source>
         <translation>Fad&amp;enlauf-Toleranz</translation>
     </message>
     <message>
         <source>Grain tolerance</source>
         <translation>Fadenlauf-Toleranz</translation>
-    </message>
-    <message>
-        <source>How far a piece may be turned in addition, to both sides</source>
-        <translation>Wie weit ein Teil zusätzlich gedreht werden darf, nach beiden Seiten</translation>
     </message>
     <message>
         <source>F&amp;olded lengthwise</source>
@@ -3618,10 +3494,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Garments of the marker</source>
         <translation>Kleidungsstücke des Schnittbilds</translation>
-    </message>
-    <message>
-        <source>Number of garments that are cut at once</source>
-        <translation>Anzahl der Kleidungsstücke, die auf einmal zugeschnitten werden</translation>
     </message>
     <message>
         <source>Slit</source>
@@ -3656,22 +3528,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stumpf</translation>
     </message>
     <message>
-        <source>Right angle to the one before</source>
-        <translation>Im rechten Winkel zum vorigen</translation>
-    </message>
-    <message>
-        <source>Right angle to this one</source>
-        <translation>Im rechten Winkel zu diesem</translation>
-    </message>
-    <message>
-        <source>Mirrored, the one before</source>
-        <translation>Gespiegelt, der vorige</translation>
-    </message>
-    <message>
-        <source>Mirrored, this one</source>
-        <translation>Gespiegelt, dieser</translation>
-    </message>
-    <message>
         <source>Stepped</source>
         <translation>Abgestuft</translation>
     </message>
@@ -3682,10 +3538,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Tolerance of fair lines</source>
         <translation>Toleranz der ausgeglichenen Linien</translation>
-    </message>
-    <message>
-        <source>How far a line may be from the exact outline</source>
-        <translation>Wie weit eine Linie vom genauen Umriss entfernt sein darf</translation>
     </message>
     <message>
         <source>Smoot&amp;hing length</source>
@@ -3724,10 +3576,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Toleranz eines Abschnitts</translation>
     </message>
     <message>
-        <source>How far the line of this segment may be from the exact outline; makes lines fair</source>
-        <translation>Wie weit die Linie dieses Abschnitts vom genauen Umriss entfernt sein darf; Linien werden dafür ausgeglichen</translation>
-    </message>
-    <message>
         <source>Default</source>
         <translation>Standard</translation>
     </message>
@@ -3738,10 +3586,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Straight segment</source>
         <translation>Abschnitt als gerade Linie</translation>
-    </message>
-    <message>
-        <source>Draw the segment as one straight line; makes lines fair</source>
-        <translation>Den Abschnitt als eine gerade Linie zeichnen; Linien werden dafür ausgeglichen</translation>
     </message>
     <message>
         <source>Allo&amp;wance</source>
@@ -3762,10 +3606,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Corner of an allowance</source>
         <translation>Ecke einer Zugabe</translation>
-    </message>
-    <message>
-        <source>How the allowances meet where the segment starts, anti-clockwise round the piece</source>
-        <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -3794,10 +3634,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Width of seam allowances</source>
         <translation>Breite der Nahtzugaben</translation>
-    </message>
-    <message>
-        <source>Allowance along edges that are sewn to others</source>
-        <translation>Zugabe entlang von Kanten, die an andere genäht werden</translation>
     </message>
     <message>
         <source>Hems</source>
@@ -3832,20 +3668,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Tiefe der Knipse</translation>
     </message>
     <message>
-        <source>From the cutting line inwards; at most half the allowance, if there is one</source>
-        <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, falls es eine gibt</translation>
-    </message>
-    <message>
         <source>&amp;Intake</source>
         <translation>&amp;Inhalt</translation>
     </message>
     <message>
         <source>Intake of a dart</source>
         <translation>Abnäherinhalt</translation>
-    </message>
-    <message>
-        <source>Distance of the legs at the mouth, in the pattern; the legs keep their length</source>
-        <translation>Abstand der Schenkel an der Öffnung, im Schnittmuster; die Schenkel behalten ihre Länge</translation>
     </message>
     <message>
         <source>As flattened</source>
@@ -3860,10 +3688,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Lage eines Abnähers</translation>
     </message>
     <message>
-        <source>Over which leg the closed dart is laid. The first leg comes first, anti-clockwise round the piece; by convention it is laid towards the centre, or downwards</source>
-        <translation>Über welchen Schenkel der geschlossene Abnäher gelegt wird. Der erste kommt gegen den Uhrzeigersinn um das Schnittteil zuerst; üblich ist zur Mitte oder nach unten</translation>
-    </message>
-    <message>
         <source>By convention</source>
         <translation>Wie üblich</translation>
     </message>
@@ -3876,20 +3700,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Größe auf den Schnittteilen</translation>
     </message>
     <message>
-        <source>The size on the labels of all pieces</source>
-        <translation>Die Größe auf den Beschriftungen aller Schnittteile</translation>
-    </message>
-    <message>
         <source>&amp;Date</source>
         <translation>&amp;Datum</translation>
     </message>
     <message>
         <source>Date on labels</source>
         <translation>Datum auf den Schnittteilen</translation>
-    </message>
-    <message>
-        <source>The date on the labels of all pieces, as it is printed</source>
-        <translation>Das Datum auf den Beschriftungen aller Schnittteile, so wie es gedruckt wird</translation>
     </message>
     <message>
         <source>&amp;Fair lines</source>
@@ -3912,20 +3728,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knicke an Nahtenden ausgleichen</translation>
     </message>
     <message>
-        <source>Turn the lines at the ends of seams so that they run into each other once sewn, if they miss that by no more than this angle</source>
-        <translation>Die Linien an Nahtenden so drehen, dass sie genäht ineinander übergehen, falls dazu nicht mehr als dieser Winkel fehlt</translation>
-    </message>
-    <message>
         <source>Seam &amp;allowance</source>
         <translation>N&amp;ahtzugabe</translation>
     </message>
     <message>
         <source>Seam allowance</source>
         <translation>Nahtzugabe</translation>
-    </message>
-    <message>
-        <source>Leave cloth beyond the seam lines, and cut along the line around it</source>
-        <translation>Außerhalb der Nahtlinien Stoff zugeben und an der Linie darum zuschneiden</translation>
     </message>
     <message>
         <source>&amp;Notches</source>
@@ -3936,20 +3744,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knipse</translation>
     </message>
     <message>
-        <source>Mark places of the seams that meet when they are sewn</source>
-        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
-    </message>
-    <message>
         <source>Drop &amp;debris</source>
         <translation>&amp;Bruchstücke entfernen</translation>
     </message>
     <message>
         <source>Drop debris</source>
         <translation>Bruchstücke entfernen</translation>
-    </message>
-    <message>
-        <source>Leave out fragments that are too small for a piece, but not several of one kind, such as buttons</source>
-        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind, außer mehreren gleichen, etwa Knöpfen</translation>
     </message>
     <message>
         <source>Close &amp;holes with a perimeter up to</source>
@@ -3960,10 +3760,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Löcher schließen</translation>
     </message>
     <message>
-        <source>Patches continue the cloth around them; neck, sleeves and hem stay open, however short they are</source>
-        <translation>Flicken setzen den Stoff ringsum fort; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
-    </message>
-    <message>
         <source>&amp;Smooth noise by at most</source>
         <translation>&amp;Rauschen glätten um höchstens</translation>
     </message>
@@ -3972,20 +3768,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rauschen glätten</translation>
     </message>
     <message>
-        <source>No point moves farther; folds and hems stay</source>
-        <translation>Kein Punkt bewegt sich weiter; Falten und Säume bleiben</translation>
-    </message>
-    <message>
         <source>&amp;Remesh with edges of</source>
         <translation>&amp;Dreiecke neu bilden mit Kanten von</translation>
     </message>
     <message>
         <source>Edge length of the mesh</source>
         <translation>Kantenlänge des Netzes</translation>
-    </message>
-    <message>
-        <source>Replace the triangles by ones of about equal size; the names and the UV map of the file are lost</source>
-        <translation>Die Dreiecke durch etwa gleich große ersetzen; Namen und UV-Karte der Datei gehen verloren</translation>
     </message>
     <message>
         <source>This pattern</source>
@@ -4000,10 +3788,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Der Vergleichsschnitt</translation>
     </message>
     <message>
-        <source>As the fabric</source>
-        <translation>Wie der Stoff</translation>
-    </message>
-    <message>
         <source>N/m</source>
         <translation>N/m</translation>
     </message>
@@ -4016,20 +3800,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zugsteifigkeit längs der Kette</translation>
     </message>
     <message>
-        <source>Force per strain of a strip, 1 m wide, that is stretched along the warp</source>
-        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Kettrichtung</translation>
-    </message>
-    <message>
         <source>Stretch, weft</source>
         <translation>Zug, Schuss</translation>
     </message>
     <message>
         <source>Stretch stiffness along the weft</source>
         <translation>Zugsteifigkeit längs des Schusses</translation>
-    </message>
-    <message>
-        <source>Force per strain of a strip, 1 m wide, that is stretched along the weft</source>
-        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Schussrichtung</translation>
     </message>
     <message>
         <source>Shear</source>
@@ -4068,10 +3844,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gewicht des Stoffs</translation>
     </message>
     <message>
-        <source>Only counts with gravity</source>
-        <translation>Zählt nur mit Schwerkraft</translation>
-    </message>
-    <message>
         <source>g/m²</source>
         <translation>g/m²</translation>
     </message>
@@ -4084,20 +3856,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnitt der Nähprobe</translation>
     </message>
     <message>
-        <source>The pattern as it is written to a file and read back, or another one to compare with</source>
-        <translation>Der Schnitt, wie er in eine Datei geschrieben und wieder gelesen wird, oder ein anderer zum Vergleich</translation>
-    </message>
-    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Triangles of the proof</source>
         <translation>Dreiecke der Nähprobe</translation>
-    </message>
-    <message>
-        <source>Length of the edges of the triangles that are sewn; shorter ones are finer and take longer. 0: as in the garment</source>
-        <translation>Kantenlänge der Dreiecke, die genäht werden; kürzere sind feiner und dauern länger. 0: wie im Kleidungsstück</translation>
     </message>
     <message>
         <source>As in the garment</source>
@@ -4112,10 +3876,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Druck der Nähprobe</translation>
     </message>
     <message>
-        <source>Presses the cloth onto the dress form; below 0 it is filled like a cushion. 10 Pa are 1 g on 10 cm²</source>
-        <translation>Drückt den Stoff auf den Körper; unter 0 wird er gefüllt wie ein Kissen. 10 Pa sind 1 g auf 10 cm²</translation>
-    </message>
-    <message>
         <source>Pa</source>
         <translation>Pa</translation>
     </message>
@@ -4128,20 +3888,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nähprobe mit Schwerkraft</translation>
     </message>
     <message>
-        <source>Let the cloth hang by its weight</source>
-        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
-    </message>
-    <message>
         <source>Cloth touches itself</source>
         <translation>Stoff berührt sich selbst</translation>
     </message>
     <message>
         <source>Proof with layers that touch</source>
         <translation>Nähprobe mit Lagen, die sich berühren</translation>
-    </message>
-    <message>
-        <source>Keep layers of cloth apart, which takes longer; otherwise cloth passes through cloth</source>
-        <translation>Lagen von Stoff auseinanderhalten, was länger dauert; sonst geht Stoff durch Stoff hindurch</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -4158,6 +3910,250 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Garment&apos;s fabric</source>
         <translation>Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Unexpected error (%1). Please report it with the garment file.</source>
+        <translation>Unerwarteter Fehler (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Time of the last solve of this piece</source>
+        <translation>Rechenzeit der letzten Abwicklung dieses Schnittteils</translation>
+    </message>
+    <message>
+        <source>Triangles whose orientation is reversed in the pattern; cloth cannot do that</source>
+        <translation>Dreiecke, die im Schnittmuster umgeklappt sind; Stoff kann das nicht</translation>
+    </message>
+    <message>
+        <source>Distance to reference panel, %1</source>
+        <translation>Abstand zum Referenzteil, %1</translation>
+    </message>
+    <message>
+        <source>Max. stretch, %</source>
+        <translation>Größte Dehnung, %</translation>
+    </message>
+    <message>
+        <source>Max. surplus, %</source>
+        <translation>Größter Überschuss, %</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Drawn pattern</source>
+        <translation>Gezeichneter Schnitt</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Program that opens the DXF file; sets profile and unit</source>
+        <translation>Programm, das die DXF-Datei öffnet; legt Profil und Einheit fest</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the DXF file</source>
+        <translation>Einheit der Zahlen in der DXF-Datei</translation>
+    </message>
+    <message>
+        <source>Also write a rule table of one size (.rul)</source>
+        <translation>Auch eine Sprungwerttabelle mit einer Größe (.rul) schreiben</translation>
+    </message>
+    <message>
+        <source>Add a square of 100 mm as an extra piece, to check the scale</source>
+        <translation>Ein Quadrat von 100 mm als zusätzliches Teil, um den Maßstab zu prüfen</translation>
+    </message>
+    <message>
+        <source>Paper of the PDF file: tiles of a4, letter or tile, which fits both; one page of a0, arch-d or arch-e; a roll; or projector</source>
+        <translation>Papier der PDF-Datei: Blätter in a4, letter oder tile, das auf beide passt; ein Bogen a0, arch-d oder arch-e; eine Rolle; oder projector</translation>
+    </message>
+    <message>
+        <source>Overlap of the tiles of a PDF file, mm</source>
+        <translation>Überlappung der Blätter einer PDF-Datei, mm</translation>
+    </message>
+    <message>
+        <source>Program or machine that opens the SVG file</source>
+        <translation>Programm oder Maschine, die die SVG-Datei öffnet</translation>
+    </message>
+    <message>
+        <source>A layer for each kind of line, or a group for each piece</source>
+        <translation>Eine Ebene je Linienart oder eine Gruppe je Schnittteil</translation>
+    </message>
+    <message>
+        <source>Write text as text, or as outlines of its letters</source>
+        <translation>Text als Text schreiben oder als Umrisse seiner Buchstaben</translation>
+    </message>
+    <message>
+        <source>Turn the plot by 90°</source>
+        <translation>Den Plot um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Texture coordinates of OBJ, USD and GLB files: the drawn pattern, or exact outlines</source>
+        <translation>Texturkoordinaten von OBJ-, USD- und GLB-Dateien: der gezeichnete Schnitt oder genaue Umrisse</translation>
+    </message>
+    <message>
+        <source>Also write each piece to its own OBJ file</source>
+        <translation>Auch jedes Schnittteil in eine eigene OBJ-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>e-mail and web pages, at a chosen resolution</source>
+        <translation>E-Mails und Webseiten, mit gewählter Auflösung</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>Beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>From selvedge to selvedge; default: width of the fabric</source>
+        <translation>Von Webkante zu Webkante; Vorgabe: Breite des Stoffs</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the edges of the cloth</source>
+        <translation>Kleinster Abstand zu den Kanten des Stoffs</translation>
+    </message>
+    <message>
+        <source>Direc&amp;tion</source>
+        <translation>Ri&amp;chtung</translation>
+    </message>
+    <message>
+        <source>Direction of pieces</source>
+        <translation>Richtung der Teile</translation>
+    </message>
+    <message>
+        <source>Both ways along the warp, one way for nap and directional prints, or free on cloth without a grain</source>
+        <translation>In beiden Richtungen längs der Kette, in einer Richtung bei Strich und gerichteten Mustern, oder frei auf Stoff ohne Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Maximum rotation of a piece off the grain, to both sides</source>
+        <translation>Größte Drehung eines Teils gegen den Fadenlauf, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Number of garments in the marker</source>
+        <translation>Anzahl der Kleidungsstücke im Schnittbild</translation>
+    </message>
+    <message>
+        <source>Right angle to previous</source>
+        <translation>Rechter Winkel zum vorigen</translation>
+    </message>
+    <message>
+        <source>Right angle to this</source>
+        <translation>Rechter Winkel zu diesem</translation>
+    </message>
+    <message>
+        <source>Mirrored on previous</source>
+        <translation>Gespiegelt am vorigen</translation>
+    </message>
+    <message>
+        <source>Mirrored on this</source>
+        <translation>Gespiegelt an diesem</translation>
+    </message>
+    <message>
+        <source>Maximum distance of a line from the exact outline</source>
+        <translation>Größter Abstand einer Linie vom genauen Umriss</translation>
+    </message>
+    <message>
+        <source>Maximum distance of this segment&apos;s line from the exact outline; switches on fair lines</source>
+        <translation>Größter Abstand der Linie dieses Abschnitts vom genauen Umriss; schaltet ausgeglichene Linien ein</translation>
+    </message>
+    <message>
+        <source>Draw the segment as one straight line; switches on fair lines</source>
+        <translation>Den Abschnitt als eine gerade Linie zeichnen; schaltet ausgeglichene Linien ein</translation>
+    </message>
+    <message>
+        <source>How the allowances meet at the start of the segment, anti-clockwise around the piece</source>
+        <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Allowance along sewn edges</source>
+        <translation>Zugabe entlang genähter Kanten</translation>
+    </message>
+    <message>
+        <source>Measured inwards from the cutting line; at most half the allowance, if there is one</source>
+        <translation>Von der Schnittlinie nach innen gemessen; höchstens die halbe Zugabe, falls es eine gibt</translation>
+    </message>
+    <message>
+        <source>Width between the legs at the edge, in the pattern; the legs keep their length</source>
+        <translation>Abstand der Schenkel an der Kante, im Schnittmuster; die Schenkel behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Leg over which the closed dart is folded, counted anti-clockwise around the piece. By convention: towards the centre, or downwards</source>
+        <translation>Schenkel, über den der geschlossene Abnäher gelegt wird, gezählt gegen den Uhrzeigersinn um das Schnittteil. Üblich: zur Mitte oder nach unten</translation>
+    </message>
+    <message>
+        <source>Size printed on the labels of all pieces</source>
+        <translation>Größe auf den Beschriftungen aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>Date printed on the labels of all pieces</source>
+        <translation>Datum auf den Beschriftungen aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>Remove kinks of up to this angle where lines meet at the end of a sewn seam</source>
+        <translation>Knicke bis zu diesem Winkel entfernen, wo Linien am Ende einer genähten Naht zusammentreffen</translation>
+    </message>
+    <message>
+        <source>Add cloth beyond the seam lines, and a cutting line around it</source>
+        <translation>Stoff außerhalb der Nahtlinien zugeben, mit einer Schnittlinie darum</translation>
+    </message>
+    <message>
+        <source>Mark points of seams to align when sewing</source>
+        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>Leave out fragments too small for a piece; groups of one kind, such as buttons, stay</source>
+        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind; mehrere gleiche, etwa Knöpfe, bleiben</translation>
+    </message>
+    <message>
+        <source>Fill holes with cloth; neck, sleeves and hem stay open, however short they are</source>
+        <translation>Löcher mit Stoff füllen; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
+    </message>
+    <message>
+        <source>Largest movement of a point; folds and hems stay</source>
+        <translation>Größte Bewegung eines Punktes; Falten und Säume bleiben</translation>
+    </message>
+    <message>
+        <source>Replace the mesh by triangles of about equal size; names and UV map are lost</source>
+        <translation>Das Netz durch etwa gleich große Dreiecke ersetzen; Namen und UV-Karte gehen verloren</translation>
+    </message>
+    <message>
+        <source>From fabric</source>
+        <translation>Vom Stoff</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip 1 m wide, stretched along the warp</source>
+        <translation>Kraft je Dehnung eines 1 m breiten Streifens bei Zug in Kettrichtung</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip 1 m wide, stretched along the weft</source>
+        <translation>Kraft je Dehnung eines 1 m breiten Streifens bei Zug in Schussrichtung</translation>
+    </message>
+    <message>
+        <source>Only used with gravity</source>
+        <translation>Zählt nur mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>The pattern as written to a file and read back, or another one to compare</source>
+        <translation>Der Schnitt, in eine Datei geschrieben und zurückgelesen, oder ein anderer zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Edge length of the sewn triangles; shorter edges are finer and slower. 0: as in the garment</source>
+        <translation>Kantenlänge der genähten Dreiecke; kürzere sind feiner und langsamer. 0: wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Presses the cloth onto the dress form; negative values inflate it. 10 Pa are 1 g on 10 cm²</source>
+        <translation>Drückt den Stoff auf den Körper; negative Werte blasen ihn auf. 10 Pa sind 1 g auf 10 cm²</translation>
+    </message>
+    <message>
+        <source>Let the cloth hang under its weight</source>
+        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
+    </message>
+    <message>
+        <source>Keep layers of cloth apart (slower); otherwise cloth passes through cloth</source>
+        <translation>Stofflagen auseinanderhalten (langsamer); sonst geht Stoff durch Stoff hindurch</translation>
     </message>
 </context>
 <context>
@@ -5538,18 +5534,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>Quantity of %1: %2</source>
-        <translation>Anzahl von %1: %2</translation>
-    </message>
-    <message>
-        <source>Mirrored pair: %1</source>
-        <translation>Gespiegeltes Paar: %1</translation>
-    </message>
-    <message>
-        <source>No mirrored pair: %1</source>
-        <translation>Kein gespiegeltes Paar: %1</translation>
-    </message>
-    <message>
         <source>millimetres</source>
         <translation>Millimeter</translation>
     </message>
@@ -5710,10 +5694,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Kleinste &amp;Verzerrung</translation>
     </message>
     <message>
-        <source>Angles follow the c&amp;urvature</source>
-        <translation>Winkel folgen der &amp;Krümmung</translation>
-    </message>
-    <message>
         <source>1 seam</source>
         <translation>1 Naht</translation>
     </message>
@@ -5754,24 +5734,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>%1 · %2 / %3 on the garment</source>
-        <translation>%1 · %2 / %3 am Kleidungsstück</translation>
-    </message>
-    <message>
         <source>%1 · %2 / %3, Δ %4</source>
         <translation>%1 · %2 / %3, Δ %4</translation>
     </message>
     <message>
-        <source>%1 · %2 of its outline</source>
-        <translation>%1 · %2 seines Umrisses</translation>
-    </message>
-    <message>
         <source>%1, from corner to corner · %2 / %3, Δ %4</source>
         <translation>%1, von Ecke zu Ecke · %2 / %3, Δ %4</translation>
-    </message>
-    <message>
-        <source>%1, from corner to corner · %2 / %3 on the garment</source>
-        <translation>%1, von Ecke zu Ecke · %2 / %3 am Kleidungsstück</translation>
     </message>
     <message>
         <source>%1 · %2 not sewn</source>
@@ -5868,14 +5836,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Show which pieces mirror each other and move the keyboard there</source>
         <translation>Zeigen, welche Schnittteile einander spiegeln, und die Tastatur dorthin bringen</translation>
-    </message>
-    <message>
-        <source>Half only: %1</source>
-        <translation>Nur halb: %1</translation>
-    </message>
-    <message>
-        <source>As a whole: %1</source>
-        <translation>Ganz: %1</translation>
     </message>
     <message>
         <source>&amp;Cutting line</source>
@@ -5976,14 +5936,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Interfacing</source>
         <translation>Einlage</translation>
-    </message>
-    <message>
-        <source>Material of %1: as the garment</source>
-        <translation>Stoffart von %1: wie das Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Material of %1: %2</source>
-        <translation>Stoffart von %1: %2</translation>
     </message>
     <message>
         <source>D&amp;art to seam</source>
@@ -6334,10 +6286,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 ausnehmen</translation>
     </message>
     <message>
-        <source>Take in %1</source>
-        <translation>%1 aufnehmen</translation>
-    </message>
-    <message>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
@@ -6356,10 +6304,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Fabric</source>
         <translation>Material</translation>
-    </message>
-    <message>
-        <source>Grain of %1 upwards</source>
-        <translation>Fadenlauf von %1 nach oben</translation>
     </message>
     <message>
         <source>Align %1</source>
@@ -6474,24 +6418,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach zusammenhängenden Teilen teilen</translation>
     </message>
     <message>
-        <source>Angles spread &amp;evenly</source>
-        <translation>Winkel &amp;gleichmäßig verteilt</translation>
-    </message>
-    <message>
         <source>Least &amp;stretch on a circle</source>
         <translation>Kleinste Dehnung auf dem Krei&amp;s</translation>
     </message>
     <message>
         <source>&amp;Free outline</source>
         <translation>&amp;Freier Umriss</translation>
-    </message>
-    <message>
-        <source>Free outline, leas&amp;t squares</source>
-        <translation>Freier Umriss, kleinste &amp;Quadrate</translation>
-    </message>
-    <message>
-        <source>Free outline, by an&amp;gles</source>
-        <translation>Freier Umriss, über die &amp;Winkel</translation>
     </message>
     <message>
         <source>On a ci&amp;rcle</source>
@@ -6508,10 +6440,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>a tube with %1 openings</source>
         <translation>ein Schlauch mit %1 Öffnungen</translation>
-    </message>
-    <message>
-        <source>closed all round</source>
-        <translation>ringsum geschlossen</translation>
     </message>
     <message>
         <source>True-scale squares on the cloth</source>
@@ -6834,14 +6762,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Spiegelung %1</translation>
     </message>
     <message>
-        <source>typed length %1</source>
-        <translation>eingegebene Länge %1</translation>
-    </message>
-    <message>
-        <source>improving %1</source>
-        <translation>Verbesserung %1</translation>
-    </message>
-    <message>
         <source>ease %1</source>
         <translation>Mehrweite %1</translation>
     </message>
@@ -6957,6 +6877,82 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Move the view, where the tool does not take them</source>
         <translation>Ansicht verschieben, wenn das Werkzeug sie nicht braucht</translation>
     </message>
+    <message>
+        <source>Turn grain of %1 upwards</source>
+        <translation>Fadenlauf von %1 nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Set quantity of %1 to %2</source>
+        <translation>Anzahl von %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Set mirrored pair for %1</source>
+        <translation>Gespiegeltes Paar für %1 setzen</translation>
+    </message>
+    <message>
+        <source>Clear mirrored pair for %1</source>
+        <translation>Gespiegeltes Paar für %1 aufheben</translation>
+    </message>
+    <message>
+        <source>Set material of %1 to garment&apos;s fabric</source>
+        <translation>Stoffart von %1 wie Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Set material of %1 to %2</source>
+        <translation>Stoffart von %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Draw %1 as half</source>
+        <translation>%1 halb zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw %1 as whole</source>
+        <translation>%1 ganz zeichnen</translation>
+    </message>
+    <message>
+        <source>Include %1</source>
+        <translation>%1 wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>a closed surface</source>
+        <translation>eine geschlossene Fläche</translation>
+    </message>
+    <message>
+        <source>set length %1</source>
+        <translation>gesetzte Länge %1</translation>
+    </message>
+    <message>
+        <source>improvement %1</source>
+        <translation>Verbesserung %1</translation>
+    </message>
+    <message>
+        <source>Angles from c&amp;urvature</source>
+        <translation>Winkel aus der &amp;Krümmung</translation>
+    </message>
+    <message>
+        <source>&amp;Even angles (Wang 2005)</source>
+        <translation>Gleich&amp;mäßige Winkel (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>LSCM (&amp;texture style)</source>
+        <translation>LSCM (Te&amp;xturart)</translation>
+    </message>
+    <message>
+        <source>A&amp;BF (texture style)</source>
+        <translation>A&amp;BF (Texturart)</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3 in 3D</source>
+        <translation>%1 · %2 / %3 in 3D</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of free edge</source>
+        <translation>%1 · %2 freie Kante</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3 in 3D</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3 in 3D</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -6987,48 +6983,48 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 auf dem Stoff drehen</translation>
     </message>
     <message>
-        <source>All pieces lie one way on this cloth: choose another rule for turning first.</source>
-        <translation>Auf diesem Stoff liegen alle Teile in einer Richtung: Wählen Sie zuerst eine andere Regel fürs Drehen.</translation>
-    </message>
-    <message>
-        <source>Lay %1 on the cloth</source>
-        <translation>%1 auf dem Stoff legen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep it here</source>
-        <translation>&amp;Hier festhalten</translation>
-    </message>
-    <message>
         <source>Keep %1 on the cloth</source>
         <translation>%1 auf dem Stoff festhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Release it</source>
-        <translation>&amp;Loslassen</translation>
-    </message>
-    <message>
-        <source>&amp;Turn by a quarter</source>
-        <translation>Um ein &amp;Viertel drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Turn by half</source>
-        <translation>Um &amp;180° drehen</translation>
     </message>
     <message>
         <source>Release &amp;all</source>
         <translation>&amp;Alle loslassen</translation>
     </message>
     <message>
-        <source>&amp;Show all of the cloth</source>
+        <source>This marker allows only one direction. Change Direction first.</source>
+        <translation>Dieses Schnittbild erlaubt nur eine Richtung. Ändern Sie zuerst „Richtung“.</translation>
+    </message>
+    <message>
+        <source>Place %1 on the cloth</source>
+        <translation>%1 auf den Stoff legen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep here</source>
+        <translation>&amp;Hier festhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Release</source>
+        <translation>&amp;Lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 90°</source>
+        <translation>Um &amp;90° drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 180°</source>
+        <translation>Um &amp;180° drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Show whole cloth</source>
         <translation>Den &amp;ganzen Stoff zeigen</translation>
     </message>
     <message>
-        <source>%1: it lies on another piece or beyond the cloth</source>
-        <translation>%1: liegt auf einem anderen Teil oder außerhalb des Stoffs</translation>
+        <source>%1 overlaps another piece or leaves the cloth</source>
+        <translation>%1 überlappt ein anderes Teil oder ragt über den Stoff</translation>
     </message>
     <message>
-        <source>%1: kept here; double click to release it</source>
-        <translation>%1: hier festgehalten; Doppelklick lässt es los</translation>
+        <source>%1 is placed by hand; double-click to release it</source>
+        <translation>%1 ist von Hand gelegt; Doppelklick löst es</translation>
     </message>
 </context>
 <context>
@@ -7079,14 +7075,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Verfahren vergleichen</translation>
     </message>
     <message>
-        <source>No pictures can be shown: %1</source>
-        <translation>Es lassen sich keine Bilder zeigen: %1</translation>
-    </message>
-    <message>
-        <source>★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are flattened by the same method for it. Drag a picture to move all of them, turn the wheel to zoom, double click to see everything.</source>
-        <translation>★ bester Wert der Zeile. Naht-Δ ist der der schlechtesten Naht des Schnittteils; die angenähten Schnittteile werden dafür nach demselben Verfahren abgewickelt. Ein Bild zu ziehen bewegt alle, das Mausrad vergrößert, ein Doppelklick zeigt alles.</translation>
-    </message>
-    <message>
         <source>Figures of the methods</source>
         <translation>Zahlen der Verfahren</translation>
     </message>
@@ -7101,10 +7089,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Use this method</source>
         <translation>Dieses Verfahren nehmen</translation>
-    </message>
-    <message>
-        <source>Flatten the garment by this method from now on</source>
-        <translation>Das Kleidungsstück von nun an nach diesem Verfahren abwickeln</translation>
     </message>
     <message>
         <source>%1, the best</source>
@@ -7125,6 +7109,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1, the flat piece</source>
         <translation>%1, das flache Schnittteil</translation>
+    </message>
+    <message>
+        <source>★ best of its row. Seam Δ: the worst seam of the piece; its neighbours are flattened by the same method. Drag: move all pictures · Wheel: zoom · Double click: show everything</source>
+        <translation>★ bester Wert der Zeile. Naht-Δ: schlechteste Naht des Schnittteils; angenähte Schnittteile sind nach demselben Verfahren abgewickelt. Ziehen: alle Bilder verschieben · Mausrad: Zoom · Doppelklick: alles zeigen</translation>
+    </message>
+    <message>
+        <source>Pictures are not available: %1</source>
+        <translation>Bilder sind nicht verfügbar: %1</translation>
+    </message>
+    <message>
+        <source>Flatten the garment by this method</source>
+        <translation>Das Kleidungsstück nach diesem Verfahren abwickeln</translation>
     </message>
 </context>
 <context>
@@ -7157,31 +7153,31 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::CutProposals</name>
     <message>
-        <source>Proposed cuts</source>
-        <translation>Vorgeschlagene Schnitte</translation>
-    </message>
-    <message>
         <source>Cut along %1</source>
         <translation>Schnitt: %1</translation>
     </message>
     <message>
-        <source>No cuts can be proposed here. %1</source>
-        <translation>Hier lassen sich keine Schnitte vorschlagen. %1</translation>
+        <source>No cuts can be proposed for this piece. %1</source>
+        <translation>Für dieses Schnittteil lassen sich keine Schnitte vorschlagen. %1</translation>
+    </message>
+    <message>
+        <source>Make proposed cuts</source>
+        <translation>Vorgeschlagene Schnitte ausführen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::CutTool</name>
     <message>
-        <source>Click: begin the cut, on an edge to open it there · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: Einschnitt beginnen, an einer Kante öffnet er sie · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: start the cut; on an edge, it opens there · Alt+click: cut around a tube · Ctrl+click: follow mesh edges · Esc: leave the tool</source>
+        <translation>Klick: Einschnitt beginnen; an einer Kante öffnet er sie · Alt+Klick: rund um einen Schlauch schneiden · Strg+Klick: Netzkanten folgen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Click: go on · Alt: no snapping · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: weiter · Alt: nicht einrasten · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: next point · Alt: no snapping · Double click or Enter: cut · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt entfernen · Esc: Einschnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: next point · Alt: no snapping · Ctrl+click: along the mesh&apos;s edges · Backspace: take the point back · Esc: throw the cut away</source>
-        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Strg+Klick: entlang der Netzkanten · Rücktaste: Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: next point · Alt: no snapping · Ctrl+click: follow mesh edges · Backspace: remove the point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Strg+Klick: Netzkanten folgen · Rücktaste: Punkt entfernen · Esc: Einschnitt verwerfen</translation>
     </message>
 </context>
 <context>
@@ -7289,20 +7285,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::DartTool</name>
     <message>
-        <source>Click: the dart&apos;s tip · Ctrl+click: along the mesh&apos;s edges · Backspace or Esc: throw the dart away</source>
-        <translation>Klick: Spitze des Abnähers · Strg+Klick: entlang der Netzkanten · Rücktaste oder Esc: Abnäher verwerfen</translation>
+        <source>Enter: cut the proposed dart · Drag from an edge: draw another · Esc: discard the dart</source>
+        <translation>Eingabe: den vorgeschlagenen Abnäher schneiden · Von einer Kante ziehen: einen anderen zeichnen · Esc: Abnäher verwerfen</translation>
     </message>
     <message>
-        <source>a dart begins at an edge</source>
-        <translation>ein Abnäher beginnt an einer Kante</translation>
+        <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: leave the tool</source>
+        <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: back to selecting</source>
-        <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: zurück zum Auswählen</translation>
+        <source>Click: tip of the dart · Ctrl+click: follow mesh edges · Backspace or Esc: discard the dart</source>
+        <translation>Klick: Spitze des Abnähers · Strg+Klick: Netzkanten folgen · Rücktaste oder Esc: Abnäher verwerfen</translation>
     </message>
     <message>
-        <source>Enter: cut the dart that is proposed · Drag from an edge: another one · Esc: throw the dart away</source>
-        <translation>Eingabe: den vorgeschlagenen Abnäher schneiden · Von einer Kante ziehen: ein anderer · Esc: Abnäher verwerfen</translation>
+        <source>a dart must start at an edge</source>
+        <translation>ein Abnäher muss an einer Kante beginnen</translation>
     </message>
 </context>
 <context>
@@ -7315,20 +7311,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>Change of method</source>
+        <source>Change method</source>
         <translation>Verfahren ändern</translation>
     </message>
     <message>
-        <source>Ease of %1</source>
-        <translation>Einhalteweite von %1</translation>
+        <source>Set ease of %1</source>
+        <translation>Einhalteweite von %1 setzen</translation>
     </message>
     <message>
-        <source>Drawn ease of %1</source>
+        <source>Draw ease of %1</source>
         <translation>Einhalteweite von %1 zeichnen</translation>
     </message>
     <message>
-        <source>Ease of %1 no longer drawn</source>
-        <translation>Einhalteweite von %1 nicht mehr zeichnen</translation>
+        <source>Do not draw ease of %1</source>
+        <translation>Einhalteweite von %1 nicht zeichnen</translation>
     </message>
 </context>
 <context>
@@ -7693,20 +7689,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::GrainTool</name>
     <message>
-        <source>Turn the grain in the pattern view · Esc: back to selecting</source>
-        <translation>Der Fadenlauf wird in der Schnittansicht gedreht · Esc: zurück zum Auswählen</translation>
+        <source>Turn the grain in the pattern view · Esc: leave the tool</source>
+        <translation>Den Fadenlauf in der Schnittansicht drehen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Drag: turn the grain · Alt: snap the other way · Esc: take it back</source>
-        <translation>Ziehen: Fadenlauf drehen · Alt: anders einrasten · Esc: zurücknehmen</translation>
+        <source>Drag: turn the grain · Alt: toggle snapping · Esc: cancel</source>
+        <translation>Ziehen: Fadenlauf drehen · Alt: Einrasten umkehren · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>Drag on a piece: turn its grain · Alt: snap the other way · Click: select · Esc: back to selecting</source>
-        <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: anders einrasten · Klick: auswählen · Esc: zurück zum Auswählen</translation>
+        <source>Drag on a piece: turn its grain · Alt: toggle snapping · Click: select · Esc: leave the tool</source>
+        <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: Einrasten umkehren · Klick: auswählen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
+        <source>Turn grain of %1</source>
+        <translation>Fadenlauf von %1 drehen</translation>
     </message>
 </context>
 <context>
@@ -7731,38 +7727,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::InternalLineTool</name>
     <message>
-        <source>Drag: move the point · Esc: take it back</source>
-        <translation>Ziehen: den Punkt verschieben · Esc: es zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Click: begin a line · Click a line: select it · Drag a point: move it · Del: take the line away · Esc: back to selecting</source>
-        <translation>Klick: eine Linie beginnen · Klick auf eine Linie: sie auswählen · Einen Punkt ziehen: ihn verschieben · Entf: die Linie entfernen · Esc: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Click: next point · Double click or Enter: end the line · Backspace: take the last point back · Esc: throw the line away</source>
-        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: die Linie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
-    </message>
-    <message>
-        <source>Click: next point · Click the first point: close the line · Double click or Enter: end it · Backspace: take the last point back · Esc: throw the line away</source>
-        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt: die Linie schließen · Doppelklick oder Eingabe: sie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
-    </message>
-    <message>
-        <source>another piece: a line stays on one</source>
-        <translation>ein anderes Schnittteil: eine Linie bleibt auf einem</translation>
-    </message>
-    <message>
-        <source>Move of an internal line</source>
-        <translation>Verschieben einer Innenlinie</translation>
-    </message>
-    <message>
-        <source>Internal line</source>
-        <translation>Innenlinie</translation>
-    </message>
-    <message>
-        <source>Removal of an internal line</source>
-        <translation>Entfernen einer Innenlinie</translation>
-    </message>
-    <message>
         <source>line %1</source>
         <translation>Linie %1</translation>
     </message>
@@ -7770,12 +7734,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>drill point %1</source>
         <translation>Bohrpunkt %1</translation>
     </message>
+    <message>
+        <source>Drag: move the point · Esc: cancel</source>
+        <translation>Ziehen: den Punkt verschieben · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>Click: start a line · Click a line: select it · Drag a point: move it · Del: delete the line · Esc: leave the tool</source>
+        <translation>Klick: eine Linie beginnen · Klick auf eine Linie: sie auswählen · Einen Punkt ziehen: ihn verschieben · Entf: die Linie löschen · Esc: Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Double click or Enter: end the line · Backspace: remove the last point · Esc: discard the line</source>
+        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: die Linie beenden · Rücktaste: den letzten Punkt entfernen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Click the first point: close the line · Double click or Enter: end it · Backspace: remove the last point · Esc: discard the line</source>
+        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt: die Linie schließen · Doppelklick oder Eingabe: sie beenden · Rücktaste: den letzten Punkt entfernen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>a line must stay on one piece</source>
+        <translation>eine Linie muss auf einem Schnittteil bleiben</translation>
+    </message>
+    <message>
+        <source>Move internal line</source>
+        <translation>Innenlinie verschieben</translation>
+    </message>
+    <message>
+        <source>Add internal line</source>
+        <translation>Innenlinie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete internal line</source>
+        <translation>Innenlinie löschen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::JoinTool</name>
     <message>
-        <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
-        <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
+        <source>Click a seam: join the cloth on both sides · Esc: leave the tool</source>
+        <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden · Esc: Werkzeug verlassen</translation>
     </message>
 </context>
 <context>
@@ -7843,16 +7839,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::LoopTool</name>
     <message>
-        <source>Click: go on · Click the first point, double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: weiter · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+        <source>Click: start a closed cut · Alt+click: cut around a tube · Ctrl+click: follow mesh edges · Esc: leave the tool</source>
+        <translation>Klick: geschlossenen Schnitt beginnen · Alt+Klick: rund um einen Schlauch schneiden · Strg+Klick: Netzkanten folgen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Click: next point, of three or more · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: nächster Punkt, von dreien oder mehr · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+        <source>Click: next point · Click the first point, double click or Enter: cut · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt entfernen · Esc: Schnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: begin a closed cut · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: geschlossenen Schnitt beginnen · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: next point (three or more) · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt (drei oder mehr) · Rücktaste: letzten Punkt entfernen · Esc: Schnitt verwerfen</translation>
     </message>
 </context>
 <context>
@@ -7881,36 +7877,36 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::MarkerDesk</name>
     <message>
-        <source>Nothing is flat that could be laid: flatten the pieces first, with Flatten &gt; Flatten again; what cannot lie flat needs a cut.</source>
-        <translation>Es ist nichts flach, das sich legen ließe: Wickeln Sie die Teile zuerst ab, mit Abwickeln &gt; Neu abwickeln; was nicht flach liegen kann, braucht einen Schnitt.</translation>
-    </message>
-    <message>
         <source>Open a garment first.</source>
         <translation>Öffnen Sie zuerst ein Kleidungsstück.</translation>
-    </message>
-    <message>
-        <source>The pattern is on its way…</source>
-        <translation>Das Schnittmuster ist unterwegs …</translation>
-    </message>
-    <message>
-        <source>The pieces are being laid…</source>
-        <translation>Die Teile werden gelegt …</translation>
     </message>
     <message>
         <source>Release %1 on the cloth</source>
         <translation>%1 auf dem Stoff loslassen</translation>
     </message>
     <message>
-        <source>Release all on the cloth</source>
-        <translation>Alle auf dem Stoff loslassen</translation>
+        <source>The pattern is out of date. Use Flatten &gt; Flatten again.</source>
+        <translation>Der Schnitt ist veraltet. Wählen Sie Abwickeln &gt; Neu abwickeln.</translation>
     </message>
     <message>
-        <source>The pattern is out of date: flatten it first, with Flatten &gt; Flatten again.</source>
-        <translation>Der Schnitt ist nicht auf dem neuesten Stand: Wickeln Sie ihn zuerst ab, mit Abwickeln &gt; Neu abwickeln.</translation>
+        <source>There are no flat pieces. Use Flatten &gt; Flatten again, or cut the pieces that cannot lie flat.</source>
+        <translation>Es gibt keine flachen Schnittteile. Wählen Sie Abwickeln &gt; Neu abwickeln, oder schneiden Sie Teile ein, die nicht flach liegen können.</translation>
     </message>
     <message>
-        <source>The search was stopped before the pieces were laid as you asked: Start again lays them.</source>
-        <translation>Die Suche wurde angehalten, bevor die Teile so lagen wie gewünscht: „Neu beginnen“ legt sie.</translation>
+        <source>Waiting for the pattern…</source>
+        <translation>Warten auf den Schnitt …</translation>
+    </message>
+    <message>
+        <source>The search stopped before it applied your settings. Press Start again.</source>
+        <translation>Die Suche endete, bevor Ihre Einstellungen angewandt waren. Drücken Sie „Neu beginnen“.</translation>
+    </message>
+    <message>
+        <source>Placing the pieces…</source>
+        <translation>Die Teile werden gelegt …</translation>
+    </message>
+    <message>
+        <source>Release all pieces on the cloth</source>
+        <translation>Alle Teile auf dem Stoff lösen</translation>
     </message>
 </context>
 <context>
@@ -7948,32 +7944,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nähte, an denen der Rapport passt</translation>
     </message>
     <message>
-        <source>Kind of cloth</source>
-        <translation>Art des Stoffs</translation>
-    </message>
-    <message>
         <source>Match stripes &amp;across</source>
         <translation>Rapport p&amp;asst an</translation>
-    </message>
-    <message>
-        <source>Each material has a marker of its own. Set the material of a piece in the panel Piece.</source>
-        <translation>Jede Stoffart hat ein eigenes Schnittbild. Die Stoffart eines Teils legen Sie im Bereich Schnittteil fest.</translation>
     </message>
     <message>
         <source>&amp;Fabric form</source>
         <translation>Sto&amp;ffform</translation>
     </message>
     <message>
-        <source>A roll, of which as little as possible is used, sheets of one size, or hides read from DXF or SVG drawings: the largest line is the edge, lines within it are holes, or zones if their layer is called &quot;grade 2&quot;.</source>
-        <translation>Eine Rolle, von der so wenig wie möglich verbraucht wird, Bögen einer Größe, oder Häute aus DXF- oder SVG-Zeichnungen: die größte Linie ist der Rand, Linien darin sind Löcher, oder Zonen, wenn ihre Ebene „grade 2“ heißt.</translation>
-    </message>
-    <message>
-        <source>Along these seams the repeat continues from one piece to the other; seams where that is impossible are named below.</source>
-        <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; Nähte, an denen das nicht geht, stehen darunter.</translation>
-    </message>
-    <message>
         <source>Garment&apos;s fabric</source>
         <translation>Eigener Stoff</translation>
+    </message>
+    <message>
+        <source>Each material has its own marker. Set the material of a piece in the panel Properties</source>
+        <translation>Jede Stoffart hat ein eigenes Schnittbild. Die Stoffart eines Teils setzen Sie im Bereich Eigenschaften</translation>
+    </message>
+    <message>
+        <source>A roll, sheets of one size, or hides from DXF or SVG files. The largest line is the edge, inner lines are holes, or zones on layers like &quot;grade 2&quot;</source>
+        <translation>Eine Rolle, Bögen einer Größe oder Häute aus DXF- oder SVG-Dateien. Die größte Linie ist der Rand, innere Linien sind Löcher, oder Zonen auf Ebenen wie „grade 2“</translation>
+    </message>
+    <message>
+        <source>The repeat continues across the checked seams; seams where it cannot are listed below</source>
+        <translation>Der Rapport geht über die angekreuzten Nähte hinweg; Nähte, an denen das nicht möglich ist, stehen unten</translation>
+    </message>
+    <message>
+        <source>Change fabric form</source>
+        <translation>Stoffform ändern</translation>
     </message>
 </context>
 <context>
@@ -7987,28 +7983,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittbild &amp;sichern …</translation>
     </message>
     <message>
-        <source>Lay on cloth</source>
-        <translation>Auf Stoff legen</translation>
-    </message>
-    <message>
         <source> min/m</source>
         <translation> min/m</translation>
-    </message>
-    <message>
-        <source>Minutes that a metre of seam takes you to sew</source>
-        <translation>Minuten, die Sie für einen Meter Naht brauchen</translation>
-    </message>
-    <message>
-        <source>Minutes a metre of seam</source>
-        <translation>Minuten je Meter Naht</translation>
-    </message>
-    <message>
-        <source>Forget what was found and lay everything anew; what you laid stays</source>
-        <translation>Vergessen, was gefunden wurde, und alles neu legen; was Sie gelegt haben, bleibt</translation>
-    </message>
-    <message>
-        <source>Write the marker as a file: PDF, SVG, DXF, PLT or PNG</source>
-        <translation>Das Schnittbild als Datei schreiben: PDF, SVG, DXF, PLT oder PNG</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -8017,29 +7993,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Improve</source>
         <translation>&amp;Verbessern</translation>
-    </message>
-    <message>
-        <source>Keep the best that was found so far</source>
-        <translation>Das Beste behalten, das bis jetzt gefunden wurde</translation>
-    </message>
-    <message>
-        <source>Look for a shorter marker until you stop it</source>
-        <translation>Ein kürzeres Schnittbild suchen, bis Sie anhalten</translation>
-    </message>
-    <message>
-        <source>First lay what is red so that nothing lies on another piece or beyond the cloth</source>
-        <translation>Legen Sie zuerst, was rot ist, so, dass nichts auf einem anderen Teil oder außerhalb des Stoffs liegt</translation>
-    </message>
-    <message>
-        <source>1 piece lies on another or beyond the cloth</source>
-        <translation>1 Teil liegt auf einem anderen oder außerhalb des Stoffs</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces lie on others or beyond the cloth</source>
-        <translation>
-            <numerusform>%n Teil liegt auf einem anderen oder außerhalb des Stoffs</numerusform>
-            <numerusform>%n Teile liegen auf anderen oder außerhalb des Stoffs</numerusform>
-        </translation>
     </message>
     <message>
         <source>1 sheet, %1 % used</source>
@@ -8083,17 +8036,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>1 round of search</source>
-        <translation>1 Runde gesucht</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rounds of search</source>
-        <translation>
-            <numerusform>%n Runde gesucht</numerusform>
-            <numerusform>%n Runden gesucht</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1 to cut</source>
         <translation>%1 zuzuschneiden</translation>
     </message>
@@ -8113,28 +8055,82 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Nähte: %2 min bei</translation>
     </message>
     <message>
-        <source>Hides</source>
-        <translation>Häute</translation>
-    </message>
-    <message>
         <source>%1-marker</source>
         <translation>%1-schnittbild</translation>
     </message>
     <message>
-        <source>A marker is written as .pdf, .svg, .dxf, .plt or .png.</source>
-        <translation>Ein Schnittbild wird als .pdf, .svg, .dxf, .plt oder .png geschrieben.</translation>
+        <source>Marker</source>
+        <translation>Schnittbild</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Your sewing time per metre of seam</source>
+        <translation>Ihre Nähzeit je Meter Naht</translation>
     </message>
     <message>
-        <source>The pieces are not laid yet as you asked</source>
-        <translation>Die Teile liegen noch nicht so wie gewünscht</translation>
+        <source>Minutes per metre of seam</source>
+        <translation>Minuten je Meter Naht</translation>
     </message>
     <message>
-        <source>Nothing is written: the marker became another meanwhile. Save it once it is laid.</source>
-        <translation>Nichts wurde geschrieben: Das Schnittbild ist inzwischen ein anderes. Sichern Sie es, sobald es gelegt ist.</translation>
+        <source>Discard the result and search again; pieces placed by hand stay</source>
+        <translation>Das Ergebnis verwerfen und neu suchen; von Hand gelegte Teile bleiben</translation>
+    </message>
+    <message>
+        <source>Save the marker as PDF, SVG, DXF, PLT or PNG</source>
+        <translation>Das Schnittbild als PDF, SVG, DXF, PLT oder PNG sichern</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best marker found</source>
+        <translation>Anhalten und das beste Schnittbild behalten</translation>
+    </message>
+    <message>
+        <source>Search for a shorter marker until you stop</source>
+        <translation>Ein kürzeres Schnittbild suchen, bis Sie anhalten</translation>
+    </message>
+    <message>
+        <source>First move the red pieces so that none overlaps or leaves the cloth</source>
+        <translation>Verschieben Sie zuerst die roten Teile, bis keines überlappt oder über den Stoff ragt</translation>
+    </message>
+    <message>
+        <source>The search has not applied your settings yet</source>
+        <translation>Die Suche hat Ihre Einstellungen noch nicht angewandt</translation>
+    </message>
+    <message>
+        <source>1 piece overlaps another or leaves the cloth</source>
+        <translation>1 Teil überlappt ein anderes oder ragt über den Stoff</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces overlap others or leave the cloth</source>
+        <translation>
+            <numerusform>%n Teil überlappt ein anderes oder ragt über den Stoff</numerusform>
+            <numerusform>%n Teile überlappen andere oder ragen über den Stoff</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 search round</source>
+        <translation>1 Suchrunde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n search rounds</source>
+        <translation>
+            <numerusform>%n Suchrunde</numerusform>
+            <numerusform>%n Suchrunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose hides</source>
+        <translation>Häute wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file name that ends in .pdf, .svg, .dxf, .plt or .png.</source>
+        <translation>Wählen Sie einen Dateinamen, der auf .pdf, .svg, .dxf, .plt oder .png endet.</translation>
+    </message>
+    <message>
+        <source>Not saved: the marker changed meanwhile. Save it again.</source>
+        <translation>Nicht gesichert: Das Schnittbild hat sich inzwischen geändert. Sichern Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
     </message>
 </context>
 <context>
@@ -8179,14 +8175,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1: %2, flach %3 (%4)</translation>
     </message>
     <message>
-        <source>Click: measure anew · Ctrl+C: copy · Esc: clear the measure</source>
-        <translation>Klick: neu messen · Strg+C: kopieren · Esc: Maß löschen</translation>
-    </message>
-    <message>
-        <source>Click: next place · Double click or Enter: end here · Backspace: take the last place back · Ctrl+C: copy · Esc: clear the measure</source>
-        <translation>Klick: nächste Stelle · Doppelklick oder Eingabe: hier enden · Rücktaste: letzte Stelle zurücknehmen · Strg+C: kopieren · Esc: Maß löschen</translation>
-    </message>
-    <message>
         <source>On the cloth</source>
         <translation>Auf dem Stoff</translation>
     </message>
@@ -8195,8 +8183,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>An der Kante</translation>
     </message>
     <message>
-        <source>Click: measure from here · Esc: back to selecting · two places on an edge are measured along it too</source>
-        <translation>Klick: von hier messen · Esc: zurück zum Auswählen · Zwei Stellen auf einer Kante werden auch an ihr entlang gemessen</translation>
+        <source>Click: start measuring · Esc: leave the tool · two points on an edge are also measured along it</source>
+        <translation>Klick: Messung beginnen · Esc: Werkzeug verlassen · Zwei Punkte auf einer Kante werden auch an ihr entlang gemessen</translation>
+    </message>
+    <message>
+        <source>Click: new measurement · Ctrl+C: copy · Esc: clear it</source>
+        <translation>Klick: neue Messung · Strg+C: kopieren · Esc: Maß löschen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Double click or Enter: end here · Backspace: remove the last point · Ctrl+C: copy · Esc: clear the measurement</source>
+        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: hier enden · Rücktaste: letzten Punkt entfernen · Strg+C: kopieren · Esc: Maß löschen</translation>
     </message>
 </context>
 <context>
@@ -8328,47 +8324,47 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::MorphBar</name>
     <message>
-        <source>From the garment to the pattern</source>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>From garment to pattern</source>
         <translation>Vom Kleidungsstück zum Schnittmuster</translation>
     </message>
     <message>
-        <source>Shows what flattening does: the garment on the left, flat on the right</source>
-        <translation>Zeigt, was das Abwickeln tut: links das Kleidungsstück, rechts flach</translation>
+        <source>Go from the 3D garment (left) to the flat pattern (right)</source>
+        <translation>Vom 3D-Kleidungsstück (links) zum flachen Schnitt (rechts)</translation>
     </message>
     <message>
-        <source>Play the way from the garment to the pattern and back</source>
-        <translation>Den Weg vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
+        <source>Play from garment to pattern and back</source>
+        <translation>Vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
     </message>
     <message>
-        <source>Worn</source>
-        <translation>Getragen</translation>
-    </message>
-    <message>
-        <source>Flat</source>
-        <translation>Flach</translation>
+        <source>3D</source>
+        <translation>3D</translation>
     </message>
 </context>
 <context>
     <name>toile::app::NotchTool</name>
     <message>
-        <source>Drag: move the notch along its seam · Esc: take it back</source>
-        <translation>Ziehen: den Knips entlang seiner Naht verschieben · Esc: zurücknehmen</translation>
+        <source>Drag: move the notch along its seam · Esc: cancel</source>
+        <translation>Ziehen: den Knips entlang seiner Naht verschieben · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: take it away · Esc: back to selecting</source>
-        <translation>Naht anklicken: Knips setzen · Knips ziehen: verschieben · Strg+Klick oder Entf: entfernen · Esc: zurück zum Auswählen</translation>
+        <source>Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: delete it · Esc: leave the tool</source>
+        <translation>Naht anklicken: Knips setzen · Knips ziehen: verschieben · Strg+Klick oder Entf: löschen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Notch moved</source>
-        <translation>Knips verschoben</translation>
+        <source>Move notch</source>
+        <translation>Knips verschieben</translation>
     </message>
     <message>
-        <source>Notch</source>
-        <translation>Knips</translation>
+        <source>Add notch</source>
+        <translation>Knips setzen</translation>
     </message>
     <message>
-        <source>Removal of a notch</source>
-        <translation>Entfernen eines Knipses</translation>
+        <source>Delete notch</source>
+        <translation>Knips löschen</translation>
     </message>
 </context>
 <context>
@@ -8404,12 +8400,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::PathTool</name>
     <message>
-        <source>another piece: a cut stays on one</source>
-        <translation>ein anderes Schnittteil: ein Einschnitt bleibt auf einem</translation>
+        <source>a cut must stay on one piece</source>
+        <translation>ein Einschnitt muss auf einem Schnittteil bleiben</translation>
     </message>
     <message>
-        <source>much longer than straight: is it the layer you mean?</source>
-        <translation>viel länger als gerade: Ist es die Lage, die Sie meinen?</translation>
+        <source>much longer than a straight line; check the layer</source>
+        <translation>viel länger als gerade; ist es die richtige Lage?</translation>
     </message>
 </context>
 <context>
@@ -9237,7 +9233,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::ProjectSession</name>
     <message numerus="yes">
-        <source>And %n more of this kind.</source>
+        <source>And %n more like this.</source>
         <translation>
             <numerusform>Und %n weitere dieser Art.</numerusform>
             <numerusform>Und %n weitere dieser Art.</numerusform>
@@ -9639,24 +9635,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::ReferenceFinder</name>
     <message>
-        <source>Reference pattern %1: %2 of %3 pieces paired</source>
+        <source>Reference pattern %1: %2 of %3 pieces matched</source>
         <translation>Referenzschnitt %1: %2 von %3 Schnittteilen zugeordnet</translation>
     </message>
     <message>
-        <source>without a partner: %1</source>
+        <source>no match: %1</source>
         <translation>ohne Gegenstück: %1</translation>
     </message>
     <message>
-        <source>fits several: %1</source>
+        <source>several matches: %1</source>
         <translation>passt zu mehreren: %1</translation>
     </message>
     <message>
-        <source>in the file alone: %1</source>
+        <source>only in the file: %1</source>
         <translation>nur in der Datei: %1</translation>
     </message>
     <message>
-        <source>its unit is in doubt, taken for %1</source>
-        <translation>seine Einheit ist zweifelhaft, angenommen: %1</translation>
+        <source>unit uncertain, read as %1</source>
+        <translation>Einheit unsicher, gelesen als %1</translation>
     </message>
 </context>
 <context>
@@ -9985,20 +9981,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::SelectTool</name>
     <message>
-        <source>Click: select a piece or a seam · Double click: frame a piece, or take an edge from corner to corner · Esc: select nothing</source>
-        <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke nehmen · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Nudge %1</source>
         <translation>%1 rücken</translation>
     </message>
     <message>
-        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: select nothing</source>
-        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: close the proposals</source>
         <translation>Klick auf eine gestrichelte Linie: den vorgeschlagenen Schnitt auswählen · Griff ziehen: ihn verschieben · Esc: die Vorschläge schließen</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Double click: frame a piece, or select an edge from corner to corner · Esc: clear the selection</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke auswählen · Esc: Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select with a box · Alt: toggle snapping · Arrow keys: %1, with Shift %2 · Esc: clear the selection</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: Auswahl aufheben</translation>
     </message>
 </context>
 <context>
@@ -10038,24 +10034,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::SewnBar</name>
     <message>
-        <source>From the design to the pattern as sewn</source>
-        <translation>Vom Entwurf zum genähten Schnitt</translation>
-    </message>
-    <message>
-        <source>Shows what sewing the pattern comes to: the design on the left, sewn on the right</source>
-        <translation>Zeigt, was das Nähen des Schnitts ergibt: links der Entwurf, rechts genäht</translation>
-    </message>
-    <message>
-        <source>Play the way from the design to the pattern as sewn and back</source>
-        <translation>Den Weg vom Entwurf zum genähten Schnitt und zurück abspielen</translation>
-    </message>
-    <message>
         <source>Design</source>
         <translation>Entwurf</translation>
     </message>
     <message>
         <source>Sewn</source>
         <translation>Genäht</translation>
+    </message>
+    <message>
+        <source>From design to sewn pattern</source>
+        <translation>Vom Entwurf zum genähten Schnitt</translation>
+    </message>
+    <message>
+        <source>Go from the design (left) to the sewn pattern (right)</source>
+        <translation>Vom Entwurf (links) zum genähten Schnitt (rechts)</translation>
+    </message>
+    <message>
+        <source>Play from design to sewn pattern and back</source>
+        <translation>Vom Entwurf zum genähten Schnitt und zurück abspielen</translation>
     </message>
 </context>
 <context>
@@ -10158,18 +10154,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::WalkBar</name>
     <message>
-        <source>Along the seam</source>
-        <translation>Entlang der Naht</translation>
-    </message>
-    <message>
-        <source>Rolls one piece along the seam of the other</source>
-        <translation>Rollt ein Schnittteil an der Naht des anderen ab</translation>
-    </message>
-    <message>
-        <source>Play the walk along the seam and back</source>
-        <translation>Den Weg entlang der Naht und zurück abspielen</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
@@ -10204,6 +10188,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>past notch %1 of %2</source>
         <translation>nach Knips %1 von %2</translation>
+    </message>
+    <message>
+        <source>Position along the seam</source>
+        <translation>Position auf der Naht</translation>
+    </message>
+    <message>
+        <source>Roll one piece along the seam of the other</source>
+        <translation>Ein Schnittteil an der Naht des anderen abrollen</translation>
+    </message>
+    <message>
+        <source>Play the walk forwards and back</source>
+        <translation>Den Gang vor und zurück abspielen</translation>
     </message>
 </context>
 <context>
@@ -10388,96 +10384,12 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Reading</source>
-        <translation>Lesen</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>Division</source>
-        <translation>Teilung</translation>
-    </message>
-    <message>
-        <source>Automatic cuts</source>
-        <translation>Selbsttätige Einschnitte</translation>
-    </message>
-    <message>
-        <source>Welding</source>
-        <translation>Verschmelzen</translation>
-    </message>
-    <message>
-        <source>Seams from a file</source>
-        <translation>Nähte aus einer Datei</translation>
-    </message>
-    <message>
-        <source>Removal of a cut</source>
-        <translation>Einschnitt entfernen</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>Boundary solver</source>
-        <translation>Umrisslöser</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Einschnitt</translation>
     </message>
     <message>
-        <source>Dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>Closed loop</source>
-        <translation>Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>%1 is sewn to nothing: there is nothing to join.</source>
-        <translation>%1 ist mit nichts vernäht: Es gibt nichts zu verbinden.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be joined alone: Toile cut %2 open there because it could not lie flat. Switch off Garment ▸ Cut open automatically, or draw a cut of your own instead.</source>
-        <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
-    </message>
-    <message>
-        <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
-        <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
-    </message>
-    <message>
         <source>%1 on both sides</source>
         <translation>%1 auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Cut on one side alone: no mirror plane is known.</source>
-        <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Mirror image of a cut</source>
-        <translation>Spiegelbild eines Einschnitts</translation>
-    </message>
-    <message>
-        <source>%1 points at no edge of its piece that a seam could lead to.</source>
-        <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
-    </message>
-    <message>
-        <source>Reference pattern</source>
-        <translation>Referenzschnitt</translation>
-    </message>
-    <message>
-        <source>No reference pattern</source>
-        <translation>Kein Referenzschnitt</translation>
     </message>
     <message>
         <source>dart</source>
@@ -10492,52 +10404,144 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Dart in %1</source>
-        <translation>Abnäher in %1</translation>
-    </message>
-    <message>
-        <source>Closed loop in %1</source>
-        <translation>Geschlossener Schnitt in %1</translation>
-    </message>
-    <message>
         <source>Cut %1</source>
         <translation>Einschnitt in %1</translation>
-    </message>
-    <message>
-        <source>Dart in %1 to seam</source>
-        <translation>Abnäher in %1 zur Naht</translation>
-    </message>
-    <message>
-        <source>Removal of %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>%1 to dart</source>
-        <translation>%1 zum Abnäher</translation>
     </message>
     <message>
         <source>Join %1</source>
         <translation>%1 verbinden</translation>
     </message>
     <message>
-        <source>Removal of join %1</source>
-        <translation>Verbindung %1 entfernen</translation>
-    </message>
-    <message>
         <source>Cut open</source>
         <translation>Aufschneiden</translation>
     </message>
     <message>
-        <source>Closing slits</source>
-        <translation>Schlitze schließen</translation>
+        <source>Change method</source>
+        <translation>Verfahren ändern</translation>
     </message>
     <message>
-        <source>The garment was changed before the cut was found. Cut once more.</source>
+        <source>Change quality</source>
+        <translation>Güte ändern</translation>
+    </message>
+    <message>
+        <source>Change boundary solver</source>
+        <translation>Umrisslöser ändern</translation>
+    </message>
+    <message>
+        <source>Change import options</source>
+        <translation>Leseoptionen ändern</translation>
+    </message>
+    <message>
+        <source>Change unit</source>
+        <translation>Einheit ändern</translation>
+    </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>Achse nach oben ändern</translation>
+    </message>
+    <message>
+        <source>Change splitting into pieces</source>
+        <translation>Aufteilung in Schnittteile ändern</translation>
+    </message>
+    <message>
+        <source>Change automatic cuts</source>
+        <translation>Selbsttätige Einschnitte ändern</translation>
+    </message>
+    <message>
+        <source>Change welding</source>
+        <translation>Verschmelzen ändern</translation>
+    </message>
+    <message>
+        <source>Change closing of slits</source>
+        <translation>Schließen der Schlitze ändern</translation>
+    </message>
+    <message>
+        <source>Open reference pattern</source>
+        <translation>Referenzschnitt öffnen</translation>
+    </message>
+    <message>
+        <source>Close reference pattern</source>
+        <translation>Referenzschnitt schließen</translation>
+    </message>
+    <message>
+        <source>Cut dart</source>
+        <translation>Abnäher schneiden</translation>
+    </message>
+    <message>
+        <source>Cut dart in %1</source>
+        <translation>Abnäher in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Cut closed loop</source>
+        <translation>Geschlossenen Schnitt schneiden</translation>
+    </message>
+    <message>
+        <source>Cut closed loop in %1</source>
+        <translation>Geschlossenen Schnitt in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Remove cut</source>
+        <translation>Einschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>It is the mirror image of your cut. To cut one side only, switch off Tools ▸ Mirror edits.</source>
+        <translation>Es ist das Spiegelbild Ihres Schnitts. Um nur eine Seite zu schneiden, schalten Sie Werkzeuge ▸ Änderungen spiegeln aus.</translation>
+    </message>
+    <message>
+        <source>Load seams file</source>
+        <translation>Nahtdatei laden</translation>
+    </message>
+    <message>
+        <source>Finding the mirror image of a cut</source>
+        <translation>Das Spiegelbild eines Schnitts wird gesucht</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: there is no mirror image, or a seam is there already.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es gibt kein Spiegelbild, oder dort ist schon eine Naht.</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: no mirror plane was found.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es wurde keine Spiegelebene gefunden.</translation>
+    </message>
+    <message>
+        <source>The garment changed before the cut was found. Cut again.</source>
         <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
     </message>
     <message>
-        <source>Cut once: it has no mirror image of its own, or a seam runs there.</source>
-        <translation>Einmal geschnitten: Der Schnitt hat kein eigenes Spiegelbild, oder dort verläuft schon eine Naht.</translation>
+        <source>Finding cuts</source>
+        <translation>Schnitte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finding a closed loop</source>
+        <translation>Ein geschlossener Schnitt wird gesucht</translation>
+    </message>
+    <message>
+        <source>Turn dart in %1 into seam</source>
+        <translation>Abnäher in %1 zur Naht machen</translation>
+    </message>
+    <message>
+        <source>%1 cannot become a seam: its tip points at no edge of its piece.</source>
+        <translation>%1 kann keine Naht werden: Die Spitze zeigt auf keine Kante des Schnittteils.</translation>
+    </message>
+    <message>
+        <source>Turn %1 into dart</source>
+        <translation>%1 zum Abnäher machen</translation>
+    </message>
+    <message>
+        <source>%1 is a free edge, so it cannot be joined.</source>
+        <translation>%1 ist eine freie Kante und lässt sich nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined: Toile cut %2 open there so that it lies flat. Switch off Garment ▸ Cut open automatically, or draw your own cut.</source>
+        <translation>%1 lässt sich nicht verbinden: Toile hat %2 dort aufgeschnitten, damit es flach liegt. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus, oder zeichnen Sie einen eigenen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Remove join %1</source>
+        <translation>Verbindung %1 entfernen</translation>
     </message>
 </context>
 </TS>
