@@ -51,7 +51,7 @@ inline constexpr auto kSegmentFields = [](auto& at, auto& chosen) {
                      TR("Default")},
              chosen.tolerance, kMinFairTolerance, kMaxFairTolerance);
     at.field(Setting{"straight", TR("Straight"), TR("Straight segment"),
-                     TR("Draw the segment as one straight line; switches on fair lines")},
+                     TR("Draw the segment as a straight line; switches on fair lines")},
              chosen.straight);
     at.field(Setting{"allowance", TR("Allo&wance"), TR("Allowance of a segment"),
                      TR("Width of the cloth beyond the line"), TR("Default")},
