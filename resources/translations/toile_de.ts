@@ -4060,10 +4060,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Größter Abstand der Linie dieses Abschnitts vom genauen Umriss; schaltet ausgeglichene Linien ein</translation>
     </message>
     <message>
-        <source>Draw the segment as one straight line; switches on fair lines</source>
-        <translation>Den Abschnitt als eine gerade Linie zeichnen; schaltet ausgeglichene Linien ein</translation>
-    </message>
-    <message>
         <source>How the allowances meet at the start of the segment, anti-clockwise around the piece</source>
         <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
     </message>
@@ -4154,6 +4150,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Keep layers of cloth apart (slower); otherwise cloth passes through cloth</source>
         <translation>Stofflagen auseinanderhalten (langsamer); sonst geht Stoff durch Stoff hindurch</translation>
+    </message>
+    <message>
+        <source>Draw the segment as a straight line; switches on fair lines</source>
+        <translation>Den Abschnitt als gerade Linie zeichnen; schaltet ausgeglichene Linien ein</translation>
     </message>
 </context>
 <context>
