@@ -240,7 +240,7 @@ private slots:
         QVERIFY(list().count() > 0);
         QCOMPARE(list().currentItem()->text(), QString("Export pattern…"));
         QVERIFY(!list().currentItem()->flags().testFlag(Qt::ItemIsEnabled));
-        QVERIFY(fixture_.find<QLabel>("commandTip").text().startsWith("Not possible now"));
+        QVERIFY(fixture_.find<QLabel>("commandTip").text().startsWith("Not available now"));
         QTest::keyClick(&line(), Qt::Key_Return);
         QVERIFY(palette().isVisible());
         QTest::keyClick(&line(), Qt::Key_Escape);
