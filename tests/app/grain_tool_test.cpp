@@ -209,7 +209,7 @@ private slots:
         action(ActionId::BestGrain).trigger();
         fixture_.workspace().setMethod(Method::Lscm);  // takes its place
         QTRY_VERIFY_WITH_TIMEOUT(!fixture_.window().banner().isHidden(), test::kPatience);
-        QVERIFY(fixture_.window().banner().sentence().contains("once more"));
+        QVERIFY(fixture_.window().banner().sentence().contains("again"));
         QVERIFY(fixture_.waitForResults());
         action(ActionId::Undo).trigger();
         QVERIFY(fixture_.waitForResults());
