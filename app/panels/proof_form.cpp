@@ -57,7 +57,7 @@ ProofForm::ProofForm(Document& document, PatternProof& proof, QWidget* parent)
       unit_(new QComboBox(this)),
       cloth_(new QLabel(this)),
       fold_(makeButton("proofMeasured", tr("Measured cloth"),
-                       tr("Use measured values of the cloth in place of those of its fabric"),
+                       tr("Use measured values of the cloth instead of its fabric's values"),
                        this)),
       measured_(new QWidget(this)) {
     fields_.make<ProofPlan>(kProofFields, "proof");
@@ -95,13 +95,12 @@ QWidget& ProofForm::firstField() const {
 }
 
 void ProofForm::makeChoices() {
-    fields_.dress(*holder_, "proofHolder", tr("Dress form"),
-                  tr("What the cloth lies on while it is sewn: the design's own surface, or the "
-                     "mesh of a body in the garment's place."));
+    fields_.dress(
+        *holder_, "proofHolder", tr("Dress form"),
+        tr("Surface under the cloth during sewing: the design itself, or the mesh of a body."));
     holder_->addItems({tr("The design"), tr("A body…"), tr("Another body…")});
-    fields_.dress(*unit_, "proofBodyUnit", tr("Unit of the body"),
-                  tr("The unit of the body's file."));
-    unit_->addItem(tr("As in its file"));
+    fields_.dress(*unit_, "proofBodyUnit", tr("Unit of the body"), tr("Unit of the body's file."));
+    unit_->addItem(tr("As in the file"));
     for (const LengthUnit unit : kLengthUnits) {
         unit_->addItem(QString::fromUtf8(symbol(unit)));
     }
@@ -181,8 +180,8 @@ void ProofForm::show() {
     form_->setRowVisible(&fields_.at("thickness"), plan.settings.touchesItself);
     const QString fabric = fabricName(document_.fabric());
     cloth_->setText(plan.settings.stiffness == StatedStiffness{} ? fabric
-                    : hasLimits(document_.fabric())              ? tr("%1, as measured").arg(fabric)
-                                                                 : tr("as measured"));
+                    : hasLimits(document_.fabric())              ? tr("%1, measured").arg(fabric)
+                                                                 : tr("measured"));
 }
 
 void ProofForm::showUnit(const ProofPlan& plan) {

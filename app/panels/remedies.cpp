@@ -45,38 +45,33 @@ struct Words {
 
 constexpr Words kWords[] = {
     {Remedy::FlattenNow, QT_TRANSLATE_NOOP("Remedy", "Flatten now"),
-     QT_TRANSLATE_NOOP("Remedy", "Flatten what is out of date")},
-    {Remedy::DivideByUv, QT_TRANSLATE_NOOP("Remedy", "Divide by UV"),
-     QT_TRANSLATE_NOOP("Remedy",
-                       "Make each island of the file's UV map one piece; undo brings these back")},
+     QT_TRANSLATE_NOOP("Remedy", "Flatten the pieces that are out of date")},
+    {Remedy::DivideByUv, QT_TRANSLATE_NOOP("Remedy", "Split by UV"),
+     QT_TRANSLATE_NOOP("Remedy", "Make each UV island of the file one piece; you can undo this")},
     {Remedy::CutOpen, QT_TRANSLATE_NOOP("Remedy", "Cut open"),
-     QT_TRANSLATE_NOOP("Remedy",
-                       "Cut this piece open along short seams, which are yours to take back")},
+     QT_TRANSLATE_NOOP("Remedy", "Cut this piece open along short seams; you can undo this")},
     {Remedy::ProposeCuts, QT_TRANSLATE_NOOP("Remedy", "Propose cuts…"),
      QT_TRANSLATE_NOOP("Remedy",
-                       "Show where a tailor would cut this piece open, with what each cut does to "
-                       "strain")},
+                       "Show where a tailor would cut this piece, and the effect on strain")},
     {Remedy::SetUnit, QT_TRANSLATE_NOOP("Remedy", "Set unit…"),
-     QT_TRANSLATE_NOOP("Remedy",
-                       "Choose the unit of the file's numbers, or type how tall the garment is")},
+     QT_TRANSLATE_NOOP("Remedy", "Choose the unit of the file, or enter the garment's height")},
     {Remedy::SetUpAxis, QT_TRANSLATE_NOOP("Remedy", "Set axis…"),
      QT_TRANSLATE_NOOP("Remedy", "Choose the axis of the file that points up")},
     {Remedy::TurnOver, QT_TRANSLATE_NOOP("Remedy", "Turn inside out"),
-     QT_TRANSLATE_NOOP("Remedy", "Turn all faces of the garment over")},
-    {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "State ease…"),
-     QT_TRANSLATE_NOOP("Remedy", "Type how much longer one side of the seam is meant to be")},
+     QT_TRANSLATE_NOOP("Remedy", "Flip all faces of the garment")},
+    {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "Set ease…"),
+     QT_TRANSLATE_NOOP("Remedy", "Set how much longer one side of the seam is")},
     {Remedy::BestGrain, QT_TRANSLATE_NOOP("Remedy", "Best grain"),
-     QT_TRANSLATE_NOOP("Remedy",
-                       "Let the grain run up the garment, or at 90 or 45 degrees to that where the "
-                       "fabric is strained much less")},
+     QT_TRANSLATE_NOOP(
+         "Remedy",
+         "Run the grain up the garment, or turn it 45° or 90° if that strains much less")},
     {Remedy::ShowStrain, QT_TRANSLATE_NOOP("Remedy", "Show strain"),
      QT_TRANSLATE_NOOP("Remedy", "Colour the pieces by strain")},
-    {Remedy::PutDart, QT_TRANSLATE_NOOP("Remedy", "Put a dart"),
+    {Remedy::PutDart, QT_TRANSLATE_NOOP("Remedy", "Add dart"),
      QT_TRANSLATE_NOOP("Remedy",
-                       "Propose a dart from the nearest edge to the worst place: Enter cuts it, "
-                       "Escape throws it away")},
+                       "Propose a dart to the worst place: Enter cuts it, Esc discards it")},
     {Remedy::LayOutAgain, QT_TRANSLATE_NOOP("Remedy", "Lay out again"),
-     QT_TRANSLATE_NOOP("Remedy", "Put all pieces in rows side by side")},
+     QT_TRANSLATE_NOOP("Remedy", "Arrange all pieces in rows")},
 };
 
 const Words& wordsOf(Remedy remedy) {

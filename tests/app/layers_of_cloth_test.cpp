@@ -118,7 +118,7 @@ private slots:
 
     void theCardAsksAndLayersAreMaterials() {
         QVERIFY(fixture_.window().card().isVisible());
-        QVERIFY2(fixture_.window().card().sentence().contains("holds 2 layers of cloth"),
+        QVERIFY2(fixture_.window().card().sentence().contains("contains 2 layers of cloth"),
                  qPrintable(fixture_.window().card().sentence()));
         QCOMPARE(document().pieceCount(), 4);
         QCOMPARE(materials(), QStringList({"", "", "Lining", "Lining"}));

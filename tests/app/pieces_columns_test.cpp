@@ -186,7 +186,7 @@ private slots:
         fixture_.action(ActionId::MethodCurvature).trigger();
         QCOMPARE(method.data().toString(), QString("Least distortion"));
         QVERIFY(method.data(Qt::ForegroundRole).isValid());
-        QVERIFY(method.data(Qt::ToolTipRole).toString().contains("anew"));
+        QVERIFY(method.data(Qt::ToolTipRole).toString().contains("out of date"));
         fixture_.action(ActionId::FlattenAgain).trigger();
         QTRY_COMPARE_WITH_TIMEOUT(cell(0, PiecesModel::Method).data().toString(),
                                   QString("Angles from curvature"), test::kPatience);
