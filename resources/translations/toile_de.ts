@@ -180,20 +180,12 @@
         <translation>3D-Kleidungsstücke (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Read cuts and ease</source>
-        <translation>Einschnitte und Einhalteweiten lesen</translation>
-    </message>
-    <message>
         <source>Seams files (*.json);;All files (*)</source>
         <translation>Nahtdateien (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Export the pattern</source>
         <translation>Schnittmuster exportieren</translation>
-    </message>
-    <message>
-        <source>Without saving, what you have done since the last time is lost.</source>
-        <translation>Ohne Speichern geht verloren, was Sie seit dem letzten Mal getan haben.</translation>
     </message>
     <message>
         <source>Garments and projects (%1);;All files (*)</source>
@@ -214,18 +206,6 @@
     <message>
         <source>Replace the file?</source>
         <translation>Datei ersetzen?</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already. Replace it?</source>
-        <translation>Es gibt schon eine Datei %1. Soll sie ersetzt werden?</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program since it was opened. Save anyway?</source>
-        <translation>%1 wurde seit dem Öffnen von einem anderen Programm geändert. Trotzdem speichern?</translation>
-    </message>
-    <message>
-        <source>Saving anyway loses what the other program has put there.</source>
-        <translation>Dabei geht verloren, was das andere Programm dort gespeichert hat.</translation>
     </message>
     <message>
         <source>Save anyway</source>
@@ -252,10 +232,6 @@
         <translation>Den Schnitt aus %1 als Projekt speichern?</translation>
     </message>
     <message>
-        <source>The garment&apos;s file stays as it is. Without saving, what you have done is lost.</source>
-        <translation>Die Datei des Kleidungsstücks bleibt, wie sie ist. Ohne Speichern geht verloren, was Sie getan haben.</translation>
-    </message>
-    <message>
         <source>Open hides</source>
         <translation>Häute öffnen</translation>
     </message>
@@ -274,6 +250,30 @@
     <message>
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
+    </message>
+    <message>
+        <source>Your changes since the last save are lost if you do not save them.</source>
+        <translation>Ohne Speichern gehen Ihre Änderungen seit dem letzten Speichern verloren.</translation>
+    </message>
+    <message>
+        <source>Your work is lost if you do not save it. The garment&apos;s file is never changed.</source>
+        <translation>Ohne Speichern geht Ihre Arbeit verloren. Die Datei des Kleidungsstücks bleibt unverändert.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened it. Save anyway?</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit Sie es geöffnet haben. Trotzdem speichern?</translation>
+    </message>
+    <message>
+        <source>If you save, the other program&apos;s changes are lost.</source>
+        <translation>Wenn Sie speichern, gehen die Änderungen des anderen Programms verloren.</translation>
+    </message>
+    <message>
+        <source>The file %1 already exists. Replace it?</source>
+        <translation>Die Datei %1 gibt es schon. Soll sie ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>Load cuts and ease</source>
+        <translation>Einschnitte und Einhalteweiten laden</translation>
     </message>
 </context>
 <context>
@@ -694,18 +694,6 @@ veraltet</translation>
         <translation>Jetzt abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what is out of date</source>
-        <translation>Abwickeln, was veraltet ist</translation>
-    </message>
-    <message>
-        <source>Divide by UV</source>
-        <translation>Nach UV teilen</translation>
-    </message>
-    <message>
-        <source>Make each island of the file&apos;s UV map one piece; undo brings these back</source>
-        <translation>Jede Insel der UV-Karte der Datei zu einem Schnittteil machen; Rückgängig bringt die bisherigen zurück</translation>
-    </message>
-    <message>
         <source>Cut open</source>
         <translation>Aufschneiden</translation>
     </message>
@@ -726,56 +714,16 @@ veraltet</translation>
         <translation>Wenden</translation>
     </message>
     <message>
-        <source>Turn all faces of the garment over</source>
-        <translation>Alle Flächen des Kleidungsstücks wenden</translation>
-    </message>
-    <message>
-        <source>State ease…</source>
-        <translation>Einhalteweite angeben…</translation>
-    </message>
-    <message>
-        <source>Type how much longer one side of the seam is meant to be</source>
-        <translation>Eingeben, um wie viel länger eine Seite der Naht sein soll</translation>
-    </message>
-    <message>
         <source>Best grain</source>
         <translation>Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Let the grain run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
-        <translation>Den Fadenlauf am Kleidungsstück nach oben legen, oder um 90 oder 45 Grad dazu gedreht, wo der Stoff dann viel weniger gedehnt wird</translation>
-    </message>
-    <message>
-        <source>Put a dart</source>
-        <translation>Abnäher setzen</translation>
-    </message>
-    <message>
-        <source>Propose a dart from the nearest edge to the worst place: Enter cuts it, Escape throws it away</source>
-        <translation>Einen Abnäher von der nächsten Kante zur schlimmsten Stelle vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
     </message>
     <message>
         <source>Lay out again</source>
         <translation>Neu auslegen</translation>
     </message>
     <message>
-        <source>Put all pieces in rows side by side</source>
-        <translation>Alle Schnittteile in Reihen nebeneinander legen</translation>
-    </message>
-    <message>
-        <source>Cut this piece open along short seams, which are yours to take back</source>
-        <translation>Dieses Schnittteil entlang kurzer Nähte aufschneiden; die Einschnitte gehören dann Ihnen und lassen sich zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Choose the unit of the file&apos;s numbers, or type how tall the garment is</source>
-        <translation>Die Einheit der Zahlen in der Datei wählen oder eingeben, wie groß das Kleidungsstück ist</translation>
-    </message>
-    <message>
         <source>Propose cuts…</source>
         <translation>Schnitte vorschlagen …</translation>
-    </message>
-    <message>
-        <source>Show where a tailor would cut this piece open, with what each cut does to strain</source>
-        <translation>Zeigen, wo ein Schneider dieses Schnittteil aufschneiden würde, und was jeder Schnitt an der Dehnung ändert</translation>
     </message>
     <message>
         <source>Show strain</source>
@@ -784,6 +732,58 @@ veraltet</translation>
     <message>
         <source>Colour the pieces by strain</source>
         <translation>Die Schnittteile nach ihrer Dehnung einfärben</translation>
+    </message>
+    <message>
+        <source>Flatten the pieces that are out of date</source>
+        <translation>Die veralteten Schnittteile abwickeln</translation>
+    </message>
+    <message>
+        <source>Split by UV</source>
+        <translation>Nach UV teilen</translation>
+    </message>
+    <message>
+        <source>Make each UV island of the file one piece; you can undo this</source>
+        <translation>Jede UV-Insel der Datei zu einem Schnittteil machen; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Cut this piece open along short seams; you can undo this</source>
+        <translation>Dieses Schnittteil entlang kurzer Nähte aufschneiden; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Show where a tailor would cut this piece, and the effect on strain</source>
+        <translation>Zeigen, wo ein Schneider dieses Schnittteil einschneiden würde, und die Wirkung auf die Dehnung</translation>
+    </message>
+    <message>
+        <source>Choose the unit of the file, or enter the garment&apos;s height</source>
+        <translation>Die Einheit der Datei wählen oder die Höhe des Kleidungsstücks eingeben</translation>
+    </message>
+    <message>
+        <source>Flip all faces of the garment</source>
+        <translation>Alle Flächen des Kleidungsstücks wenden</translation>
+    </message>
+    <message>
+        <source>Set ease…</source>
+        <translation>Einhalteweite setzen…</translation>
+    </message>
+    <message>
+        <source>Set how much longer one side of the seam is</source>
+        <translation>Festlegen, wie viel länger eine Seite der Naht ist</translation>
+    </message>
+    <message>
+        <source>Run the grain up the garment, or turn it 45° or 90° if that strains much less</source>
+        <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
+    </message>
+    <message>
+        <source>Add dart</source>
+        <translation>Abnäher setzen</translation>
+    </message>
+    <message>
+        <source>Propose a dart to the worst place: Enter cuts it, Esc discards it</source>
+        <translation>Einen Abnäher zur schlimmsten Stelle vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Arrange all pieces in rows</source>
+        <translation>Alle Schnittteile in Reihen anordnen</translation>
     </message>
 </context>
 <context>
@@ -1166,10 +1166,6 @@ veraltet</translation>
     <message>
         <source>seam allowance included</source>
         <translation>Nahtzugabe enthalten</translation>
-    </message>
-    <message>
-        <source>the project needs it, it is not there</source>
-        <translation>das Projekt braucht sie, sie ist nicht da</translation>
     </message>
     <message>
         <source>another program has changed it</source>
@@ -4155,16 +4151,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Draw the segment as a straight line; switches on fair lines</source>
         <translation>Den Abschnitt als gerade Linie zeichnen; schaltet ausgeglichene Linien ein</translation>
     </message>
+    <message>
+        <source>the project needs this file, but it is missing</source>
+        <translation>das Projekt braucht diese Datei, sie fehlt</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project or a garment: one file, or several that belong together</source>
-        <translation>Ein Projekt oder ein Kleidungsstück öffnen: eine Datei, oder mehrere, die zusammengehören</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4175,10 +4171,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save everything done with this garment in its project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in seiner Projektdatei speichern</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -4187,16 +4179,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
-        <source>Save everything done with this garment in another project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
-    </message>
-    <message>
         <source>Read&amp;y to cut?</source>
         <translation>&amp;Bereit zum Zuschneiden?</translation>
-    </message>
-    <message>
-        <source>Show whether the pattern can be cut as it is, and every fault with its place</source>
-        <translation>Zeigen, ob das Schnittmuster so zugeschnitten werden kann, und jeden Fehler mit seiner Stelle</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -4211,20 +4195,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take the last step back</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Do again what was taken back</source>
-        <translation>Noch einmal tun, was zurückgenommen wurde</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -4251,20 +4227,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ein&amp;passen</translation>
     </message>
     <message>
-        <source>Show the selected pieces or seam, or everything where none is selected</source>
-        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht ganz zeigen; ohne Auswahl alles</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>Einpassen</translation>
     </message>
     <message>
         <source>Piece &amp;colours</source>
         <translation>Teile&amp;farben</translation>
-    </message>
-    <message>
-        <source>Every piece in its own colour</source>
-        <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
     </message>
     <message>
         <source>Check&amp;erboard</source>
@@ -4279,20 +4247,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Fl&amp;ächenänderung</translation>
     </message>
     <message>
-        <source>How much area the cloth must gain by stretching, or has too much</source>
-        <translation>Wie viel Fläche der Stoff durch Dehnen gewinnen muss oder zu viel hat</translation>
-    </message>
-    <message>
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
     <message>
         <source>An&amp;gle change</source>
         <translation>&amp;Winkeländerung</translation>
-    </message>
-    <message>
-        <source>How much the corners of the cloth have turned</source>
-        <translation>Wie weit sich die Ecken des Stoffes verdreht haben</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -4303,20 +4263,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Dehnung</translation>
     </message>
     <message>
-        <source>How far the cloth must stretch or gather to take its shape</source>
-        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, um die Form anzunehmen</translation>
-    </message>
-    <message>
         <source>Strain</source>
         <translation>Dehnung</translation>
     </message>
     <message>
         <source>Strain along war&amp;p</source>
         <translation>Dehnung längs der &amp;Kette</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather along the grain</source>
-        <translation>Wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
     </message>
     <message>
         <source>Warp</source>
@@ -4327,20 +4279,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Dehnung längs des Sch&amp;usses</translation>
     </message>
     <message>
-        <source>How far the cloth must stretch or gather across the grain</source>
-        <translation>Wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
-    </message>
-    <message>
         <source>Weft</source>
         <translation>Schuss</translation>
     </message>
     <message>
         <source>Strain on the &amp;bias</source>
         <translation>Dehnung im Sch&amp;rägen</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather at 45° to the grain, the worse of both diagonals</source>
-        <translation>Wie weit sich der Stoff unter 45° zum Fadenlauf dehnen oder stauchen muss, auf der schlechteren der beiden Diagonalen</translation>
     </message>
     <message>
         <source>Bias</source>
@@ -4351,20 +4295,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Hauptdehnung</translation>
     </message>
     <message>
-        <source>Crosses show in which directions the cloth stretches and gathers most, and how far</source>
-        <translation>Kreuze zeigen, in welchen Richtungen sich der Stoff am meisten dehnt und staucht, und wie weit</translation>
-    </message>
-    <message>
         <source>Principal</source>
         <translation>Hauptdehnung</translation>
     </message>
     <message>
         <source>&amp;Distortion energy</source>
         <translation>&amp;Verzerrungsenergie</translation>
-    </message>
-    <message>
-        <source>Symmetric Dirichlet energy: one number for stretch and surplus in all directions</source>
-        <translation>Symmetrische Dirichlet-Energie: eine Zahl für Dehnung und Zuviel in allen Richtungen</translation>
     </message>
     <message>
         <source>Energy</source>
@@ -4375,20 +4311,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Werte &amp;je Dreieck</translation>
     </message>
     <message>
-        <source>Paint every triangle in the colour of its own value, without smoothing</source>
-        <translation>Jedes Dreieck in der Farbe seines eigenen Wertes malen, ohne zu glätten</translation>
-    </message>
-    <message>
         <source>Per triangle</source>
         <translation>Je Dreieck</translation>
-    </message>
-    <message>
-        <source>Mark the w&amp;orst spots</source>
-        <translation>&amp;Schlimmste Stellen markieren</translation>
-    </message>
-    <message>
-        <source>Mark the places with the worst values with a number</source>
-        <translation>Die Stellen mit den schlimmsten Werten mit einer Zahl markieren</translation>
     </message>
     <message>
         <source>Worst spots</source>
@@ -4399,10 +4323,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Gitternetz zeigen</translation>
     </message>
     <message>
-        <source>Draw the triangles of the cloth</source>
-        <translation>Die Dreiecke des Stoffes zeichnen</translation>
-    </message>
-    <message>
         <source>Wireframe</source>
         <translation>Gitternetz</translation>
     </message>
@@ -4411,136 +4331,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>R&amp;eferenzteile</translation>
     </message>
     <message>
-        <source>Draw the seam lines, both sides of a seam in one colour</source>
-        <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
-    </message>
-    <message>
         <source>&amp;X-ray</source>
         <translation>&amp;Röntgenblick</translation>
-    </message>
-    <message>
-        <source>See through the cloth of the garment to what lies behind it</source>
-        <translation>Durch den Stoff des Kleidungsstücks auf das sehen, was dahinter liegt</translation>
-    </message>
-    <message>
-        <source>Light and s&amp;hade</source>
-        <translation>&amp;Licht und Schatten</translation>
-    </message>
-    <message>
-        <source>Let light fall on the garment; without it colours are as flat as in the pattern</source>
-        <translation>Licht auf das Kleidungsstück fallen lassen; ohne es sind die Farben so gleichmäßig wie im Schnittmuster</translation>
-    </message>
-    <message>
-        <source>Pieces &amp;in colour</source>
-        <translation>Schnittteile in &amp;Farbe</translation>
-    </message>
-    <message>
-        <source>Give every piece a colour of its own; else all cloth is plain cotton</source>
-        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst ist aller Stoff schlichte Baumwolle</translation>
-    </message>
-    <message>
-        <source>From the &amp;front</source>
-        <translation>Von &amp;vorn</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s front (1 on the number pad)</source>
-        <translation>Das Kleidungsstück von vorn ansehen (1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;back</source>
-        <translation>Von &amp;hinten</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s back (Ctrl+1 on the number pad)</source>
-        <translation>Das Kleidungsstück von hinten ansehen (Strg+1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;right</source>
-        <translation>Von &amp;rechts</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the right of the picture (3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der rechten Seite des Bildes ansehen (3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;left</source>
-        <translation>Von &amp;links</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the left of the picture (Ctrl+3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der linken Seite des Bildes ansehen (Strg+3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From &amp;above</source>
-        <translation>Von &amp;oben</translation>
-    </message>
-    <message>
-        <source>Look down at the garment (7 on the number pad)</source>
-        <translation>Auf das Kleidungsstück hinabsehen (7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From b&amp;elow</source>
-        <translation>Von &amp;unten</translation>
-    </message>
-    <message>
-        <source>Look up at the garment (Ctrl+7 on the number pad)</source>
-        <translation>Zum Kleidungsstück hinaufsehen (Strg+7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Without &amp;perspective</source>
-        <translation>Ohne &amp;Perspektive</translation>
-    </message>
-    <message>
-        <source>Draw the garment so that parallel lines stay parallel (5 on the number pad)</source>
-        <translation>Das Kleidungsstück so zeichnen, dass parallele Linien parallel bleiben (5 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Play from garment to pa&amp;ttern</source>
-        <translation>Vom Kleidungsstück zum Schnittmuster &amp;abspielen</translation>
-    </message>
-    <message>
-        <source>Watch the garment flatten, or the pattern close to the garment again</source>
-        <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is flipped</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the outline turns where the garment is curved</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
     </message>
     <message>
         <source>&amp;Draft</source>
         <translation>&amp;Entwurf</translation>
     </message>
     <message>
-        <source>Quick: within some percent of the least distortion</source>
-        <translation>Schnell: auf einige Prozent an der kleinsten Verzerrung</translation>
-    </message>
-    <message>
         <source>&amp;Standard</source>
         <translation>&amp;Standard</translation>
-    </message>
-    <message>
-        <source>Within about a thousandth of the least distortion</source>
-        <translation>Auf etwa ein Tausendstel an der kleinsten Verzerrung</translation>
     </message>
     <message>
         <source>&amp;Fine</source>
         <translation>&amp;Fein</translation>
     </message>
     <message>
-        <source>To the last digits: takes its time</source>
-        <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
-    </message>
-    <message>
         <source>C&amp;ompare methods…</source>
         <translation>Verfahren &amp;vergleichen…</translation>
-    </message>
-    <message>
-        <source>See one piece flattened by up to four methods side by side, with a table of figures</source>
-        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander sehen, mit einer Tabelle der Zahlen</translation>
     </message>
     <message>
         <source>&amp;Select</source>
@@ -4559,20 +4367,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Einschneiden</translation>
     </message>
     <message>
-        <source>Cut a piece along the shortest path through points on it</source>
-        <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Einschneiden</translation>
     </message>
     <message>
         <source>Closed &amp;loop</source>
         <translation>&amp;Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut a part out along a closed line through points on it</source>
-        <translation>Einen Teil entlang einer geschlossenen Linie durch Punkte darauf ausschneiden</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -4595,20 +4395,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Verbinden</translation>
     </message>
     <message>
-        <source>Join the cloth on both sides of a seam, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten einer Naht verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>Verbinden</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
         <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measure on the garment and in the pattern, straight and along edges</source>
-        <translation>Am Kleidungsstück und im Schnittmuster messen, gerade und entlang von Kanten</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -4631,32 +4423,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach jeder Än&amp;derung abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what an edit has changed at once; switch it off for heavy meshes</source>
-        <translation>Was eine Änderung betrifft, sofort abwickeln; bei schweren Netzen besser ausschalten</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Anhalten, was gerade läuft</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
         <translation>Neu &amp;laden</translation>
     </message>
     <message>
-        <source>Read the garment&apos;s files again as they are now</source>
-        <translation>Die Dateien des Kleidungsstücks noch einmal lesen, wie sie jetzt sind</translation>
-    </message>
-    <message>
         <source>&amp;Automatic</source>
         <translation>&amp;Automatisch</translation>
-    </message>
-    <message>
-        <source>Choose the unit that gives a garment of human size</source>
-        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
     </message>
     <message>
         <source>&amp;Millimetres</source>
@@ -4691,128 +4467,48 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Zahlen der Datei als Zoll lesen</translation>
     </message>
     <message>
-        <source>Choose the axis along which a garment would stand upright</source>
-        <translation>Die Achse wählen, an der das Kleidungsstück aufrecht stünde</translation>
-    </message>
-    <message>
         <source>&amp;Y points up</source>
         <translation>&amp;Y zeigt nach oben</translation>
-    </message>
-    <message>
-        <source>The garment stands along the file&apos;s y axis</source>
-        <translation>Das Kleidungsstück steht an der y-Achse der Datei</translation>
     </message>
     <message>
         <source>&amp;Z points up</source>
         <translation>&amp;Z zeigt nach oben</translation>
     </message>
     <message>
-        <source>The garment stands along the file&apos;s z axis</source>
-        <translation>Das Kleidungsstück steht an der z-Achse der Datei</translation>
-    </message>
-    <message>
-        <source>Divide the garment into pieces by what the file has</source>
-        <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
-    </message>
-    <message>
-        <source>Whatever hangs together is one piece</source>
-        <translation>Was zusammenhängt, ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Objects</source>
         <translation>&amp;Objekten</translation>
-    </message>
-    <message>
-        <source>Each object of the file is one piece</source>
-        <translation>Jedes Objekt der Datei ist ein Schnittteil</translation>
     </message>
     <message>
         <source>&amp;Groups</source>
         <translation>&amp;Gruppen</translation>
     </message>
     <message>
-        <source>Each group of the file is one piece</source>
-        <translation>Jede Gruppe der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Materials</source>
         <translation>&amp;Materialien</translation>
-    </message>
-    <message>
-        <source>Each material of the file is one piece</source>
-        <translation>Jedes Material der Datei ist ein Schnittteil</translation>
     </message>
     <message>
         <source>&amp;UV islands</source>
         <translation>&amp;UV-Inseln</translation>
     </message>
     <message>
-        <source>Each island of the file&apos;s UV map is one piece</source>
-        <translation>Jede Insel der UV-Karte der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Cuts only</source>
         <translation>Nur &amp;Einschnitten</translation>
-    </message>
-    <message>
-        <source>One piece until a cut of the seams file parts it</source>
-        <translation>Ein Schnittteil, bis ein Einschnitt der Nahtdatei es trennt</translation>
     </message>
     <message>
         <source>&amp;Cut open automatically</source>
         <translation>Von selbst &amp;aufschneiden</translation>
     </message>
     <message>
-        <source>Cut open every piece that cannot lie flat as it is</source>
-        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann</translation>
-    </message>
-    <message>
         <source>&amp;Weld vertices</source>
         <translation>Punkte &amp;verschmelzen</translation>
-    </message>
-    <message>
-        <source>Join vertices of an object that lie on each other</source>
-        <translation>Punkte eines Objekts verbinden, die aufeinander liegen</translation>
-    </message>
-    <message>
-        <source>&amp;Seams from file…</source>
-        <translation>&amp;Nähte aus Datei…</translation>
-    </message>
-    <message>
-        <source>Take cuts and ease from a seams file (JSON)</source>
-        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) übernehmen</translation>
     </message>
     <message>
         <source>Save sea&amp;ms file…</source>
         <translation>Naht&amp;datei speichern…</translation>
     </message>
     <message>
-        <source>Write the cuts and the ease that were stated to a seams file (JSON)</source>
-        <translation>Die angegebenen Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
-    </message>
-    <message>
-        <source>State the &amp;ease…</source>
-        <translation>&amp;Einhalteweite angeben…</translation>
-    </message>
-    <message>
-        <source>Say how much longer the left edge of the selected seam is meant to be</source>
-        <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
-    </message>
-    <message>
-        <source>Ease fro&amp;m the garment</source>
-        <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Take the ease of the selected seam from its 3D lengths again</source>
-        <translation>Die Einhalteweite der ausgewählten Naht wieder aus ihren 3D-Längen nehmen</translation>
-    </message>
-    <message>
         <source>&amp;Grain</source>
         <translation>&amp;Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turn the grain of a piece by its arrow in the pattern view</source>
-        <translation>Den Fadenlauf eines Schnittteils an seinem Pfeil in der Schnittansicht drehen</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -4823,112 +4519,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach &amp;links drehen</translation>
     </message>
     <message>
-        <source>Turn the selected pieces anti-clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
         <source>Turn &amp;right</source>
         <translation>Nach &amp;rechts drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel im Uhrzeigersinn drehen</translation>
     </message>
     <message>
         <source>&amp;Mirror left to right</source>
         <translation>&amp;Seitlich spiegeln</translation>
     </message>
     <message>
-        <source>Turn the selected pieces over from left to right: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile seitlich umwenden: dann liegt ihre linke Stoffseite oben</translation>
-    </message>
-    <message>
         <source>Mirror &amp;upside down</source>
         <translation>Nach &amp;oben spiegeln</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces over from top to bottom: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile von oben nach unten umwenden: dann liegt ihre linke Stoffseite oben</translation>
     </message>
     <message>
         <source>&amp;Left edges</source>
         <translation>&amp;Linke Kanten</translation>
     </message>
     <message>
-        <source>Line the selected pieces up along their left edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
-    </message>
-    <message>
         <source>&amp;Right edges</source>
         <translation>&amp;Rechte Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their right edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
     </message>
     <message>
         <source>&amp;Upper edges</source>
         <translation>&amp;Obere Kanten</translation>
     </message>
     <message>
-        <source>Line the selected pieces up along their upper edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
-    </message>
-    <message>
         <source>Lo&amp;wer edges</source>
         <translation>&amp;Untere Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their lower edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>&amp;Middles, one above the other</source>
-        <translation>&amp;Mitten übereinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one upright line</source>
-        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Middles, si&amp;de by side</source>
-        <translation>Mitten &amp;nebeneinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one level line</source>
-        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Same gaps &amp;across</source>
-        <translation>Gleiche Abstände &amp;quer</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the leftmost and the rightmost until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem linken und dem rechten verschieben, bis ihre Abstände gleich sind</translation>
-    </message>
-    <message>
-        <source>Same gaps u&amp;pwards</source>
-        <translation>Gleiche Abstände &amp;hoch</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the lowest and the highest until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem untersten und dem obersten verschieben, bis ihre Abstände gleich sind</translation>
     </message>
     <message>
         <source>Lay &amp;out again</source>
         <translation>Neu aus&amp;legen</translation>
     </message>
     <message>
-        <source>Put the selected pieces, or all where none is selected, in rows side by side</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, in Reihen nebeneinander legen</translation>
-    </message>
-    <message>
         <source>Turn &amp;grain upwards</source>
         <translation>&amp;Fadenlauf nach oben drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces, or all where none is selected, so that their grain runs upwards</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, so drehen, dass ihr Fadenlauf nach oben zeigt</translation>
     </message>
     <message>
         <source>&amp;Best grain</source>
@@ -4937,14 +4561,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Best</source>
         <translation>Bester</translation>
-    </message>
-    <message>
-        <source>R&amp;eset the grain</source>
-        <translation>Fadenlauf &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
-        <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -4963,104 +4579,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Raster</translation>
     </message>
     <message>
-        <source>Show a grid on the sheet of the pattern</source>
-        <translation>Ein Raster auf dem Bogen des Schnittmusters zeigen</translation>
-    </message>
-    <message>
         <source>Sna&amp;pping</source>
         <translation>&amp;Einrasten</translation>
-    </message>
-    <message>
-        <source>Let pieces catch at the grid and at each other while they are moved; Alt turns it the other way round</source>
-        <translation>Schnittteile beim Verschieben am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
-    </message>
-    <message>
-        <source>&amp;Place…</source>
-        <translation>&amp;Lage…</translation>
-    </message>
-    <message>
-        <source>Type where the selected pieces lie, how far they are turned and how the grain runs</source>
-        <translation>Eingeben, wo die ausgewählten Schnittteile liegen, wie weit sie gedreht sind und wie der Fadenlauf liegt</translation>
     </message>
     <message>
         <source>Fa&amp;bric…</source>
         <translation>&amp;Material…</translation>
     </message>
     <message>
-        <source>Choose what the garment is cut from, and type how far it gives way</source>
-        <translation>Wählen, woraus das Kleidungsstück geschnitten wird, und eingeben, wie weit es nachgibt</translation>
-    </message>
-    <message>
         <source>Go to &amp;pieces</source>
         <translation>Zu den &amp;Schnittteilen</translation>
-    </message>
-    <message>
-        <source>Show the list of pieces and move the keyboard there</source>
-        <translation>Die Liste der Schnittteile zeigen und mit der Tastatur dorthin gehen</translation>
     </message>
     <message>
         <source>Go &amp;to seams</source>
         <translation>Zu den &amp;Nähten</translation>
     </message>
     <message>
-        <source>Show the list of seams and move the keyboard there</source>
-        <translation>Die Liste der Nähte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
         <source>Go to proble&amp;ms</source>
         <translation>Zu den &amp;Problemen</translation>
-    </message>
-    <message>
-        <source>Show what stands against cutting and move the keyboard there</source>
-        <translation>Zeigen, was gegen das Zuschneiden spricht, und mit der Tastatur dorthin gehen</translation>
     </message>
     <message>
         <source>Go to &amp;history</source>
         <translation>Zum &amp;Verlauf</translation>
     </message>
     <message>
-        <source>Show the steps done so far and move the keyboard there</source>
-        <translation>Die bisherigen Schritte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
         <source>Reset &amp;window layout</source>
         <translation>Fenster&amp;aufteilung zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Put every list back below the views and every panel beside them, as at the first start</source>
-        <translation>Alle Listen wieder unter die Ansichten und alle Felder neben sie legen, wie beim ersten Start</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
         <translation>E&amp;instellungen…</translation>
     </message>
     <message>
-        <source>Choose units, colours, language and how the mouse moves the view</source>
-        <translation>Einheiten, Farben, Sprache und die Bewegung mit der Maus wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command…</source>
-        <translation>&amp;Befehl suchen…</translation>
-    </message>
-    <message>
-        <source>Type a few letters to run a command or to find a piece or a seam</source>
-        <translation>Einige Buchstaben tippen, um einen Befehl auszuführen oder ein Schnittteil oder eine Naht zu finden</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard and mouse</source>
         <translation>&amp;Tastatur und Maus</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does</source>
-        <translation>Was jede Taste und jede Bewegung der Maus bewirkt</translation>
-    </message>
-    <message>
         <source>&amp;About Toile</source>
         <translation>&amp;Über Toile</translation>
-    </message>
-    <message>
-        <source>Version, licence, and what Toile does</source>
-        <translation>Version, Lizenz und was Toile tut</translation>
     </message>
     <message>
         <source>Piece: %1</source>
@@ -5089,10 +4645,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>In the garment view</source>
         <translation>In der Ansicht des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>In the garment view, as Preferences choose</source>
-        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
     </message>
     <message>
         <source>In the pattern view</source>
@@ -5139,10 +4691,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ziehen</translation>
     </message>
     <message>
-        <source>Turn the garment, where the tool does not take the drag</source>
-        <translation>Das Kleidungsstück drehen, wo das Werkzeug das Ziehen nicht braucht</translation>
-    </message>
-    <message>
         <source>Shift+drag</source>
         <translation>Umschalt+Ziehen</translation>
     </message>
@@ -5153,10 +4701,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Number pad 1, 3, 7</source>
         <translation>Ziffernblock 1, 3, 7</translation>
-    </message>
-    <message>
-        <source>Show the front, the right side, the top; with Ctrl the side opposite to it</source>
-        <translation>Vorderseite, rechte Seite, Oberseite zeigen; mit Strg die Seite gegenüber</translation>
     </message>
     <message>
         <source>Number pad 9</source>
@@ -5177,10 +4721,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Number pad 5</source>
         <translation>Ziffernblock 5</translation>
-    </message>
-    <message>
-        <source>Show it with perspective or without</source>
-        <translation>Es mit oder ohne Perspektive zeigen</translation>
     </message>
     <message>
         <source>Click on the axis cross</source>
@@ -5243,24 +4783,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Klick</translation>
     </message>
     <message>
-        <source>Select the piece, the seam or, from near by, the vertex; beside all: select nothing</source>
-        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; neben allem: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Ctrl+click, Shift+click</source>
         <translation>Strg+Klick, Umschalt+Klick</translation>
     </message>
     <message>
-        <source>Add the piece to the selection, or take it out</source>
-        <translation>Das Schnittteil zur Auswahl nehmen oder aus ihr lösen</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>Frame the piece; on an edge: select it from corner to corner; beside all pieces: frame everything</source>
-        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; neben allen: alles einpassen</translation>
     </message>
     <message>
         <source>Drag a piece in the pattern view</source>
@@ -5275,10 +4803,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Bogen ziehen</translation>
     </message>
     <message>
-        <source>Select what a box touches; with Ctrl or Shift: besides what is selected</source>
-        <translation>Auswählen, was ein Rahmen berührt; mit Strg oder Umschalt: zusätzlich</translation>
-    </message>
-    <message>
         <source>Drag the handle above the selection</source>
         <translation>Am Griff über der Auswahl ziehen</translation>
     </message>
@@ -5291,10 +4815,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Alt beim Ziehen</translation>
     </message>
     <message>
-        <source>Snap where snapping is off, and the other way round</source>
-        <translation>Einrasten, wo es ausgeschaltet ist, und umgekehrt</translation>
-    </message>
-    <message>
         <source>Arrow keys</source>
         <translation>Pfeiltasten</translation>
     </message>
@@ -5303,28 +4823,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Esc beim Ziehen</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
-        <translation>Das Ziehen zurücknehmen</translation>
-    </message>
-    <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Select nothing; while something runs: stop it</source>
-        <translation>Nichts auswählen; während etwas läuft: es anhalten</translation>
-    </message>
-    <message>
-        <source>Set the next point; begin on an edge to open the piece there</source>
-        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
-    </message>
-    <message>
         <source>Ctrl+click</source>
         <translation>Strg+Klick</translation>
-    </message>
-    <message>
-        <source>Go there along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten dorthin gehen</translation>
     </message>
     <message>
         <source>Double click, Enter</source>
@@ -5335,88 +4839,28 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rücktaste</translation>
     </message>
     <message>
-        <source>Take the last point back</source>
-        <translation>Den letzten Punkt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Throw the cut away; without one: back to selecting</source>
-        <translation>Den Einschnitt verwerfen; ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Set the next point, of three or more</source>
-        <translation>Den nächsten Punkt setzen, von dreien oder mehr</translation>
-    </message>
-    <message>
         <source>Click on the first point, double click, Enter</source>
         <translation>Klick auf den ersten Punkt, Doppelklick, Eingabe</translation>
-    </message>
-    <message>
-        <source>Cut the part out</source>
-        <translation>Den Teil ausschneiden</translation>
     </message>
     <message>
         <source>Drag from an edge</source>
         <translation>Von einer Kante ziehen</translation>
     </message>
     <message>
-        <source>Cut a dart to where the drag ends</source>
-        <translation>Einen Abnäher bis dorthin schneiden, wo das Ziehen endet</translation>
-    </message>
-    <message>
         <source>Click an edge, then the tip</source>
         <translation>Kante anklicken, dann die Spitze</translation>
-    </message>
-    <message>
-        <source>The same, by two clicks</source>
-        <translation>Dasselbe mit zwei Klicks</translation>
-    </message>
-    <message>
-        <source>Cut along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten schneiden</translation>
     </message>
     <message>
         <source>Backspace, Esc</source>
         <translation>Rücktaste, Esc</translation>
     </message>
     <message>
-        <source>Throw the dart away; Esc without one: back to selecting</source>
-        <translation>Den Abnäher verwerfen; Esc ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
         <source>Click a seam</source>
         <translation>Naht anklicken</translation>
     </message>
     <message>
-        <source>Join the cloth on both sides of it, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
-        <source>Back to selecting</source>
-        <translation>Zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Measure from here, and on to the next place</source>
-        <translation>Von hier messen und weiter zur nächsten Stelle</translation>
-    </message>
-    <message>
-        <source>End here</source>
-        <translation>Hier enden</translation>
-    </message>
-    <message>
-        <source>Take the last place back</source>
-        <translation>Die letzte Stelle zurücknehmen</translation>
-    </message>
-    <message>
         <source>Ctrl+C</source>
         <translation>Strg+C</translation>
-    </message>
-    <message>
-        <source>Copy what is measured</source>
-        <translation>Das Gemessene kopieren</translation>
-    </message>
-    <message>
-        <source>Clear the measure; without one: back to selecting</source>
-        <translation>Das Maß löschen; ohne eines: zurück zum Auswählen</translation>
     </message>
     <message>
         <source>Drag on a piece in the pattern view</source>
@@ -5429,10 +4873,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Select the piece</source>
         <translation>Das Schnittteil auswählen</translation>
-    </message>
-    <message>
-        <source>Take the drag back; without one: back to selecting</source>
-        <translation>Das Ziehen zurücknehmen; ohne eines: zurück zum Auswählen</translation>
     </message>
     <message>
         <source>Select the piece or the seam in both views</source>
@@ -5479,24 +4919,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ü&amp;berlagerung</translation>
     </message>
     <message>
-        <source>Loo&amp;k</source>
-        <translation>&amp;Blick</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
         <source>&amp;Tools</source>
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
         <source>La&amp;yout</source>
         <translation>Aus&amp;legen</translation>
-    </message>
-    <message>
-        <source>&amp;Line up</source>
-        <translation>Aus&amp;richten</translation>
     </message>
     <message>
         <source>&amp;Garment</source>
@@ -5509,10 +4937,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Up &amp;axis</source>
         <translation>Achse nach &amp;oben</translation>
-    </message>
-    <message>
-        <source>&amp;Divide by</source>
-        <translation>Teilen &amp;nach</translation>
     </message>
     <message>
         <source>F&amp;latten</source>
@@ -5570,18 +4994,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>The garment measures %1 in height, read as %2 (largest extent %3). Is that right?</source>
-        <translation>Das Kleidungsstück ist %1 hoch, in %2 gelesen (größte Ausdehnung %3). Stimmt das?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along y, but it may stand along z. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der y-Achse stehend gelesen, könnte aber an der z-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along z, but it may stand along y. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der z-Achse stehend gelesen, könnte aber an der y-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
         <source>y up</source>
         <translation>y oben</translation>
     </message>
@@ -5618,48 +5030,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>%1, as stated</source>
-        <translation>%1, wie angegeben</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Achse nach oben</translation>
     </message>
     <message>
-        <source>y, as stated</source>
-        <translation>y, wie angegeben</translation>
-    </message>
-    <message>
-        <source>z, as stated</source>
-        <translation>z, wie angegeben</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>keine Fehler</translation>
-    </message>
-    <message>
-        <source>1 fault</source>
-        <translation>1 Fehler</translation>
-    </message>
-    <message>
-        <source>%1 faults</source>
-        <translation>%1 Fehler</translation>
-    </message>
-    <message>
-        <source>no doubts</source>
-        <translation>keine Zweifel</translation>
-    </message>
-    <message>
-        <source>1 doubt</source>
-        <translation>1 Zweifel</translation>
-    </message>
-    <message>
-        <source>%1 doubts</source>
-        <translation>%1 Zweifel</translation>
     </message>
     <message>
         <source>no notes</source>
@@ -5786,92 +5162,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Genauer &amp;Umriss</translation>
     </message>
     <message>
-        <source>Draw the outline as it was solved, dashed, where a fair line is drawn in its place</source>
-        <translation>Den Umriss, wie er berechnet wurde, gestrichelt zeichnen, wo eine ausgeglichene Linie an seiner Stelle steht</translation>
-    </message>
-    <message>
         <source>Go to &amp;lines</source>
         <translation>Zu den &amp;Linien</translation>
-    </message>
-    <message>
-        <source>Show how the lines of the pattern are drawn and move the keyboard there</source>
-        <translation>Zeigen, wie die Linien des Schnittmusters gezeichnet werden, und die Tastatur dorthin bringen</translation>
-    </message>
-    <message>
-        <source>Grain as it &amp;hangs</source>
-        <translation>Fadenlauf, wie es &amp;hängt</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the garment</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen</translation>
-    </message>
-    <message>
-        <source>Hanging</source>
-        <translation>Hängend</translation>
-    </message>
-    <message>
-        <source>Grain of the reference &amp;panels</source>
-        <translation>Fadenlauf der &amp;Referenzteile</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the designer&apos;s panels; as it hangs where a piece has none</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, in den Referenzteilen aufwärts legen; wie es hängt, wo ein Teil keine hat</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen oder um 90 oder 45 Grad gedreht, wo das den Stoff viel weniger dehnt</translation>
     </message>
     <message>
         <source>Mirror &amp;edits</source>
         <translation>Änderungen s&amp;piegeln</translation>
     </message>
     <message>
-        <source>Cut on both sides of the garment at once, and turn the grain on both, where mirrored pieces are drawn equal</source>
-        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen, wo gespiegelte Schnittteile gleich gezeichnet werden</translation>
-    </message>
-    <message>
         <source>Go to s&amp;ymmetry</source>
         <translation>Zur S&amp;ymmetrie</translation>
-    </message>
-    <message>
-        <source>Show which pieces mirror each other and move the keyboard there</source>
-        <translation>Zeigen, welche Schnittteile einander spiegeln, und die Tastatur dorthin bringen</translation>
     </message>
     <message>
         <source>&amp;Cutting line</source>
         <translation>S&amp;chnittlinie</translation>
     </message>
     <message>
-        <source>Draw the line that pieces with a seam allowance are cut along</source>
-        <translation>Die Linie zeichnen, an der Schnittteile mit Nahtzugabe zugeschnitten werden</translation>
-    </message>
-    <message>
         <source>&amp;Notches</source>
         <translation>&amp;Knipse</translation>
-    </message>
-    <message>
-        <source>Draw the notches of the pattern, where it has some</source>
-        <translation>Die Knipse des Schnittmusters zeichnen, wo es welche hat</translation>
-    </message>
-    <message>
-        <source>Draw the grain of each piece in the pattern view</source>
-        <translation>Den Fadenlauf jedes Schnittteils in der Schnittansicht zeichnen</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
         <translation>&amp;Beschriftung</translation>
     </message>
     <message>
-        <source>Write the names of the pieces in the pattern view</source>
-        <translation>Die Namen der Schnittteile in die Schnittansicht schreiben</translation>
-    </message>
-    <message>
         <source>&amp;Notch</source>
         <translation>&amp;Knips</translation>
-    </message>
-    <message>
-        <source>Add notches to seams, on both sides at once, move them and take them away</source>
-        <translation>Knipse an Nähten setzen, auf beiden Seiten zugleich, sie verschieben und entfernen</translation>
     </message>
     <message>
         <source>Notch</source>
@@ -5890,10 +5206,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einen Knips ziehen</translation>
     </message>
     <message>
-        <source>Move it along its seam, on both sides</source>
-        <translation>Ihn entlang seiner Naht verschieben, auf beiden Seiten</translation>
-    </message>
-    <message>
         <source>Click a notch</source>
         <translation>Einen Knips anklicken</translation>
     </message>
@@ -5904,10 +5216,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Ctrl+click a notch, Del</source>
         <translation>Strg+Klick auf einen Knips, Entf</translation>
-    </message>
-    <message>
-        <source>Take the notch away</source>
-        <translation>Den Knips entfernen</translation>
     </message>
     <message>
         <source>La&amp;yers</source>
@@ -5922,10 +5230,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Naht ablau&amp;fen</translation>
     </message>
     <message>
-        <source>Roll one piece along the selected seam of the other, and see whether both sides and their notches meet</source>
-        <translation>Ein Schnittteil an der ausgewählten Naht des anderen abrollen und sehen, ob beide Seiten und ihre Knipse zusammentreffen</translation>
-    </message>
-    <message>
         <source>Shell</source>
         <translation>Oberstoff</translation>
     </message>
@@ -5938,36 +5242,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einlage</translation>
     </message>
     <message>
-        <source>D&amp;art to seam</source>
-        <translation>Abnäher zur &amp;Naht</translation>
-    </message>
-    <message>
-        <source>Let the selected dart go on from its tip to the edge, so that it becomes a seam</source>
-        <translation>Den ausgewählten Abnäher von seiner Spitze bis zur Kante fortsetzen, sodass er eine Naht wird</translation>
-    </message>
-    <message>
-        <source>Seam t&amp;o dart</source>
-        <translation>Naht zum Abnähe&amp;r</translation>
-    </message>
-    <message>
-        <source>Take back the cut by which the selected seam was made of a dart</source>
-        <translation>Den Schnitt zurücknehmen, durch den die ausgewählte Naht aus einem Abnäher wurde</translation>
-    </message>
-    <message>
         <source>&amp;Internal lines</source>
         <translation>&amp;Innenlinien</translation>
     </message>
     <message>
-        <source>Draw internal lines and drill points, and in the pattern the marks of darts</source>
-        <translation>Innenlinien und Bohrpunkte zeichnen, im Schnittmuster auch die Zeichen der Abnäher</translation>
-    </message>
-    <message>
         <source>&amp;Internal line</source>
         <translation>&amp;Innenlinie</translation>
-    </message>
-    <message>
-        <source>Draw lines and drill points within the cloth, and change them</source>
-        <translation>Linien und Bohrpunkte im Stoff zeichnen und ändern</translation>
     </message>
     <message>
         <source>Internal line</source>
@@ -5990,10 +5270,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Linie schließen</translation>
     </message>
     <message>
-        <source>End the line; of one point: make it a drill point</source>
-        <translation>Die Linie beenden; ein einzelner Punkt wird ein Bohrpunkt</translation>
-    </message>
-    <message>
         <source>Click a line</source>
         <translation>Klick auf eine Linie</translation>
     </message>
@@ -6010,28 +5286,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Entf</translation>
     </message>
     <message>
-        <source>Take the selected line away</source>
-        <translation>Die ausgewählte Linie entfernen</translation>
-    </message>
-    <message>
-        <source>Throw the line away, take the drag back; without either: back to selecting</source>
-        <translation>Die Linie verwerfen, das Ziehen zurücknehmen; ohne beides: zurück zum Auswählen</translation>
-    </message>
-    <message>
         <source>&amp;Export pattern…</source>
         <translation>Schnitt &amp;exportieren…</translation>
     </message>
     <message>
-        <source>Write the pattern to a file: for printing, cutting, pattern and 3D programs</source>
-        <translation>Den Schnitt in eine Datei schreiben: zum Drucken, zum Schneiden, für Schnitt- und 3D-Programme</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
-    </message>
-    <message>
-        <source>%1 x %2 dots; at most %3 dpi fit</source>
-        <translation>%1 x %2 Punkte; höchstens %3 dpi passen</translation>
     </message>
     <message>
         <source>read back: %1, largest difference %2 mm</source>
@@ -6042,20 +5302,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Referenzschnitt öffnen…</translation>
     </message>
     <message>
-        <source>Lay a pattern over the flat pieces, to compare: DXF, SVG or GarmentCode</source>
-        <translation>Einen Schnitt zum Vergleich über die flachen Schnittteile legen: DXF, SVG oder GarmentCode</translation>
-    </message>
-    <message>
         <source>&amp;Close reference pattern</source>
         <translation>Referenzs&amp;chnitt schließen</translation>
-    </message>
-    <message>
-        <source>Compare with no pattern any more</source>
-        <translation>Mit keinem Schnitt mehr vergleichen</translation>
-    </message>
-    <message>
-        <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them, or the reference pattern that is open</source>
-        <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält, oder den geöffneten Referenzschnitt</translation>
     </message>
     <message>
         <source>&amp;Print pattern…</source>
@@ -6082,24 +5330,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Erste Schritte</translation>
     </message>
     <message>
-        <source>From a garment to a pattern on the table, in five minutes</source>
-        <translation>Vom Kleidungsstück zum Schnitt auf dem Tisch, in fünf Minuten</translation>
-    </message>
-    <message>
         <source>&amp;Documentation</source>
         <translation>&amp;Dokumentation</translation>
     </message>
     <message>
-        <source>All that is written about Toile</source>
-        <translation>Alles, was über Toile geschrieben steht</translation>
-    </message>
-    <message>
         <source>&amp;Report a problem…</source>
         <translation>&amp;Problem melden …</translation>
-    </message>
-    <message>
-        <source>What to say when something goes wrong, with what is known of this computer</source>
-        <translation>Was zu sagen ist, wenn etwas schiefgeht, mit dem, was über diesen Rechner bekannt ist</translation>
     </message>
     <message>
         <source>1 = %1 mm</source>
@@ -6138,124 +5374,36 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Welche Achse der Datei zeigt nach oben?</translation>
     </message>
     <message>
-        <source>Divide by objects</source>
-        <translation>Nach Objekten teilen</translation>
-    </message>
-    <message>
-        <source>Divide by groups</source>
-        <translation>Nach Gruppen teilen</translation>
-    </message>
-    <message>
-        <source>Divide by materials</source>
-        <translation>Nach Materialien teilen</translation>
-    </message>
-    <message>
-        <source>Divide by UV islands</source>
-        <translation>Nach UV-Inseln teilen</translation>
-    </message>
-    <message>
-        <source>Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.</source>
-        <translation>Bei der Teilung %1 können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
-    </message>
-    <message>
         <source>&amp;Rename…</source>
         <translation>&amp;Umbenennen…</translation>
-    </message>
-    <message>
-        <source>Type what the selected piece is called, on the screen and in files</source>
-        <translation>Eingeben, wie das ausgewählte Schnittteil heißt, am Bildschirm und in Dateien</translation>
     </message>
     <message>
         <source>&amp;Quantity…</source>
         <translation>An&amp;zahl…</translation>
     </message>
     <message>
-        <source>Type how many of the selected pieces are cut</source>
-        <translation>Eingeben, wie oft die ausgewählten Schnittteile zugeschnitten werden</translation>
-    </message>
-    <message>
         <source>&amp;Hide</source>
         <translation>Aus&amp;blenden</translation>
-    </message>
-    <message>
-        <source>Draw the selected pieces in neither view; files and checks have them nevertheless</source>
-        <translation>Die ausgewählten Schnittteile in keiner Ansicht zeichnen; Dateien und Prüfungen enthalten sie trotzdem</translation>
-    </message>
-    <message>
-        <source>Show &amp;only these</source>
-        <translation>&amp;Nur diese zeigen</translation>
-    </message>
-    <message>
-        <source>Hide all pieces but the selected ones; files and checks have them nevertheless</source>
-        <translation>Alle Schnittteile außer den ausgewählten ausblenden; Dateien und Prüfungen enthalten sie trotzdem</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
         <translation>&amp;Alle zeigen</translation>
     </message>
     <message>
-        <source>Draw the hidden pieces again</source>
-        <translation>Die ausgeblendeten Schnittteile wieder zeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Export only these…</source>
-        <translation>Nur diese &amp;exportieren…</translation>
-    </message>
-    <message>
-        <source>Write the selected pieces alone to a file</source>
-        <translation>Nur die ausgewählten Schnittteile in eine Datei schreiben</translation>
-    </message>
-    <message>
         <source>&amp;Leave out</source>
         <translation>Aus&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>Take the selected pieces out of the pattern, as buttons and zips are: they are not flattened, and in no file, check or figure</source>
-        <translation>Die ausgewählten Schnittteile aus dem Schnitt nehmen, wie Knöpfe und Reißverschlüsse: Sie werden nicht abgewickelt und stehen in keiner Datei, Prüfung oder Zahl</translation>
-    </message>
-    <message>
-        <source>&amp;Take in</source>
-        <translation>&amp;Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Put the selected pieces that are left out back into the pattern</source>
-        <translation>Die ausgewählten Schnittteile, die ausgenommen sind, wieder in den Schnitt aufnehmen</translation>
     </message>
     <message>
         <source>Leave out &amp;small pieces…</source>
         <translation>&amp;Kleine Schnittteile ausnehmen…</translation>
     </message>
     <message>
-        <source>Leave out all pieces below an area that you type</source>
-        <translation>Alle Schnittteile unter einer Fläche ausnehmen, die Sie eingeben</translation>
-    </message>
-    <message>
-        <source>&amp;Join at this seam</source>
-        <translation>An dieser Naht &amp;verbinden</translation>
-    </message>
-    <message>
-        <source>Join the cloth on both sides of the selected seam; a cut of yours is taken back</source>
-        <translation>Den Stoff auf beiden Seiten der ausgewählten Naht verbinden; ein Schnitt von Ihnen wird zurückgenommen</translation>
-    </message>
-    <message>
         <source>Right click, menu key, Shift+F10</source>
         <translation>Rechtsklick, Menütaste, Umschalt+F10</translation>
     </message>
     <message>
-        <source>Show what can be done with the piece, the seam or the selection</source>
-        <translation>Zeigen, was mit dem Schnittteil, der Naht oder der Auswahl getan werden kann</translation>
-    </message>
-    <message>
-        <source>Show what can be done with the piece or the seam</source>
-        <translation>Zeigen, was mit dem Schnittteil oder der Naht getan werden kann</translation>
-    </message>
-    <message>
         <source>Double click on a name, F2</source>
         <translation>Doppelklick auf einen Namen, F2</translation>
-    </message>
-    <message>
-        <source>Call the piece otherwise</source>
-        <translation>Das Schnittteil anders nennen</translation>
     </message>
     <message>
         <source>&amp;Piece</source>
@@ -6294,10 +5442,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Flächen&amp;normalen</translation>
     </message>
     <message>
-        <source>Where the worn cloth faces, one colour for each direction</source>
-        <translation>Wohin der getragene Stoff weist, eine Farbe für jede Richtung</translation>
-    </message>
-    <message>
         <source>Normals</source>
         <translation>Normalen</translation>
     </message>
@@ -6330,46 +5474,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 in</translation>
     </message>
     <message>
-        <source>Seam lines keep their exact length; the outline gives way alike all around (Wang 2005)</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich nach (Wang 2005)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least (Yoshizawa 2004)</source>
-        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss; der Stoff darin wird verschoben, bis er sich am wenigsten dehnt (Yoshizawa 2004)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline: no triangle is ever flipped, but it is no pattern (Floater 2003)</source>
-        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss: nie klappt ein Dreieck um, aber ein Schnitt ist es nicht (Floater 2003)</translation>
-    </message>
-    <message>
-        <source>The cloth keeps its angles as well as it can; seam lines change their length (Desbrun 2002)</source>
-        <translation>Der Stoff behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Desbrun 2002)</translation>
-    </message>
-    <message>
-        <source>Nearly the same by another way; seam lines change their length (Lévy 2002)</source>
-        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge (Lévy 2002)</translation>
-    </message>
-    <message>
-        <source>Every triangle keeps its angles as well as it can; seam lines change their length (Sheffer 2005)</source>
-        <translation>Jedes Dreieck behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Sheffer 2005)</translation>
-    </message>
-    <message>
-        <source>Outli&amp;ne the fast way</source>
-        <translation>Umriss auf sch&amp;nellem Weg</translation>
-    </message>
-    <message>
-        <source>The outline by Newton steps</source>
-        <translation>Der Umriss in Newton-Schritten</translation>
-    </message>
-    <message>
-        <source>Out&amp;line the published way</source>
-        <translation>Umriss wie veröffent&amp;licht</translation>
-    </message>
-    <message>
-        <source>The same outline by linearly constrained steps, as in the paper of 2005</source>
-        <translation>Derselbe Umriss in linear beschränkten Schritten, wie im Aufsatz von 2005</translation>
-    </message>
-    <message>
         <source>Connected &amp;parts</source>
         <translation>Zusammenhängende &amp;Teile</translation>
     </message>
@@ -6378,16 +5482,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Auf&amp;schneiden</translation>
     </message>
     <message>
-        <source>Cut the selected pieces open that cannot lie flat as they are; the others stay</source>
-        <translation>Die ausgewählten Schnittteile aufschneiden, die so nicht flach liegen können; die anderen bleiben</translation>
-    </message>
-    <message>
         <source>&amp;Dart here…</source>
         <translation>&amp;Abnäher hier …</translation>
-    </message>
-    <message>
-        <source>Propose a dart from the nearest edge to the place that is pointed at, or has a ring: Enter cuts it, Escape throws it away</source>
-        <translation>Einen Abnäher von der nächsten Kante zu der Stelle vorschlagen, auf die gezeigt wird oder die einen Ring hat: Eingabe schneidet ihn, Esc verwirft ihn</translation>
     </message>
     <message>
         <source>Move the selected pieces by 1 mm (1/16 in), with Shift by 10 mm (1/2 in)</source>
@@ -6398,24 +5494,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Alt+Klick</translation>
     </message>
     <message>
-        <source>Cut around the tube there, while nothing is begun</source>
-        <translation>Rund um den Schlauch schneiden, solange nichts begonnen ist</translation>
-    </message>
-    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
     <message>
-        <source>Draw to no edge or corner, while a line is begun</source>
-        <translation>An keiner Kante oder Ecke einrasten, während eine Linie begonnen ist</translation>
-    </message>
-    <message>
         <source>by connected parts</source>
         <translation>nach zusammenhängenden Teilen</translation>
-    </message>
-    <message>
-        <source>Divide by connected parts</source>
-        <translation>Nach zusammenhängenden Teilen teilen</translation>
     </message>
     <message>
         <source>Least &amp;stretch on a circle</source>
@@ -6434,52 +5518,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Sch&amp;litze schließen</translation>
     </message>
     <message>
-        <source>Sew shut the slits inside pieces, as texture maps have them</source>
-        <translation>Die Schlitze innerhalb von Teilen schließen, wie Texturkarten sie haben</translation>
-    </message>
-    <message>
         <source>a tube with %1 openings</source>
         <translation>ein Schlauch mit %1 Öffnungen</translation>
-    </message>
-    <message>
-        <source>True-scale squares on the cloth</source>
-        <translation>Maßstäbliche Karos auf dem Stoff</translation>
     </message>
     <message>
         <source>&amp;Plain sheet</source>
         <translation>&amp;Einfache Fläche</translation>
     </message>
     <message>
-        <source>Take every face of the file, as it is</source>
-        <translation>Jede Fläche der Datei nehmen, wie sie ist</translation>
-    </message>
-    <message>
         <source>Thick shell, &amp;outer surface</source>
         <translation>Dicke Schale, &amp;äußere Fläche</translation>
-    </message>
-    <message>
-        <source>Of cloth with a thickness take the outer surface, without its rims</source>
-        <translation>Von Stoff mit einer Dicke die äußere Fläche nehmen, ohne die Ränder</translation>
     </message>
     <message>
         <source>Thick shell, &amp;inner surface</source>
         <translation>Dicke Schale, &amp;innere Fläche</translation>
     </message>
     <message>
-        <source>Of cloth with a thickness take the inner surface, without its rims</source>
-        <translation>Von Stoff mit einer Dicke die innere Fläche nehmen, ohne die Ränder</translation>
-    </message>
-    <message>
         <source>Thick shell, &amp;middle</source>
         <translation>Dicke Schale, &amp;Mitte</translation>
-    </message>
-    <message>
-        <source>Of cloth with a thickness take what runs midway between its surfaces</source>
-        <translation>Von Stoff mit einer Dicke nehmen, was mitten zwischen seinen Flächen verläuft</translation>
-    </message>
-    <message>
-        <source>&amp;Read as</source>
-        <translation>&amp;Lesen als</translation>
     </message>
     <message>
         <source>a plain sheet</source>
@@ -6518,132 +5574,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>As it is</source>
-        <translation>Wie sie ist</translation>
-    </message>
-    <message>
-        <source>The file looks like a scan: %1. It can be made a sheet: debris goes, small holes are closed, noise is smoothed.</source>
-        <translation>Die Datei sieht nach einem Scan aus: %1. Sie kann zu einer Fläche gemacht werden: Bruchstücke entfallen, kleine Löcher werden geschlossen, Rauschen geglättet.</translation>
-    </message>
-    <message>
-        <source>Read as</source>
-        <translation>Gelesen als</translation>
-    </message>
-    <message>
-        <source>The file is cloth with a thickness: %1. Which of its surfaces is the sheet?</source>
-        <translation>Die Datei ist Stoff mit einer Dicke: %1. Welche ihrer Flächen soll es sein?</translation>
-    </message>
-    <message>
         <source>&amp;Scan…</source>
         <translation>&amp;Scan…</translation>
-    </message>
-    <message>
-        <source>Make a sheet of a scan: drop debris, close small holes, smooth noise</source>
-        <translation>Aus einem Scan eine Fläche machen: Bruchstücke entfernen, kleine Löcher schließen, Rauschen glätten</translation>
     </message>
     <message>
         <source>Complete &amp;half a garment</source>
         <translation>&amp;Halbes Kleidungsstück ergänzen</translation>
     </message>
     <message>
-        <source>Add the mirror image of a garment of which the file has one half</source>
-        <translation>Das Spiegelbild eines Kleidungsstücks hinzufügen, von dem die Datei eine Hälfte hat</translation>
-    </message>
-    <message>
         <source>Turn i&amp;nside out</source>
         <translation>&amp;Wenden</translation>
-    </message>
-    <message>
-        <source>Turn all faces of the garment over: the other side of the cloth is the right one</source>
-        <translation>Alle Flächen des Kleidungsstücks wenden: die andere Seite des Stoffs ist die rechte</translation>
-    </message>
-    <message>
-        <source>The file is a form that is to be covered: %1. Cuts make pieces of it; they are yours to take back.</source>
-        <translation>Die Datei ist eine Form, die bezogen werden soll: %1. Einschnitte machen Schnittteile daraus; Sie können sie zurücknehmen.</translation>
-    </message>
-    <message>
-        <source>Cut it open</source>
-        <translation>Aufschneiden</translation>
-    </message>
-    <message>
-        <source>This looks like half a garment: its rims lie over %1 in one plane, all cloth on one side. Add its mirror image?</source>
-        <translation>Das sieht nach einem halben Kleidungsstück aus: Seine Ränder liegen auf %1 in einer Ebene, aller Stoff auf einer Seite. Das Spiegelbild hinzufügen?</translation>
-    </message>
-    <message>
-        <source>Complete it</source>
-        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Prepare the scan…</source>
         <translation>Scan aufbereiten…</translation>
     </message>
     <message>
-        <source>Half a garment: its mirror image was added</source>
-        <translation>Halbes Kleidungsstück: Das Spiegelbild wurde hinzugefügt</translation>
-    </message>
-    <message>
         <source>Select &amp;same material</source>
         <translation>Gleiche Stoffart aus&amp;wählen</translation>
-    </message>
-    <message>
-        <source>Select every piece that is cut from what the selected pieces are cut from</source>
-        <translation>Alle Teile auswählen, die aus demselben geschnitten werden wie die ausgewählten</translation>
     </message>
     <message>
         <source>Select same la&amp;yer</source>
         <translation>Gleiche &amp;Lage auswählen</translation>
     </message>
     <message>
-        <source>Select every piece of the layers of cloth that the selected pieces are of</source>
-        <translation>Alle Teile der Stofflagen auswählen, zu denen die ausgewählten gehören</translation>
-    </message>
-    <message>
-        <source>Recognise what the file holds: a sheet, a thick shell, layers, a scan</source>
-        <translation>Erkennen, was die Datei enthält: eine Lage Stoff, eine dicke Schale, mehrere Lagen, einen Scan</translation>
-    </message>
-    <message>
         <source>&amp;Layers of cloth, all</source>
         <translation>Stoff&amp;lagen, alle</translation>
-    </message>
-    <message>
-        <source>Take every sheet of a file in which one lies inside the other, as a lining does: each layer is a material</source>
-        <translation>Alle Lagen einer Datei nehmen, in der eine in der anderen liegt, wie ein Futter: Jede Lage wird eine Stoffart</translation>
-    </message>
-    <message>
-        <source>Layers of cloth, ou&amp;termost alone</source>
-        <translation>Stofflagen, nur die ä&amp;ußerste</translation>
-    </message>
-    <message>
-        <source>Of sheets that lie inside each other take the outermost</source>
-        <translation>Von Lagen, die ineinander liegen, die äußerste nehmen</translation>
-    </message>
-    <message>
-        <source>Layers of cloth, secon&amp;d alone</source>
-        <translation>Stofflagen, nur die &amp;zweite</translation>
-    </message>
-    <message>
-        <source>Of sheets that lie inside each other take the second from outside: the lining</source>
-        <translation>Von Lagen, die ineinander liegen, die zweite von außen nehmen: das Futter</translation>
     </message>
     <message>
         <source>&amp;New material…</source>
         <translation>&amp;Neue Stoffart …</translation>
     </message>
     <message>
-        <source>Type what the selected pieces are cut from: a lining, an interfacing</source>
-        <translation>Eingeben, woraus die ausgewählten Teile geschnitten werden: ein Futter, eine Einlage</translation>
-    </message>
-    <message>
         <source>Mater&amp;ial</source>
         <translation>&amp;Stoffart</translation>
-    </message>
-    <message>
-        <source>The file may hold layers of cloth: %1. What is it?</source>
-        <translation>Die Datei enthält vielleicht Stofflagen: %1. Was ist sie?</translation>
-    </message>
-    <message>
-        <source>The file holds %1 layers of cloth: %2. Which are to be cut?</source>
-        <translation>Die Datei enthält %1 Stofflagen: %2. Welche sollen zugeschnitten werden?</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -6670,36 +5634,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Keine Lagen</translation>
     </message>
     <message>
-        <source>Cut as &amp;tailors do</source>
-        <translation>Wie beim SSchneiden wie beim S&amp;chneidernamp;chneider aufschneiden</translation>
-    </message>
-    <message>
-        <source>Cut a garment of one skin open along armholes, sides and shoulders, where it is seen how it is worn</source>
-        <translation>Ein Kleidungsstück aus einer einzigen Haut an Armlöchern, Seiten und Schultern aufschneiden, wenn ihm anzusehen ist, wie es getragen wird</translation>
-    </message>
-    <message>
         <source>Pr&amp;opose cuts…</source>
         <translation>Schnitte &amp;vorschlagen …</translation>
     </message>
     <message>
-        <source>Show cuts that a tailor would make in the selected piece, with their length and what they do to strain: to be made all, one by one, moved by hand, or not at all</source>
-        <translation>Schnitte zeigen, die ein Schneider im ausgewählten Schnittteil machen würde, mit ihrer Länge und dem, was sie an der Dehnung ändern: alle zu machen, einzeln, von Hand verschoben oder gar nicht</translation>
-    </message>
-    <message>
         <source>Propose cuts…</source>
         <translation>Schnitte vorschlagen …</translation>
-    </message>
-    <message>
-        <source>Lay on clot&amp;h…</source>
-        <translation>Auf Sto&amp;ff legen …</translation>
-    </message>
-    <message>
-        <source>Lay the pieces on their cloth so that little of it is left over: the marker, with its length</source>
-        <translation>Die Teile so auf ihren Stoff legen, dass wenig davon übrig bleibt: das Schnittbild mit seiner Länge</translation>
-    </message>
-    <message>
-        <source>How far the pattern, sewn back together, lies outside or inside of the design</source>
-        <translation>Wie weit der Schnitt, wieder zusammengenäht, außerhalb oder innerhalb des Entwurfs liegt</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -6710,44 +5650,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Dehn&amp;ung des genähten Stoffs</translation>
     </message>
     <message>
-        <source>How far the cloth is strained where the pattern is sewn back together</source>
-        <translation>Wie weit der Stoff gedehnt wird, wenn der Schnitt wieder zusammengenäht ist</translation>
-    </message>
-    <message>
         <source>Worn strain</source>
         <translation>Dehnung genäht</translation>
-    </message>
-    <message>
-        <source>Watch the cloth go from the design to where the sewn pattern comes to rest</source>
-        <translation>Zusehen, wie der Stoff vom Entwurf dorthin geht, wo der genähte Schnitt zur Ruhe kommt</translation>
     </message>
     <message>
         <source>Prove by se&amp;wing</source>
         <translation>Durch &amp;Nähen prüfen</translation>
     </message>
     <message>
-        <source>Sew the pattern back together over the design, as its lines are written, and measure how far from the design it comes to rest</source>
-        <translation>Den Schnitt über dem Entwurf wieder zusammennähen, so wie seine Linien geschrieben werden, und messen, wie weit vom Entwurf er zur Ruhe kommt</translation>
-    </message>
-    <message>
-        <source>Write what sewing the pattern has shown to a JSON file</source>
-        <translation>Was das Nähen des Schnitts gezeigt hat, in eine JSON-Datei schreiben</translation>
-    </message>
-    <message>
-        <source>Show what sewing the pattern back together has shown and move the keyboard there</source>
-        <translation>Zeigen, was das Zusammennähen des Schnitts ergeben hat, und die Tastatur dorthin lenken</translation>
-    </message>
-    <message>
         <source>Gap of the sewn c&amp;loth</source>
         <translation>A&amp;bstand des genähten Stoffs</translation>
-    </message>
-    <message>
-        <source>Play from design to sew&amp;n</source>
-        <translation>Vom &amp;Entwurf zum Genähten abspielen</translation>
-    </message>
-    <message>
-        <source>Save report o&amp;f the proof…</source>
-        <translation>Prüf&amp;bericht speichern…</translation>
     </message>
     <message>
         <source>&amp;Go to proof</source>
@@ -6790,10 +5702,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Quer zur Kette</translation>
     </message>
     <message>
-        <source>How much shorter the cloth can become without folds; 0 or less</source>
-        <translation>Um wie viel kürzer der Stoff ohne Falten werden kann; 0 oder weniger</translation>
-    </message>
-    <message>
         <source>How far the cloth can be stretched; 0 or more</source>
         <translation>Wie weit sich der Stoff dehnen lässt; 0 oder mehr</translation>
     </message>
@@ -6830,20 +5738,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite des Stoffs</translation>
     </message>
     <message>
-        <source>As it is sold, from selvedge to selvedge</source>
-        <translation>Wie er verkauft wird, von Webkante zu Webkante</translation>
-    </message>
-    <message>
         <source>Fa&amp;cing</source>
         <translation>&amp;Beleg</translation>
     </message>
     <message>
         <source>Facing of an edge</source>
         <translation>Beleg einer Kante</translation>
-    </message>
-    <message>
-        <source>Copy a strip of this width along the segment as a piece of its own, a facing or a lining; neighbouring segments share one facing</source>
-        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren, als Beleg oder Futter; benachbarte Abschnitte teilen sich einen Beleg</translation>
     </message>
     <message>
         <source>none</source>
@@ -6872,10 +5772,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Zoom</source>
         <translation>Zoomen</translation>
-    </message>
-    <message>
-        <source>Move the view, where the tool does not take them</source>
-        <translation>Ansicht verschieben, wenn das Werkzeug sie nicht braucht</translation>
     </message>
     <message>
         <source>Turn grain of %1 upwards</source>
@@ -6952,6 +5848,1106 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1, from corner to corner · %2 / %3 in 3D</source>
         <translation>%1, von Ecke zu Ecke · %2 / %3 in 3D</translation>
+    </message>
+    <message>
+        <source>Open a project, or the file or files of one garment</source>
+        <translation>Ein Projekt oder die Dateien eines Kleidungsstücks öffnen</translation>
+    </message>
+    <message>
+        <source>Save all your work on this garment in its project file</source>
+        <translation>Alle Arbeit an diesem Kleidungsstück in seiner Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Save all your work on this garment in another project file</source>
+        <translation>Alle Arbeit an diesem Kleidungsstück in einer anderen Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Write the pattern to a file for printers, cutters, pattern programs or 3D programs</source>
+        <translation>Den Schnitt in eine Datei schreiben: für Drucker, Cutter, Schnitt- oder 3D-Programme</translation>
+    </message>
+    <message>
+        <source>Show a DXF, SVG or GarmentCode pattern over the flat pieces to compare them</source>
+        <translation>Zum Vergleich einen Schnitt über den flachen Schnittteilen zeigen: DXF, SVG oder GarmentCode</translation>
+    </message>
+    <message>
+        <source>Stop comparing with the reference pattern</source>
+        <translation>Den Vergleich mit dem Referenzschnitt beenden</translation>
+    </message>
+    <message>
+        <source>Check whether the pattern can be cut, and list every problem with its place</source>
+        <translation>Prüfen, ob der Schnitt zugeschnitten werden kann, und jedes Problem mit seiner Stelle auflisten</translation>
+    </message>
+    <message>
+        <source>Undo the last step</source>
+        <translation>Den letzten Schritt rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the step that you undid last</source>
+        <translation>Den zuletzt rückgängig gemachten Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>Select every piece with the material of the selected pieces</source>
+        <translation>Alle Schnittteile mit der Stoffart der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Select every piece in the layers of the selected pieces</source>
+        <translation>Alle Schnittteile in den Lagen der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Fit the selected pieces or seam in the view, or everything without a selection</source>
+        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht in die Ansicht einpassen, ohne Auswahl alles</translation>
+    </message>
+    <message>
+        <source>Show every piece in its own colour</source>
+        <translation>Jedes Schnittteil in seiner eigenen Farbe zeigen</translation>
+    </message>
+    <message>
+        <source>Show true-scale squares on the cloth</source>
+        <translation>Maßstäbliche Karos auf dem Stoff zeigen</translation>
+    </message>
+    <message>
+        <source>Show how much area the cloth must gain or lose to take its shape</source>
+        <translation>Zeigen, wie viel Fläche der Stoff für seine Form gewinnen oder verlieren muss</translation>
+    </message>
+    <message>
+        <source>Show how much the angles of the cloth change</source>
+        <translation>Zeigen, wie stark sich die Winkel im Stoff ändern</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink to take its shape</source>
+        <translation>Zeigen, wie weit sich der Stoff für seine Form dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink along the grain</source>
+        <translation>Zeigen, wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink across the grain</source>
+        <translation>Zeigen, wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show the larger of the strains along the two diagonals, at 45° to the grain</source>
+        <translation>Die größere der Dehnungen in den beiden Diagonalen zeigen, unter 45° zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Draw crosses along the directions of largest and least strain</source>
+        <translation>Kreuze in den Richtungen der größten und der kleinsten Dehnung zeichnen</translation>
+    </message>
+    <message>
+        <source>Show the symmetric Dirichlet energy: one number for strain in all directions</source>
+        <translation>Die symmetrische Dirichlet-Energie zeigen: eine Zahl für die Dehnung in allen Richtungen</translation>
+    </message>
+    <message>
+        <source>Show which way the garment&apos;s surface faces, one colour per direction</source>
+        <translation>Zeigen, wohin die Fläche des Kleidungsstücks weist, eine Farbe je Richtung</translation>
+    </message>
+    <message>
+        <source>Show how far the sewn pattern lies outside or inside the design</source>
+        <translation>Zeigen, wie weit der genähte Schnitt außerhalb oder innerhalb des Entwurfs liegt</translation>
+    </message>
+    <message>
+        <source>Show the strain of the cloth in the sewn pattern</source>
+        <translation>Die Dehnung des Stoffs im genähten Schnitt zeigen</translation>
+    </message>
+    <message>
+        <source>Colour every triangle by its own value, without smoothing</source>
+        <translation>Jedes Dreieck nach seinem eigenen Wert färben, ohne zu glätten</translation>
+    </message>
+    <message>
+        <source>Mark w&amp;orst spots</source>
+        <translation>&amp;Schlimmste Stellen markieren</translation>
+    </message>
+    <message>
+        <source>Number the places with the worst values</source>
+        <translation>Die Stellen mit den schlimmsten Werten nummerieren</translation>
+    </message>
+    <message>
+        <source>Show the triangles of the mesh</source>
+        <translation>Die Dreiecke des Netzes zeigen</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s reference panels or the open reference pattern over the flat pieces</source>
+        <translation>Die Referenzteile der Datei oder den geöffneten Referenzschnitt über den flachen Schnittteilen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the outline as solved, dashed, if the pattern draws a fair line instead</source>
+        <translation>Den berechneten Umriss gestrichelt zeigen, wenn der Schnitt eine ausgeglichene Linie zeichnet</translation>
+    </message>
+    <message>
+        <source>Show the seam lines, with both sides of a seam in one colour</source>
+        <translation>Die Nahtlinien zeigen, beide Seiten einer Naht in einer Farbe</translation>
+    </message>
+    <message>
+        <source>Show the cutting line of pieces with a seam allowance</source>
+        <translation>Die Schnittlinie der Schnittteile mit Nahtzugabe zeigen</translation>
+    </message>
+    <message>
+        <source>Show the notches of the pattern</source>
+        <translation>Die Knipse des Schnittmusters zeigen</translation>
+    </message>
+    <message>
+        <source>Show internal lines, drill points and, in the pattern, dart marks</source>
+        <translation>Innenlinien, Bohrpunkte und im Schnittmuster die Zeichen der Abnäher zeigen</translation>
+    </message>
+    <message>
+        <source>Show the grain line of each piece in the pattern view</source>
+        <translation>Den Fadenlauf jedes Schnittteils in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Show the names of the pieces in the pattern view</source>
+        <translation>Die Namen der Schnittteile in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>See through the cloth of the garment</source>
+        <translation>Durch den Stoff des Kleidungsstücks sehen</translation>
+    </message>
+    <message>
+        <source>S&amp;hading</source>
+        <translation>&amp;Licht und Schatten</translation>
+    </message>
+    <message>
+        <source>Light the garment; without shading it has flat colours like the pattern</source>
+        <translation>Das Kleidungsstück beleuchten; sonst hat es gleichmäßige Farben wie das Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Colour p&amp;ieces</source>
+        <translation>Schnittteile &amp;färben</translation>
+    </message>
+    <message>
+        <source>Give every piece its own colour; otherwise all pieces are plain cotton</source>
+        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst sind alle schlichte Baumwolle</translation>
+    </message>
+    <message>
+        <source>&amp;Front view</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s front (number pad 1)</source>
+        <translation>Das Kleidungsstück von vorn ansehen (Ziffernblock 1)</translation>
+    </message>
+    <message>
+        <source>&amp;Back view</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s back (Ctrl+number pad 1)</source>
+        <translation>Das Kleidungsstück von hinten ansehen (Strg+Ziffernblock 1)</translation>
+    </message>
+    <message>
+        <source>&amp;Right view</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the right of the view (number pad 3)</source>
+        <translation>Das Kleidungsstück von der rechten Seite der Ansicht ansehen (Ziffernblock 3)</translation>
+    </message>
+    <message>
+        <source>&amp;Left view</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the left of the view (Ctrl+number pad 3)</source>
+        <translation>Das Kleidungsstück von der linken Seite der Ansicht ansehen (Strg+Ziffernblock 3)</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look down at the garment (number pad 7)</source>
+        <translation>Von oben auf das Kleidungsstück sehen (Ziffernblock 7)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom view</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look up at the garment (Ctrl+number pad 7)</source>
+        <translation>Von unten auf das Kleidungsstück sehen (Strg+Ziffernblock 7)</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Draw the garment without perspective (number pad 5)</source>
+        <translation>Das Kleidungsstück ohne Perspektive zeichnen (Ziffernblock 5)</translation>
+    </message>
+    <message>
+        <source>Play fla&amp;ttening</source>
+        <translation>&amp;Abwickeln abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the garment turn into the pattern, or the pattern into the garment</source>
+        <translation>Zusehen, wie das Kleidungsstück zum Schnitt wird oder der Schnitt zum Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Play sewi&amp;ng</source>
+        <translation>Nä&amp;hen abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the cloth move from the design to the sewn pattern&apos;s resting shape</source>
+        <translation>Zusehen, wie sich der Stoff vom Entwurf zur Ruhelage des genähten Schnitts bewegt</translation>
+    </message>
+    <message>
+        <source>Roll one piece along the selected seam to see whether lengths and notches match</source>
+        <translation>Ein Schnittteil an der ausgewählten Naht abrollen und sehen, ob Längen und Knipse passen</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; the cloth between stretches as little as possible, without flipped triangles</source>
+        <translation>Nahtlängen genau halten; der Stoff dazwischen dehnt sich so wenig wie möglich, ohne umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; the outline turns where the garment is curved</source>
+        <translation>Nahtlängen genau halten; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; angle changes spread evenly along the outline (Wang 2005)</source>
+        <translation>Nahtlängen genau halten; Winkeländerungen verteilen sich gleichmäßig am Umriss (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths on a round outline; the inside stretches least (Yoshizawa 2004)</source>
+        <translation>Nahtlängen auf rundem Umriss genau halten; das Innere dehnt sich am wenigsten (Yoshizawa 2004)</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths on a round outline; not usable as a pattern (Floater 2003)</source>
+        <translation>Nahtlängen auf rundem Umriss genau halten; als Schnitt nicht verwendbar (Floater 2003)</translation>
+    </message>
+    <message>
+        <source>Keep angles as far as possible; seam lines change length (Desbrun 2002)</source>
+        <translation>Winkel möglichst halten; Nahtlinien ändern ihre Länge (Desbrun 2002)</translation>
+    </message>
+    <message>
+        <source>Keep angles by least squares; seam lines change length (Lévy 2002)</source>
+        <translation>Winkel nach kleinsten Quadraten halten; Nahtlinien ändern ihre Länge (Lévy 2002)</translation>
+    </message>
+    <message>
+        <source>Keep the angles of every triangle; seam lines change length (Sheffer 2005)</source>
+        <translation>Die Winkel jedes Dreiecks möglichst halten; Nahtlinien ändern ihre Länge (Sheffer 2005)</translation>
+    </message>
+    <message>
+        <source>Fast: within a few per cent of the least distortion</source>
+        <translation>Schnell: auf wenige Prozent an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>Within about 0.1 % of the least distortion</source>
+        <translation>Auf etwa 0,1 % an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>Slow: as close to the least distortion as possible</source>
+        <translation>Langsam: so nah wie möglich an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Newton solver</source>
+        <translation>&amp;Newton-Verfahren</translation>
+    </message>
+    <message>
+        <source>Solve the outline by Newton steps, the fast way</source>
+        <translation>Den Umriss in schnellen Newton-Schritten berechnen</translation>
+    </message>
+    <message>
+        <source>Wang 2005 so&amp;lver</source>
+        <translation>&amp;Verfahren von Wang 2005</translation>
+    </message>
+    <message>
+        <source>Solve the same outline by linearly constrained steps, as in the paper</source>
+        <translation>Denselben Umriss in linear beschränkten Schritten berechnen, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Compare one piece flattened by up to four methods, side by side</source>
+        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander vergleichen</translation>
+    </message>
+    <message>
+        <source>Mar&amp;ker (lay on fabric)…</source>
+        <translation>Schnit&amp;tbild (auf Stoff legen)…</translation>
+    </message>
+    <message>
+        <source>Place the pieces on fabric with little waste, and see the length needed</source>
+        <translation>Die Schnittteile mit wenig Verschnitt auf den Stoff legen und die nötige Länge sehen</translation>
+    </message>
+    <message>
+        <source>Sew the exported pattern together over the design and measure the difference</source>
+        <translation>Den exportierten Schnitt über dem Entwurf zusammennähen und die Abweichung messen</translation>
+    </message>
+    <message>
+        <source>Save proo&amp;f report…</source>
+        <translation>Näh&amp;probenbericht speichern…</translation>
+    </message>
+    <message>
+        <source>Write the results of the proof to a JSON file</source>
+        <translation>Die Ergebnisse der Nähprobe in eine JSON-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Cut a piece along the shortest path through the points you click</source>
+        <translation>Ein Schnittteil auf dem kürzesten Weg durch die angeklickten Punkte einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut out a part along a closed line through the points you click</source>
+        <translation>Einen Teil entlang einer geschlossenen Linie durch die angeklickten Punkte ausschneiden</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of a seam</source>
+        <translation>Den Stoff auf beiden Seiten einer Naht verbinden</translation>
+    </message>
+    <message>
+        <source>Measure straight or along edges, on the garment and in the pattern</source>
+        <translation>Gerade oder entlang von Kanten messen, am Kleidungsstück und im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Flatten changed pieces after every edit; turn it off for large meshes</source>
+        <translation>Geänderte Schnittteile nach jeder Änderung abwickeln; bei großen Netzen ausschalten</translation>
+    </message>
+    <message>
+        <source>Stop the running task</source>
+        <translation>Den laufenden Vorgang anhalten</translation>
+    </message>
+    <message>
+        <source>Read the garment&apos;s files again</source>
+        <translation>Die Dateien des Kleidungsstücks noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Choose the unit that makes the garment human-sized</source>
+        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
+    </message>
+    <message>
+        <source>Detect the axis along which the garment stands upright</source>
+        <translation>Die Achse erkennen, an der das Kleidungsstück aufrecht steht</translation>
+    </message>
+    <message>
+        <source>Stand the garment along the file&apos;s y axis</source>
+        <translation>Das Kleidungsstück an der y-Achse der Datei aufstellen</translation>
+    </message>
+    <message>
+        <source>Stand the garment along the file&apos;s z axis</source>
+        <translation>Das Kleidungsstück an der z-Achse der Datei aufstellen</translation>
+    </message>
+    <message>
+        <source>Detect the kind of file: sheet, thick shell, layers or scan</source>
+        <translation>Die Art der Datei erkennen: Fläche, dicke Schale, Lagen oder Scan</translation>
+    </message>
+    <message>
+        <source>Use every face of the file unchanged</source>
+        <translation>Jede Fläche der Datei unverändert verwenden</translation>
+    </message>
+    <message>
+        <source>Use the outer surface of thick cloth, without its rims</source>
+        <translation>Von dickem Stoff die äußere Fläche verwenden, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Use the inner surface of thick cloth, without its rims</source>
+        <translation>Von dickem Stoff die innere Fläche verwenden, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Use the middle between the surfaces of thick cloth</source>
+        <translation>Von dickem Stoff die Mitte zwischen den Flächen verwenden</translation>
+    </message>
+    <message>
+        <source>Use every nested sheet, such as a lining; each layer becomes a material</source>
+        <translation>Alle ineinander liegenden Flächen verwenden, etwa ein Futter; jede Lage wird eine Stoffart</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, ou&amp;termost only</source>
+        <translation>Stofflagen, nur die ä&amp;ußerste</translation>
+    </message>
+    <message>
+        <source>Use only the outermost of nested sheets</source>
+        <translation>Von ineinander liegenden Flächen nur die äußerste verwenden</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, secon&amp;d only</source>
+        <translation>Stofflagen, nur die &amp;zweite</translation>
+    </message>
+    <message>
+        <source>Use only the second nested sheet from outside, usually the lining</source>
+        <translation>Von ineinander liegenden Flächen nur die zweite von außen verwenden, meist das Futter</translation>
+    </message>
+    <message>
+        <source>Turn a scan into a sheet: remove debris, close small holes, smooth noise</source>
+        <translation>Einen Scan zur Fläche machen: Bruchstücke entfernen, kleine Löcher schließen, Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>Choose how to split the garment from the contents of the file</source>
+        <translation>Die Aufteilung des Kleidungsstücks nach dem Inhalt der Datei wählen</translation>
+    </message>
+    <message>
+        <source>Make each connected part one piece</source>
+        <translation>Jeden zusammenhängenden Teil zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each object of the file one piece</source>
+        <translation>Jedes Objekt der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each group of the file one piece</source>
+        <translation>Jede Gruppe der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each material of the file one piece</source>
+        <translation>Jedes Material der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each UV island of the file one piece</source>
+        <translation>Jede UV-Insel der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Split the garment only along the cuts of the seams file</source>
+        <translation>Das Kleidungsstück nur entlang der Einschnitte der Nahtdatei teilen</translation>
+    </message>
+    <message>
+        <source>Cut open every piece that cannot lie flat</source>
+        <translation>Jedes Schnittteil aufschneiden, das nicht flach liegen kann</translation>
+    </message>
+    <message>
+        <source>Add the mirror image if the file has only half the garment</source>
+        <translation>Das Spiegelbild ergänzen, wenn die Datei nur das halbe Kleidungsstück enthält</translation>
+    </message>
+    <message>
+        <source>Flip all faces so that the other side of the cloth is the right side</source>
+        <translation>Alle Flächen wenden, sodass die andere Stoffseite die rechte ist</translation>
+    </message>
+    <message>
+        <source>Cut li&amp;ke a tailor</source>
+        <translation>Wie S&amp;chneider aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut one-piece garments at armholes, sides and shoulders if Toile detects them</source>
+        <translation>Einteilige Kleidungsstücke an Armlöchern, Seiten und Schultern aufschneiden, wenn Toile sie erkennt</translation>
+    </message>
+    <message>
+        <source>Propose a tailor&apos;s cuts for the selected piece, with their length and effect on strain</source>
+        <translation>Schneiderschnitte für das ausgewählte Schnittteil vorschlagen, mit Länge und Wirkung auf die Dehnung</translation>
+    </message>
+    <message>
+        <source>Merge vertices of an object that lie at the same point</source>
+        <translation>Punkte eines Objekts verschmelzen, die an derselben Stelle liegen</translation>
+    </message>
+    <message>
+        <source>Close slits inside pieces, common in texture maps</source>
+        <translation>Schlitze innerhalb von Schnittteilen schließen, wie sie in Texturkarten vorkommen</translation>
+    </message>
+    <message>
+        <source>Load &amp;seams file…</source>
+        <translation>&amp;Nahtdatei laden…</translation>
+    </message>
+    <message>
+        <source>Load cuts and ease from a seams file (JSON)</source>
+        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) laden</translation>
+    </message>
+    <message>
+        <source>Write your cuts and ease values to a seams file (JSON)</source>
+        <translation>Ihre Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
+    </message>
+    <message>
+        <source>Change the name of the selected piece, on screen and in files</source>
+        <translation>Den Namen des ausgewählten Schnittteils ändern, am Bildschirm und in Dateien</translation>
+    </message>
+    <message>
+        <source>Set how many of each selected piece to cut</source>
+        <translation>Festlegen, wie oft jedes ausgewählte Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Cut the selected pieces from a new material, such as lining or interfacing</source>
+        <translation>Die ausgewählten Schnittteile aus einer neuen Stoffart zuschneiden, etwa Futter oder Einlage</translation>
+    </message>
+    <message>
+        <source>Hide the selected pieces in both views; files and checks still include them</source>
+        <translation>Die ausgewählten Schnittteile in beiden Ansichten ausblenden; Dateien und Prüfungen enthalten sie weiter</translation>
+    </message>
+    <message>
+        <source>Show &amp;only selected</source>
+        <translation>&amp;Nur ausgewählte zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all other pieces; files and checks still include them</source>
+        <translation>Alle anderen Schnittteile ausblenden; Dateien und Prüfungen enthalten sie weiter</translation>
+    </message>
+    <message>
+        <source>Show the hidden pieces again</source>
+        <translation>Die ausgeblendeten Schnittteile wieder zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Export selected…</source>
+        <translation>Ausgewählte &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write only the selected pieces to a file</source>
+        <translation>Nur die ausgewählten Schnittteile in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Remove the selected pieces from pattern, files and checks, such as buttons and zips</source>
+        <translation>Die ausgewählten Schnittteile aus Schnitt, Dateien und Prüfungen ausnehmen, etwa Knöpfe und Reißverschlüsse</translation>
+    </message>
+    <message>
+        <source>I&amp;nclude again</source>
+        <translation>Wieder a&amp;ufnehmen</translation>
+    </message>
+    <message>
+        <source>Return the selected left-out pieces to the pattern</source>
+        <translation>Die ausgewählten ausgenommenen Schnittteile wieder in den Schnitt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Leave out all pieces smaller than an area that you set</source>
+        <translation>Alle Schnittteile ausnehmen, die kleiner als eine gewählte Fläche sind</translation>
+    </message>
+    <message>
+        <source>Cut open those selected pieces that cannot lie flat</source>
+        <translation>Die ausgewählten Schnittteile aufschneiden, die nicht flach liegen können</translation>
+    </message>
+    <message>
+        <source>Propose a dart to the pointer or ring: Enter cuts it, Esc discards it</source>
+        <translation>Einen Abnäher zum Zeiger oder Ring vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Set &amp;ease…</source>
+        <translation>&amp;Einhalteweite setzen…</translation>
+    </message>
+    <message>
+        <source>Set how much longer the left edge of the selected seam is</source>
+        <translation>Festlegen, wie viel länger die linke Kante der ausgewählten Naht ist</translation>
+    </message>
+    <message>
+        <source>&amp;Join at seam</source>
+        <translation>An Naht &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>Join the cloth at the selected seam; removes your own cut there</source>
+        <translation>Den Stoff an der ausgewählten Naht verbinden; entfernt dort Ihren Einschnitt</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t ease</source>
+        <translation>Einhalteweite &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use the ease that follows from the 3D lengths of the selected seam</source>
+        <translation>Die Einhalteweite verwenden, die sich aus den 3D-Längen der ausgewählten Naht ergibt</translation>
+    </message>
+    <message>
+        <source>Turn the grain of a piece in the pattern view</source>
+        <translation>Den Fadenlauf eines Schnittteils in der Schnittansicht drehen</translation>
+    </message>
+    <message>
+        <source>Add, move and delete notches on both sides of a seam at once</source>
+        <translation>Knipse auf beiden Seiten einer Naht zugleich setzen, verschieben und löschen</translation>
+    </message>
+    <message>
+        <source>Draw and edit internal lines and drill points</source>
+        <translation>Innenlinien und Bohrpunkte zeichnen und ändern</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces 90° anti-clockwise</source>
+        <translation>Die ausgewählten Schnittteile um 90° gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces 90° clockwise</source>
+        <translation>Die ausgewählten Schnittteile um 90° im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Flip the selected pieces left to right, so that the wrong side faces you</source>
+        <translation>Die ausgewählten Schnittteile seitlich wenden, sodass die linke Stoffseite oben liegt</translation>
+    </message>
+    <message>
+        <source>Flip the selected pieces top to bottom, so that the wrong side faces you</source>
+        <translation>Die ausgewählten Schnittteile von oben nach unten wenden, sodass die linke Stoffseite oben liegt</translation>
+    </message>
+    <message>
+        <source>Align the left edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the right edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the upper edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the lower edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Centre on &amp;vertical line</source>
+        <translation>Auf &amp;senkrechter Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one vertical line</source>
+        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre on &amp;horizontal line</source>
+        <translation>Auf &amp;waagerechter Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one horizontal line</source>
+        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute horizontally</source>
+        <translation>Waa&amp;gerecht verteilen</translation>
+    </message>
+    <message>
+        <source>Make the horizontal gaps between the selected pieces equal</source>
+        <translation>Die waagerechten Abstände der ausgewählten Schnittteile gleich machen</translation>
+    </message>
+    <message>
+        <source>Distribute verticall&amp;y</source>
+        <translation>Senkre&amp;cht verteilen</translation>
+    </message>
+    <message>
+        <source>Make the vertical gaps between the selected pieces equal</source>
+        <translation>Die senkrechten Abstände der ausgewählten Schnittteile gleich machen</translation>
+    </message>
+    <message>
+        <source>Arrange the selected pieces in rows; without a selection, all pieces</source>
+        <translation>Die ausgewählten Schnittteile in Reihen anordnen, ohne Auswahl alle</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces so that their grain runs upwards; without a selection, all</source>
+        <translation>Die ausgewählten Schnittteile mit dem Fadenlauf nach oben drehen, ohne Auswahl alle</translation>
+    </message>
+    <message>
+        <source>Ver&amp;tical grain</source>
+        <translation>Fadenlauf senkrec&amp;ht</translation>
+    </message>
+    <message>
+        <source>Run the grain of the selected pieces, or of all, up the garment</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück nach oben legen</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Grain from reference &amp;panels</source>
+        <translation>Fadenlauf der &amp;Referenzteile</translation>
+    </message>
+    <message>
+        <source>Run the grain up the reference panels; pieces without a panel get vertical grain</source>
+        <translation>Den Fadenlauf in den Referenzteilen nach oben legen; Schnittteile ohne Referenzteil: senkrecht</translation>
+    </message>
+    <message>
+        <source>Run the grain up the garment, or turn it 45° or 90° if that strains much less</source>
+        <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
+    </message>
+    <message>
+        <source>R&amp;eset grain</source>
+        <translation>Fadenlauf &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Clear the grain of the selected pieces, or of all</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, löschen</translation>
+    </message>
+    <message>
+        <source>Show a grid in the pattern view</source>
+        <translation>Ein Raster in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Snap moving pieces to the grid and to each other; Alt toggles this</source>
+        <translation>Bewegte Schnittteile am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
+    </message>
+    <message>
+        <source>Turn d&amp;art into seam</source>
+        <translation>Abnäher in &amp;Naht umwandeln</translation>
+    </message>
+    <message>
+        <source>Cut the selected dart from its tip to the edge to make a seam</source>
+        <translation>Den ausgewählten Abnäher von der Spitze bis zur Kante zur Naht aufschneiden</translation>
+    </message>
+    <message>
+        <source>Turn seam int&amp;o dart</source>
+        <translation>Naht in Abnähe&amp;r umwandeln</translation>
+    </message>
+    <message>
+        <source>Remove the cut that turned a dart into the selected seam</source>
+        <translation>Den Einschnitt entfernen, der einen Abnäher zur ausgewählten Naht machte</translation>
+    </message>
+    <message>
+        <source>Apply cuts and grain changes to both mirrored pieces if they are drawn equal</source>
+        <translation>Einschnitte und Fadenlauf auf beide gespiegelten Schnittteile anwenden, wenn sie gleich gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>&amp;Position…</source>
+        <translation>&amp;Position…</translation>
+    </message>
+    <message>
+        <source>Set the position, angle and grain of the selected pieces</source>
+        <translation>Position, Winkel und Fadenlauf der ausgewählten Schnittteile setzen</translation>
+    </message>
+    <message>
+        <source>Choose the garment&apos;s fabric and set how far it stretches</source>
+        <translation>Den Stoff des Kleidungsstücks wählen und festlegen, wie weit er sich dehnt</translation>
+    </message>
+    <message>
+        <source>Show the list of pieces and give it the keyboard focus</source>
+        <translation>Die Liste der Schnittteile zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the list of seams and give it the keyboard focus</source>
+        <translation>Die Liste der Nähte zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show problems to fix before cutting and give the list the keyboard focus</source>
+        <translation>Probleme vor dem Zuschneiden zeigen und zu ihrer Liste wechseln</translation>
+    </message>
+    <message>
+        <source>Show the list of your steps and give it the keyboard focus</source>
+        <translation>Die Liste Ihrer Schritte zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the settings of pattern lines and give them the keyboard focus</source>
+        <translation>Die Einstellungen der Schnittlinien zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show which pieces mirror each other and give the panel the keyboard focus</source>
+        <translation>Zeigen, welche Schnittteile einander spiegeln, und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the results of the proof and give the panel the keyboard focus</source>
+        <translation>Die Ergebnisse der Nähprobe zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Restore the original arrangement of lists and panels</source>
+        <translation>Die ursprüngliche Anordnung der Listen und Felder wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Choose units, colours, language and mouse controls</source>
+        <translation>Einheiten, Farben, Sprache und Maussteuerung wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Find command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
+    <message>
+        <source>Type a few letters to find a command, a piece or a seam</source>
+        <translation>Mit einigen Buchstaben einen Befehl, ein Schnittteil oder eine Naht finden</translation>
+    </message>
+    <message>
+        <source>Make a pattern from a garment in five minutes</source>
+        <translation>In fünf Minuten vom Kleidungsstück zum Schnitt</translation>
+    </message>
+    <message>
+        <source>Read the manual of Toile</source>
+        <translation>Das Handbuch zu Toile lesen</translation>
+    </message>
+    <message>
+        <source>List all keys and mouse gestures</source>
+        <translation>Alle Tasten und Mausgesten auflisten</translation>
+    </message>
+    <message>
+        <source>See what to include in a report, with details of this computer</source>
+        <translation>Zeigen, was in eine Meldung gehört, mit Angaben zu diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Show version, licence and purpose of Toile</source>
+        <translation>Version, Lizenz und Zweck von Toile zeigen</translation>
+    </message>
+    <message>
+        <source>In the garment view, as set in Preferences</source>
+        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
+    </message>
+    <message>
+        <source>Turn the garment, unless the tool uses the drag</source>
+        <translation>Das Kleidungsstück drehen, wenn das Werkzeug das Ziehen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Show the front, right side or top; with Ctrl the opposite side</source>
+        <translation>Vorderseite, rechte Seite oder Oberseite zeigen; mit Strg die Gegenseite</translation>
+    </message>
+    <message>
+        <source>Turn perspective on or off</source>
+        <translation>Perspektive ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Move the view, unless the tool uses the keys</source>
+        <translation>Die Ansicht verschieben, wenn das Werkzeug die Tasten nicht braucht</translation>
+    </message>
+    <message>
+        <source>Show the commands for the piece, the seam or the selection</source>
+        <translation>Die Befehle für Schnittteil, Naht oder Auswahl zeigen</translation>
+    </message>
+    <message>
+        <source>Select the piece, the seam or, close to it, the vertex; on empty space: clear the selection</source>
+        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; auf freier Fläche: die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Add the piece to the selection or remove it</source>
+        <translation>Das Schnittteil zur Auswahl hinzufügen oder daraus entfernen</translation>
+    </message>
+    <message>
+        <source>Frame the piece; on an edge: select the edge from corner to corner; on empty space: frame everything</source>
+        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; auf freier Fläche: alles einpassen</translation>
+    </message>
+    <message>
+        <source>Select everything in a box; with Ctrl or Shift: add it to the selection</source>
+        <translation>Alles in einem Rahmen auswählen; mit Strg oder Umschalt: zur Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Toggle snapping</source>
+        <translation>Das Einrasten umschalten</translation>
+    </message>
+    <message>
+        <source>Cancel the drag</source>
+        <translation>Das Ziehen abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running task; otherwise clear the selection</source>
+        <translation>Den laufenden Vorgang anhalten; sonst die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Set the next point; start on an edge to open the piece there</source>
+        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
+    </message>
+    <message>
+        <source>Follow mesh edges to the pointer</source>
+        <translation>Entlang der Netzkanten dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Cut around the tube there, before the first point</source>
+        <translation>Rund um den Schlauch schneiden, vor dem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>Do not snap to edges and corners, after the first point</source>
+        <translation>Nicht an Kanten und Ecken einrasten, nach dem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>Remove the last point</source>
+        <translation>Den letzten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Discard the cut; without one: leave the tool</source>
+        <translation>Den Einschnitt verwerfen; ohne einen: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Set the next point; at least three are needed</source>
+        <translation>Den nächsten Punkt setzen; mindestens drei sind nötig</translation>
+    </message>
+    <message>
+        <source>Cut out the part</source>
+        <translation>Den Teil ausschneiden</translation>
+    </message>
+    <message>
+        <source>Cut a dart to the end of the drag</source>
+        <translation>Einen Abnäher bis zum Ende des Ziehens schneiden</translation>
+    </message>
+    <message>
+        <source>Cut a dart with two clicks</source>
+        <translation>Einen Abnäher mit zwei Klicks schneiden</translation>
+    </message>
+    <message>
+        <source>Cut along mesh edges</source>
+        <translation>Entlang der Netzkanten schneiden</translation>
+    </message>
+    <message>
+        <source>Discard the dart; Esc without one: leave the tool</source>
+        <translation>Den Abnäher verwerfen; Esc ohne einen: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of the seam</source>
+        <translation>Den Stoff auf beiden Seiten der Naht verbinden</translation>
+    </message>
+    <message>
+        <source>Leave the tool</source>
+        <translation>Das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Start measuring here, or measure on to the next point</source>
+        <translation>Hier mit dem Messen beginnen oder zum nächsten Punkt weitermessen</translation>
+    </message>
+    <message>
+        <source>End the measurement here</source>
+        <translation>Die Messung hier beenden</translation>
+    </message>
+    <message>
+        <source>Copy the measurement</source>
+        <translation>Das Maß kopieren</translation>
+    </message>
+    <message>
+        <source>Clear the measurement; without one: leave the tool</source>
+        <translation>Das Maß löschen; ohne eines: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Cancel the drag; without one: leave the tool</source>
+        <translation>Das Ziehen abbrechen; ohne eines: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Move the notch along its seam, on both sides</source>
+        <translation>Den Knips entlang seiner Naht verschieben, auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Delete the notch</source>
+        <translation>Den Knips löschen</translation>
+    </message>
+    <message>
+        <source>End the line; a single point becomes a drill point</source>
+        <translation>Die Linie beenden; ein einzelner Punkt wird ein Bohrpunkt</translation>
+    </message>
+    <message>
+        <source>Delete the selected line</source>
+        <translation>Die ausgewählte Linie löschen</translation>
+    </message>
+    <message>
+        <source>Discard the line or cancel the drag; without either: leave the tool</source>
+        <translation>Die Linie verwerfen oder das Ziehen abbrechen; ohne beides: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Show the commands for the piece or the seam</source>
+        <translation>Die Befehle für Schnittteil oder Naht zeigen</translation>
+    </message>
+    <message>
+        <source>Rename the piece</source>
+        <translation>Das Schnittteil umbenennen</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k from</source>
+        <translation>&amp;Blick</translation>
+    </message>
+    <message>
+        <source>P&amp;anels</source>
+        <translation>&amp;Felder</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>Aus&amp;richten</translation>
+    </message>
+    <message>
+        <source>&amp;Treat file as</source>
+        <translation>Datei &amp;lesen als</translation>
+    </message>
+    <message>
+        <source>S&amp;plit pieces by</source>
+        <translation>Schnittteile &amp;teilen nach</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; the maximum is %3 dpi</source>
+        <translation>%1 x %2 Pixel; höchstens %3 dpi möglich</translation>
+    </message>
+    <message>
+        <source>How far the cloth can shrink without folds; 0 or less</source>
+        <translation>Wie weit der Stoff ohne Falten schrumpfen kann; 0 oder weniger</translation>
+    </message>
+    <message>
+        <source>Usable width from selvedge to selvedge</source>
+        <translation>Breite von Webkante zu Webkante</translation>
+    </message>
+    <message>
+        <source>The garment is %1 tall if the file is in %2 (largest extent %3). Is that right?</source>
+        <translation>Das Kleidungsstück ist %1 hoch, wenn die Datei in %2 ist (größte Ausdehnung %3). Stimmt das?</translation>
+    </message>
+    <message>
+        <source>Toile assumes that y points up, but it may be z. Which axis points up?</source>
+        <translation>Toile nimmt an, dass y nach oben zeigt, es könnte aber z sein. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>Toile assumes that z points up, but it may be y. Which axis points up?</source>
+        <translation>Toile nimmt an, dass z nach oben zeigt, es könnte aber y sein. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>The file is a closed shape: %1. It needs cuts before it can lie flat.</source>
+        <translation>Die Datei ist eine geschlossene Form: %1. Sie braucht Einschnitte, bevor sie flach liegen kann.</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Leave unchanged</source>
+        <translation>Unverändert</translation>
+    </message>
+    <message>
+        <source>This looks like half a garment: %1 of its rims lie in one plane. Add the mirror image?</source>
+        <translation>Das sieht nach einem halben Kleidungsstück aus: %1 seiner Ränder liegen in einer Ebene. Das Spiegelbild ergänzen?</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
+    </message>
+    <message>
+        <source>The file may contain layers of cloth: %1. Which is it?</source>
+        <translation>Die Datei enthält vielleicht Stofflagen: %1. Was trifft zu?</translation>
+    </message>
+    <message>
+        <source>The file contains %1 layers of cloth: %2. Which layers do you want to cut?</source>
+        <translation>Die Datei enthält %1 Stofflagen: %2. Welche Lagen möchten Sie zuschneiden?</translation>
+    </message>
+    <message>
+        <source>The file is cloth with a thickness: %1. Which side is the pattern for?</source>
+        <translation>Die Datei ist Stoff mit einer Dicke: %1. Für welche Seite ist der Schnitt?</translation>
+    </message>
+    <message>
+        <source>The file looks like a scan: %1. Prepare it to remove debris, close small holes and smooth noise.</source>
+        <translation>Die Datei sieht nach einem Scan aus: %1. Bereiten Sie ihn auf, um Bruchstücke zu entfernen, kleine Löcher zu schließen und Rauschen zu glätten.</translation>
+    </message>
+    <message>
+        <source>Split by objects</source>
+        <translation>Nach Objekten teilen</translation>
+    </message>
+    <message>
+        <source>Split by groups</source>
+        <translation>Nach Gruppen teilen</translation>
+    </message>
+    <message>
+        <source>Split by materials</source>
+        <translation>Nach Materialien teilen</translation>
+    </message>
+    <message>
+        <source>Split by UV islands</source>
+        <translation>Nach UV-Inseln teilen</translation>
+    </message>
+    <message>
+        <source>Split by connected parts</source>
+        <translation>Nach zusammenhängenden Teilen teilen</translation>
+    </message>
+    <message>
+        <source>Split %1, only %2 of %3 pieces can lie flat. Split %4, %5 of %6 could.</source>
+        <translation>%1 geteilt können nur %2 von %3 Schnittteilen flach liegen. %4 geteilt wären es %5 von %6.</translation>
+    </message>
+    <message>
+        <source>%1, set by you</source>
+        <translation>%1, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>y, set by you</source>
+        <translation>y, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>z, set by you</source>
+        <translation>z, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>Treated as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>Half a garment: Toile added the mirror image</source>
+        <translation>Halbes Kleidungsstück: Toile hat das Spiegelbild ergänzt</translation>
+    </message>
+    <message>
+        <source>no errors</source>
+        <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>no warnings</source>
+        <translation>keine Warnungen</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 Warnung</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 Warnungen</translation>
+    </message>
+    <message>
+        <source>Copy a strip of this width along the segment as a separate piece; neighbouring segments share one facing</source>
+        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren; benachbarte Abschnitte teilen sich einen Beleg</translation>
     </message>
 </context>
 <context>
@@ -7041,8 +7037,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Andere Farbe…</translation>
     </message>
     <message>
-        <source>The theme&apos;s</source>
-        <translation>Wie das Farbschema</translation>
+        <source>Default</source>
+        <translation>Standard</translation>
     </message>
 </context>
 <context>
@@ -7056,16 +7052,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Nothing is called that.</source>
-        <translation>So heißt nichts.</translation>
-    </message>
-    <message>
-        <source>Not possible now: %1</source>
-        <translation>Jetzt nicht möglich: %1</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>Not available now: %1</source>
+        <translation>Jetzt nicht verfügbar: %1</translation>
     </message>
 </context>
 <context>
@@ -7130,24 +7126,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Strain against the length of cuts</source>
-        <translation>Dehnung über der Länge der Schnitte</translation>
-    </message>
-    <message>
-        <source>no cut</source>
-        <translation>kein Schnitt</translation>
-    </message>
-    <message>
         <source>all: %1</source>
         <translation>alle: %1</translation>
     </message>
     <message>
-        <source>enough</source>
-        <translation>genug</translation>
+        <source>Strain by length of cuts</source>
+        <translation>Dehnung nach Länge der Schnitte</translation>
     </message>
     <message>
-        <source>Mean strain after so much length of cuts. Line: predicted; filled points: flattened</source>
-        <translation>Mittlere Dehnung nach so viel Länge an Schnitten. Linie: vorhergesagt; gefüllte Punkte: abgewickelt</translation>
+        <source>no cuts</source>
+        <translation>keine Schnitte</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Mean strain by length of cuts. Line: predicted; filled points: flattened</source>
+        <translation>Mittlere Dehnung nach Länge der Schnitte. Linie: vorhergesagt; gefüllte Punkte: abgewickelt</translation>
     </message>
 </context>
 <context>
@@ -7203,12 +7199,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>%1: Delete takes it back</source>
-        <translation>%1: Entf nimmt ihn zurück</translation>
-    </message>
-    <message>
         <source>you</source>
-        <translation>Ihnen</translation>
+        <translation>Sie</translation>
     </message>
     <message>
         <source>Toile</source>
@@ -7224,7 +7216,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>you, joined</source>
-        <translation>Ihnen, verbunden</translation>
+        <translation>Sie, verbunden</translation>
     </message>
     <message>
         <source>1 join</source>
@@ -7235,20 +7227,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Verbindungen</translation>
     </message>
     <message>
-        <source>%1 was joined: Delete brings the seam back</source>
-        <translation>%1 wurde verbunden: Entf bringt die Naht zurück</translation>
-    </message>
-    <message>
-        <source>&amp;Take back</source>
-        <translation>&amp;Zurücknehmen</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>you, as proposed</source>
         <translation>Sie, wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>%1: press Delete to remove it</source>
+        <translation>%1: Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>%1 was joined: press Delete to restore the seam</source>
+        <translation>%1 wurde verbunden: Entf stellt die Naht wieder her</translation>
     </message>
 </context>
 <context>
@@ -7262,24 +7258,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schenkel %1 lang</translation>
     </message>
     <message>
-        <source>The legs do not reach so far: the intake must be below %1.</source>
-        <translation>So weit reichen die Schenkel nicht: Der Inhalt muss unter %1 liegen.</translation>
-    </message>
-    <message>
-        <source>One leg is longer than the other: the intake must be above %1.</source>
-        <translation>Ein Schenkel ist länger als der andere: Der Inhalt muss über %1 liegen.</translation>
-    </message>
-    <message>
-        <source>What opens by 60° or more is a corner and no dart: the intake must be below %1.</source>
-        <translation>Was sich um 60° oder mehr öffnet, ist eine Ecke und kein Abnäher: Der Inhalt muss unter %1 liegen.</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The intake as the angle between the legs at the tip.</source>
+        <source>Intake as the angle between the legs at the tip.</source>
         <translation>Der Inhalt als Winkel zwischen den Schenkeln an der Spitze.</translation>
+    </message>
+    <message>
+        <source>The legs are too short for this intake. Set it below %1.</source>
+        <translation>Die Schenkel sind für diesen Inhalt zu kurz. Setzen Sie ihn unter %1.</translation>
+    </message>
+    <message>
+        <source>The legs differ in length. Set the intake above %1.</source>
+        <translation>Die Schenkel sind verschieden lang. Setzen Sie den Inhalt über %1.</translation>
+    </message>
+    <message>
+        <source>A dart must open by less than 60°. Set the intake below %1.</source>
+        <translation>Ein Abnäher muss sich um weniger als 60° öffnen. Setzen Sie den Inhalt unter %1.</translation>
     </message>
 </context>
 <context>
@@ -7345,8 +7341,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Vorschau</translation>
     </message>
     <message>
-        <source>The pattern is being drawn…</source>
-        <translation>Der Schnitt wird gezeichnet…</translation>
+        <source>Drawing the pattern…</source>
+        <translation>Schnitt wird gezeichnet…</translation>
     </message>
 </context>
 <context>
@@ -7380,10 +7376,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Im &amp;Ordner zeigen</translation>
     </message>
     <message>
-        <source>Show the folder once the file is written.</source>
-        <translation>Den Ordner zeigen, sobald die Datei geschrieben ist.</translation>
-    </message>
-    <message>
         <source>For %1.</source>
         <translation>Für: %1.</translation>
     </message>
@@ -7414,8 +7406,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>Beginning of the file</source>
+        <source>Start of the file</source>
         <translation>Anfang der Datei</translation>
+    </message>
+    <message>
+        <source>Show the folder after writing the file.</source>
+        <translation>Den Ordner nach dem Schreiben der Datei zeigen.</translation>
     </message>
 </context>
 <context>
@@ -7465,42 +7461,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Unter 45° dazu</translation>
     </message>
     <message>
-        <source>Beyond the fabric</source>
-        <translation>Mehr, als der Stoff hergibt</translation>
-    </message>
-    <message>
-        <source>Show the strain in this direction on the cloth</source>
-        <translation>Die Dehnung in dieser Richtung auf dem Stoff zeigen</translation>
-    </message>
-    <message>
-        <source>In any</source>
-        <translation>In mindestens einer</translation>
-    </message>
-    <message>
-        <source>Nothing is flat yet.</source>
-        <translation>Noch ist nichts flach.</translation>
-    </message>
-    <message>
-        <source>Worst: %1, %2 of it</source>
-        <translation>Am schlimmsten: %1, %2 davon</translation>
-    </message>
-    <message>
-        <source>Fabric: %1</source>
-        <translation>Material: %1</translation>
-    </message>
-    <message>
-        <source>Fabric limits</source>
-        <translation>Grenzen des Materials</translation>
-    </message>
-    <message>
-        <source>How much of the flat cloth is strained beyond these limits, counted by triangles: in each direction the number beside the colour bar of that overlay</source>
-        <translation>Wie viel des flachen Stoffes über diese Grenzen hinaus gedehnt ist, nach Dreiecken gezählt: in jeder Richtung die Zahl neben dem Farbbalken dieser Ansicht</translation>
-    </message>
-    <message>
-        <source>In one of the three directions at least. Edge strain is something else: there every edge is held to the tightest of these limits, whatever its direction.</source>
-        <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist etwas anderes: Dort gilt für jede Kante die engste dieser Grenzen, gleich in welcher Richtung sie liegt.</translation>
-    </message>
-    <message>
         <source>Fabric &amp;of</source>
         <translation>Material v&amp;on</translation>
     </message>
@@ -7513,40 +7473,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Kleidungsstück</translation>
     </message>
     <message>
-        <source>Fabric of %1: %2</source>
-        <translation>Material von %1: %2</translation>
-    </message>
-    <message>
-        <source>Needs %1 of it, as the pieces lie now</source>
-        <translation>Braucht %1 davon, so wie die Teile liegen</translation>
-    </message>
-    <message>
-        <source>As the pieces lie now they take %1 across, more than its width</source>
-        <translation>So wie die Teile liegen, brauchen sie %1 in der Breite, mehr als der Stoff hat</translation>
-    </message>
-    <message>
         <source>Open a garment to set its fabric.</source>
         <translation>Öffnen Sie ein Kleidungsstück, um seinen Stoff zu wählen.</translation>
-    </message>
-    <message>
-        <source>The garment, or another material that pieces are cut from (panel Piece).</source>
-        <translation>Das Kleidungsstück oder eine andere Stoffart, aus der Teile zugeschnitten werden (Bereich Schnittteil).</translation>
     </message>
     <message>
         <source>The fabric of the garment.</source>
         <translation>Der Stoff des Kleidungsstücks.</translation>
     </message>
     <message>
-        <source>Presets are rules of thumb. If it matters, measure a sample and type its limits.</source>
-        <translation>Vorgaben sind Faustregeln. Wenn es darauf ankommt, messen Sie eine Probe und tragen Sie ihre Grenzen ein.</translation>
-    </message>
-    <message>
         <source>No fabric set. Choose one to see where it is strained too far.</source>
         <translation>Kein Stoff gewählt. Wählen Sie einen, um zu sehen, wo er zu weit gedehnt wird.</translation>
-    </message>
-    <message>
-        <source>The box around the pieces that are cut from this fabric, one of each, with their allowances, the grain upwards</source>
-        <translation>Der Rahmen um die Teile, die aus diesem Stoff zugeschnitten werden, je eines, mit Zugaben, Fadenlauf nach oben</translation>
     </message>
     <message>
         <source>Shrinks</source>
@@ -7555,6 +7491,66 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>All strain is within the fabric&apos;s limits.</source>
         <translation>Alle Dehnungen liegen in den Grenzen des Stoffs.</translation>
+    </message>
+    <message>
+        <source>The garment, or a material that you set for pieces.</source>
+        <translation>Das Kleidungsstück oder eine Stoffart, die Sie für Schnittteile gesetzt haben.</translation>
+    </message>
+    <message>
+        <source>Presets are rules of thumb. For exact limits, measure a sample and enter them.</source>
+        <translation>Vorgaben sind Faustregeln. Für genaue Grenzen messen Sie eine Probe und tragen sie ein.</translation>
+    </message>
+    <message>
+        <source>Box around one of each piece in this fabric, with allowances, grain upwards</source>
+        <translation>Rahmen um je eines der Schnittteile aus diesem Stoff, mit Zugaben, Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Over the limits</source>
+        <translation>Über den Grenzen</translation>
+    </message>
+    <message>
+        <source>Share of the cloth strained beyond these limits, as shown at the overlay&apos;s colour bar</source>
+        <translation>Anteil des Stoffs jenseits dieser Grenzen, wie am Farbbalken der Überlagerung</translation>
+    </message>
+    <message>
+        <source>Show the strain in this direction</source>
+        <translation>Die Dehnung in dieser Richtung zeigen</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebige</translation>
+    </message>
+    <message>
+        <source>In at least one of the three directions. Edge strain differs: it applies the tightest limit to every edge.</source>
+        <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist anders: Sie wendet auf jede Kante die engste Grenze an.</translation>
+    </message>
+    <message>
+        <source>%1 at this width</source>
+        <translation>%1 bei dieser Breite</translation>
+    </message>
+    <message>
+        <source>The pieces are %1 wide, wider than the fabric</source>
+        <translation>Die Schnittteile sind %1 breit, breiter als der Stoff</translation>
+    </message>
+    <message>
+        <source>No flat pieces yet.</source>
+        <translation>Noch keine flachen Schnittteile.</translation>
+    </message>
+    <message>
+        <source>Worst: %1, %2 of its area</source>
+        <translation>Am schlimmsten: %1, %2 seiner Fläche</translation>
+    </message>
+    <message>
+        <source>Set fabric: %1</source>
+        <translation>Stoff setzen: %1</translation>
+    </message>
+    <message>
+        <source>Set fabric of %1: %2</source>
+        <translation>Stoff von %1 setzen: %2</translation>
+    </message>
+    <message>
+        <source>Set fabric limits</source>
+        <translation>Grenzen des Stoffs setzen</translation>
     </message>
 </context>
 <context>
@@ -7584,48 +7580,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1-schnittmuster</translation>
     </message>
     <message>
-        <source>A project is opened by itself: choose one project, or the meshes of one garment.</source>
-        <translation>Ein Projekt wird für sich geöffnet: wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
-    </message>
-    <message>
-        <source>These pieces lie level, so that no way on them is up. Say yourself how the grain runs.</source>
-        <translation>Diese Schnittteile liegen waagerecht, so dass nichts an ihnen aufwärts zeigt. Legen Sie den Fadenlauf selbst fest.</translation>
-    </message>
-    <message>
-        <source>Pieces were flattened anew, or the fabric was changed, while their grain was found. Ask for it once more.</source>
-        <translation>Während der Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
-    </message>
-    <message>
-        <source>Best grain as for a woven: the fabric is not stated</source>
-        <translation>Bester Fadenlauf wie für einen Webstoff: Der Stoff ist nicht angegeben</translation>
-    </message>
-    <message>
-        <source>Best grain: no turn helps; %1 % of the cloth lies beyond the fabric</source>
-        <translation>Bester Fadenlauf: Drehen hilft nicht; %1 % der Fläche übersteigen, was der Stoff kann</translation>
-    </message>
-    <message>
-        <source>Best grain: %1 % of the cloth beyond the fabric, %2 % before</source>
-        <translation>Bester Fadenlauf: %1 % der Fläche übersteigen, was der Stoff kann, vorher %2 %</translation>
-    </message>
-    <message>
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
     </message>
     <message>
         <source>Mirror %1</source>
         <translation>%1 spiegeln</translation>
-    </message>
-    <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: Move of a proposed cut</source>
-        <translation>&amp;Rückgängig: Verschieben eines vorgeschlagenen Schnitts</translation>
-    </message>
-    <message>
-        <source>Reports of proofs (*.json)</source>
-        <translation>Prüfberichte (*.json)</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -7635,17 +7595,49 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Proof on a body</source>
         <translation>Nähprobe auf einem Körper</translation>
     </message>
+    <message>
+        <source>&amp;Undo: Move proposed cut</source>
+        <translation>&amp;Rückgängig: Vorgeschlagenen Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Projects open one at a time. Choose one project, or the meshes of one garment.</source>
+        <translation>Projekte werden einzeln geöffnet. Wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Proof reports (*.json)</source>
+        <translation>Nähprobenberichte (*.json)</translation>
+    </message>
+    <message>
+        <source>These pieces are horizontal and have no upward direction. Set their grain yourself.</source>
+        <translation>Diese Schnittteile liegen waagerecht und haben keine Richtung nach oben. Setzen Sie den Fadenlauf selbst.</translation>
+    </message>
+    <message>
+        <source>Set grain of %1</source>
+        <translation>Fadenlauf von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Best grain for woven fabric: no fabric is set</source>
+        <translation>Bester Fadenlauf wie für Webstoff: Es ist kein Stoff gewählt</translation>
+    </message>
+    <message>
+        <source>Best grain: turning does not help; %1 % of the cloth exceeds the fabric&apos;s limits</source>
+        <translation>Bester Fadenlauf: Drehen hilft nicht; %1 % des Stoffs überschreiten seine Grenzen</translation>
+    </message>
+    <message>
+        <source>Best grain: %1 % of the cloth exceeds the fabric&apos;s limits, %2 % before</source>
+        <translation>Bester Fadenlauf: %1 % des Stoffs überschreiten seine Grenzen, vorher %2 %</translation>
+    </message>
+    <message>
+        <source>Pieces or fabric changed while the grain was being computed. Run the command again.</source>
+        <translation>Schnittteile oder Stoff haben sich während der Berechnung des Fadenlaufs geändert. Führen Sie den Befehl noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Reset grain of %1</source>
+        <translation>Fadenlauf von %1 zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::GarmentCard</name>
-    <message>
-        <source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-        <source>The guess is right: do not ask again about this garment</source>
-        <translation>Die Schätzung stimmt: zu diesem Kleidungsstück nicht mehr fragen</translation>
-    </message>
     <message>
         <source>%1 and %2 differ by %3 (tolerance %4).</source>
         <translation>%1 und %2 unterscheiden sich um %3 (Toleranz %4).</translation>
@@ -7671,12 +7663,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wie in der Datei lassen</translation>
     </message>
     <message>
-        <source>One more piece or pair differs, but by less.</source>
-        <translation>Ein weiteres Teil oder Paar unterscheidet sich, aber weniger.</translation>
+        <source>One more piece or pair differs by less.</source>
+        <translation>Ein weiteres Schnittteil oder Paar unterscheidet sich weniger.</translation>
     </message>
     <message>
-        <source>%1 more pieces or pairs differ, but by less.</source>
-        <translation>%1 weitere Teile oder Paare unterscheiden sich, aber weniger.</translation>
+        <source>%1 more pieces or pairs differ by less.</source>
+        <translation>%1 weitere Schnittteile oder Paare unterscheiden sich weniger.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Confirm these guesses and stop asking about this garment</source>
+        <translation>Diese Annahmen bestätigen und zu diesem Kleidungsstück nicht mehr fragen</translation>
     </message>
 </context>
 <context>
@@ -7712,16 +7712,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Tastatur und Maus</translation>
     </message>
     <message>
-        <source>Look for a key or a command</source>
+        <source>Search for a key or a command</source>
         <translation>Taste oder Befehl suchen</translation>
     </message>
     <message>
-        <source>Look for</source>
+        <source>Search</source>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Nothing is called that.</source>
-        <translation>So heißt nichts.</translation>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
     </message>
 </context>
 <context>
@@ -7797,31 +7797,19 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Aus&amp;nehmen</translation>
     </message>
     <message>
-        <source>No piece is smaller.</source>
-        <translation>Kein Schnittteil ist kleiner.</translation>
-    </message>
-    <message>
         <source>%1 of %2 pieces: %3</source>
         <translation>%1 von %2 Schnittteilen: %3</translation>
+    </message>
+    <message>
+        <source>No piece is smaller than this.</source>
+        <translation>Kein Schnittteil ist kleiner.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::LinesPanel</name>
     <message>
-        <source>Trueing of a seam end</source>
-        <translation>Knick an einem Nahtende ausgleichen</translation>
-    </message>
-    <message>
-        <source>Kink at a seam end</source>
-        <translation>Knick an einem Nahtende lassen</translation>
-    </message>
-    <message>
         <source>Every line is the exact outline.</source>
         <translation>Jede Linie ist der genaue Umriss.</translation>
-    </message>
-    <message>
-        <source>At most %1 from the exact outline; the largest strain goes from %2 to %3.</source>
-        <translation>Höchstens %1 vom genauen Umriss; die größte Dehnung geht von %2 auf %3.</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -7832,8 +7820,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Heute</translation>
     </message>
     <message>
-        <source>Write today&apos;s date on the labels</source>
-        <translation>Das heutige Datum auf die Schnittteile schreiben</translation>
+        <source>True seam end</source>
+        <translation>Nahtende ausgleichen</translation>
+    </message>
+    <message>
+        <source>Keep kink at seam end</source>
+        <translation>Knick am Nahtende lassen</translation>
+    </message>
+    <message>
+        <source>Put today&apos;s date on the labels</source>
+        <translation>Das heutige Datum auf die Etiketten setzen</translation>
+    </message>
+    <message>
+        <source>At most %1 from the exact outline. The largest strain changes from %2 to %3.</source>
+        <translation>Höchstens %1 vom genauen Umriss. Die größte Dehnung ändert sich von %2 auf %3.</translation>
     </message>
 </context>
 <context>
@@ -7854,10 +7854,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::MainWindow</name>
     <message>
-        <source>A heavy garment: edits are flattened when you ask for it, %1</source>
-        <translation>Ein schweres Kleidungsstück: Änderungen werden erst abgewickelt, wenn Sie es verlangen, %1</translation>
-    </message>
-    <message>
         <source>Toile</source>
         <translation>Toile</translation>
     </message>
@@ -7866,12 +7862,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1[*] – Toile</translation>
     </message>
     <message>
-        <source>Unsaved changes are not kept: %1</source>
-        <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
+        <source>Right-click the place for the dart, or mark the worst spots first.</source>
+        <translation>Klicken Sie mit der rechten Taste auf die Stelle für den Abnäher, oder markieren Sie zuerst die schlimmsten Stellen.</translation>
     </message>
     <message>
-        <source>Point at the place with the right button, or mark the worst spots first.</source>
-        <translation>Zeigen Sie mit der rechten Taste auf die Stelle, oder lassen Sie zuerst die schlimmsten Stellen markieren.</translation>
+        <source>Large garment: press %1 to flatten your edits</source>
+        <translation>Großes Kleidungsstück: %1 drücken, um Ihre Änderungen abzuwickeln</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not backed up: %1</source>
+        <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
     </message>
 </context>
 <context>
@@ -8136,20 +8136,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::MaterialMenu</name>
     <message>
-        <source>Cut the selected pieces from it</source>
-        <translation>Die ausgewählten Teile daraus schneiden</translation>
-    </message>
-    <message>
-        <source>The garment&apos;s &amp;fabric</source>
-        <translation>Der Sto&amp;ff des Kleidungsstücks</translation>
-    </message>
-    <message>
         <source>New material</source>
         <translation>Neue Stoffart</translation>
     </message>
     <message>
-        <source>What %1 is cut from:</source>
-        <translation>Woraus %1 geschnitten wird:</translation>
+        <source>Cut the selected pieces from this material</source>
+        <translation>Die ausgewählten Schnittteile aus dieser Stoffart zuschneiden</translation>
+    </message>
+    <message>
+        <source>Garment&apos;s &amp;fabric</source>
+        <translation>Sto&amp;ff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Material of %1:</source>
+        <translation>Stoffart von %1:</translation>
     </message>
 </context>
 <context>
@@ -8202,8 +8202,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nahtlinien behalten ihre Länge</translation>
     </message>
     <message>
-        <source>Seam lines may change</source>
-        <translation>Nahtlinien dürfen sich ändern</translation>
+        <source>Seam lines may change length</source>
+        <translation>Nahtlinien dürfen ihre Länge ändern</translation>
     </message>
 </context>
 <context>
@@ -8229,28 +8229,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nur halb</translation>
     </message>
     <message>
-        <source>Two that mirror each other, or one that is symmetric in itself</source>
-        <translation>Zwei, die einander spiegeln, oder eines, das in sich symmetrisch ist</translation>
-    </message>
-    <message>
-        <source>Root mean square distance on the garment between a piece and the mirror image of the other</source>
-        <translation>Quadratisches Mittel des Abstands am Kleidungsstück zwischen einem Schnittteil und dem Spiegelbild des anderen</translation>
-    </message>
-    <message>
-        <source>Whether the pattern has them as mirror images</source>
-        <translation>Ob sie im Schnittmuster Spiegelbilder sind</translation>
-    </message>
-    <message>
-        <source>Ticked: one of two pieces is drawn, to be cut as a pair; one half of a piece, to be cut on the fold of the cloth</source>
-        <translation>Angehakt: von zweien wird eines gezeichnet und als Paar zugeschnitten; von einem die Hälfte, im Stoffbruch zugeschnitten</translation>
-    </message>
-    <message>
         <source>%1 and %2 mirror each other</source>
         <translation>%1 und %2 spiegeln einander</translation>
-    </message>
-    <message>
-        <source>%1 is symmetric in itself</source>
-        <translation>%1 ist in sich symmetrisch</translation>
     </message>
     <message>
         <source>cut 1 pair</source>
@@ -8261,16 +8241,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>im Bruch zuschneiden</translation>
     </message>
     <message>
-        <source>Only what is drawn equal can be halved</source>
-        <translation>Nur was gleich gezeichnet wird, lässt sich halbieren</translation>
-    </message>
-    <message>
         <source>no counterpart</source>
         <translation>kein Gegenstück</translation>
-    </message>
-    <message>
-        <source>No other piece is its mirror image, and it is not symmetric in itself</source>
-        <translation>Kein anderes Schnittteil ist sein Spiegelbild, und es ist nicht in sich symmetrisch</translation>
     </message>
     <message>
         <source>equal</source>
@@ -8279,10 +8251,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>other segments</source>
         <translation>andere Abschnitte</translation>
-    </message>
-    <message>
-        <source>The segments of the two outlines do not follow each other in the same order: each keeps its own line</source>
-        <translation>Die Abschnitte der beiden Umrisse folgen nicht in derselben Ordnung aufeinander: jeder behält seine eigene Linie</translation>
     </message>
     <message>
         <source>not flat</source>
@@ -8295,10 +8263,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>not drawn</source>
         <translation>nicht gezeichnet</translation>
-    </message>
-    <message>
-        <source>No line could be found that both have: each keeps its own</source>
-        <translation>Eine gemeinsame Linie ließ sich nicht finden: jeder behält seine eigene</translation>
     </message>
     <message>
         <source>One half of the line is the mirror image of the other</source>
@@ -8317,8 +8281,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>wie in der Datei</translation>
     </message>
     <message>
-        <source>%1 and %2 differ by %3, more than the tolerance of %4: both keep their shapes</source>
-        <translation>%1 und %2 unterscheiden sich um %3, mehr als die Toleranz von %4: Beide behalten ihre Form</translation>
+        <source>Two pieces that mirror each other, or one symmetric piece</source>
+        <translation>Zwei Schnittteile, die einander spiegeln, oder ein symmetrisches</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between a piece and the other&apos;s mirror image</source>
+        <translation>Quadratisches Mittel des Abstands zwischen einem Schnittteil und dem Spiegelbild des anderen</translation>
+    </message>
+    <message>
+        <source>How the pattern draws the pieces</source>
+        <translation>Wie der Schnitt die Schnittteile zeichnet</translation>
+    </message>
+    <message>
+        <source>Draw only one piece of a pair, or one half of a piece to cut on the fold</source>
+        <translation>Nur ein Schnittteil eines Paars zeichnen, oder eine Hälfte zum Zuschneiden im Stoffbruch</translation>
+    </message>
+    <message>
+        <source>%1 is symmetric</source>
+        <translation>%1 ist symmetrisch</translation>
+    </message>
+    <message>
+        <source>Only pieces that are drawn equal can be halved</source>
+        <translation>Nur gleich gezeichnete Schnittteile lassen sich halbieren</translation>
+    </message>
+    <message>
+        <source>No other piece mirrors this one, and it is not symmetric</source>
+        <translation>Kein anderes Schnittteil spiegelt dieses, und es ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>%1 and %2 differ by %3, more than the tolerance of %4, so both keep their shapes</source>
+        <translation>%1 und %2 unterscheiden sich um %3, mehr als die Toleranz von %4. Beide behalten ihre Form</translation>
+    </message>
+    <message>
+        <source>The segments of the two outlines are in a different order, so each keeps its line</source>
+        <translation>Die Abschnitte der beiden Umrisse sind verschieden geordnet. Jeder behält seine Linie</translation>
+    </message>
+    <message>
+        <source>No common line was found, so each keeps its own</source>
+        <translation>Keine gemeinsame Linie gefunden. Jeder behält seine eigene</translation>
     </message>
 </context>
 <context>
@@ -8378,23 +8378,23 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Jetzt abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what edits have changed</source>
-        <translation>Abwickeln, was sich geändert hat</translation>
+        <source>Flatten the pieces that edits have changed</source>
+        <translation>Die Schnittteile abwickeln, die sich geändert haben</translation>
     </message>
     <message>
-        <source>The pattern is out of date: flatten it first</source>
-        <translation>Der Schnitt ist veraltet: erst abwickeln</translation>
+        <source>The pattern is out of date. Flatten it first</source>
+        <translation>Der Schnitt ist veraltet. Erst abwickeln</translation>
     </message>
 </context>
 <context>
     <name>toile::app::OverlayButtons</name>
     <message>
-        <source>What is painted on the cloth, in both views</source>
-        <translation>Was auf den Stoff gemalt wird, in beiden Ansichten</translation>
-    </message>
-    <message>
         <source>Overlay</source>
         <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Colours shown on the cloth in both views</source>
+        <translation>Farben auf dem Stoff in beiden Ansichten</translation>
     </message>
 </context>
 <context>
@@ -8411,14 +8411,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::PatternPrinting</name>
     <message>
-        <source>The printer leaves more free at the edges of its page than the pattern&apos;s pages do; lines there would be missing. Choose another paper: the tiles that fit A4 and Letter leave most.</source>
-        <translation>Der Drucker lässt am Rand seiner Seite mehr frei als die Seiten des Schnitts; dort würden Linien fehlen. Ein anderes Papier wählen: Die Blätter, die auf A4 und Letter passen, lassen am meisten frei.</translation>
-    </message>
-    <message>
-        <source>The printer&apos;s page is %1; the pattern&apos;s pages are %2, and are never printed smaller. Choose another paper here, or a larger one for the printer.</source>
-        <translation>Die Seite des Druckers ist %1 groß; die Seiten des Schnitts sind %2 groß und werden nie kleiner gedruckt. Hier ein anderes Papier wählen oder für den Drucker ein größeres.</translation>
-    </message>
-    <message>
         <source>Printing the pattern</source>
         <translation>Schnitt wird gedruckt</translation>
     </message>
@@ -8427,8 +8419,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gedruckt: %1</translation>
     </message>
     <message>
-        <source>%1 takes nothing to print. See whether it is switched on, or print a PDF file from another program.</source>
-        <translation>%1 nimmt nichts zum Drucken an. Nachsehen, ob er eingeschaltet ist, oder eine PDF-Datei aus einem anderen Programm drucken.</translation>
+        <source>The printer&apos;s margins are wider than the pattern&apos;s, so lines at the edges would be missing. Choose another page: the one that fits A4 and Letter has the widest margins.</source>
+        <translation>Die Ränder des Druckers sind breiter als die des Schnitts, am Rand würden Linien fehlen. Wählen Sie eine andere Seite: Die Seite für A4 und Letter hat die breitesten Ränder.</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s page is %1, but the pattern&apos;s pages are %2 and cannot be scaled down. Choose another page here or larger paper for the printer.</source>
+        <translation>Die Seite des Druckers ist %1 groß, die Seiten des Schnitts aber %2, und sie werden nie verkleinert. Wählen Sie hier eine andere Seite oder für den Drucker größeres Papier.</translation>
+    </message>
+    <message>
+        <source>%1 does not accept the print job. Check that it is switched on, or print a PDF file from another program.</source>
+        <translation>%1 nimmt den Druckauftrag nicht an. Prüfen Sie, ob er eingeschaltet ist, oder drucken Sie eine PDF-Datei aus einem anderen Programm.</translation>
     </message>
 </context>
 <context>
@@ -8452,16 +8452,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittteile</translation>
     </message>
     <message>
-        <source>Which pieces are wanted</source>
-        <translation>Welche Schnittteile gewünscht sind</translation>
-    </message>
-    <message>
         <source>All pieces</source>
         <translation>Alle Schnittteile</translation>
     </message>
     <message>
         <source>Selected pieces (%1)</source>
         <translation>Ausgewählte Schnittteile (%1)</translation>
+    </message>
+    <message>
+        <source>Pieces to include</source>
+        <translation>Schnittteile, die enthalten sind</translation>
     </message>
 </context>
 <context>
@@ -8485,30 +8485,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Grain</source>
         <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>What the piece is called; empty: as its file has it</source>
-        <translation>Wie das Schnittteil heißt; leer: wie in seiner Datei</translation>
-    </message>
-    <message>
-        <source>The flat piece as it is cut: across the grain × along it</source>
-        <translation>Das flache Teil, wie es geschnitten wird: quer zum Fadenlauf × längs</translation>
-    </message>
-    <message>
-        <source>How many of the piece are cut</source>
-        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
-    </message>
-    <message>
-        <source>Each is also cut mirrored: left and right</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
-    </message>
-    <message>
-        <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
-        <translation>Woraus die ausgewählten Teile zugeschnitten werden; leer: aus dem Material des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>Direction of the warp on the sheet: 90° runs upwards</source>
-        <translation>Richtung der Kette auf dem Bogen: 90° zeigt nach oben</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -8535,16 +8511,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Kein Schnittteil ausgewählt</translation>
     </message>
     <message>
-        <source>as the garment</source>
-        <translation>wie das Kleidungsstück</translation>
-    </message>
-    <message>
         <source>grain not set</source>
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
+        <source>Name of the piece; empty: the name in the file</source>
+        <translation>Name des Schnittteils; leer: der Name in der Datei</translation>
+    </message>
+    <message>
+        <source>Size of the cut piece: across the grain × along the grain</source>
+        <translation>Größe des zugeschnittenen Teils: quer × längs zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Number of copies to cut</source>
+        <translation>Wie oft das Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Also cut a mirrored copy of each: left and right</source>
+        <translation>Jedes auch gespiegelt zuschneiden: links und rechts</translation>
+    </message>
+    <message>
+        <source>Material of the selected pieces; empty: garment&apos;s fabric</source>
+        <translation>Stoffart der ausgewählten Schnittteile; leer: Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Direction of the warp: 90° is upwards</source>
+        <translation>Richtung der Kette: 90° zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>garment&apos;s fabric</source>
+        <translation>Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Set grain of %1</source>
+        <translation>Fadenlauf von %1 setzen</translation>
     </message>
 </context>
 <context>
@@ -8578,16 +8578,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stand</translation>
     </message>
     <message>
-        <source>Flat, or why not</source>
-        <translation>Flach, oder warum nicht</translation>
-    </message>
-    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Triangles of the mesh</source>
-        <translation>Dreiecke des Netzes</translation>
     </message>
     <message>
         <source>Area %1</source>
@@ -8602,48 +8594,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Umriss %1</translation>
     </message>
     <message>
-        <source>Length of the flat piece&apos;s seam line all around</source>
-        <translation>Länge der Nahtlinie rund um das flache Schnittteil</translation>
-    </message>
-    <message>
         <source>Outline error %</source>
         <translation>Umrissfehler %</translation>
-    </message>
-    <message>
-        <source>Largest difference of an outline edge between the flat piece and the garment</source>
-        <translation>Größter Unterschied einer Umrisskante zwischen flachem Schnittteil und Kleidungsstück</translation>
     </message>
     <message>
         <source>Mean strain %</source>
         <translation>Mittlere Dehnung %</translation>
     </message>
     <message>
-        <source>Mean size of what the cloth must stretch or gather</source>
-        <translation>Mittlere Größe dessen, was sich der Stoff dehnen oder stauchen muss</translation>
-    </message>
-    <message>
         <source>Strain range %</source>
         <translation>Dehnung von … bis %</translation>
-    </message>
-    <message>
-        <source>From most surplus to most stretch; + is stretch</source>
-        <translation>Vom größten Zuviel zur größten Dehnung; + ist Dehnung</translation>
     </message>
     <message>
         <source>Flips</source>
         <translation>Umgeklappt</translation>
     </message>
     <message>
-        <source>Triangles that lie upside down in the pattern: must be 0</source>
-        <translation>Dreiecke, die im Schnittmuster verkehrt herum liegen: muss 0 sein</translation>
-    </message>
-    <message>
         <source>Crossings</source>
         <translation>Kreuzungen</translation>
-    </message>
-    <message>
-        <source>Places where the outline crosses itself: must be 0</source>
-        <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
     </message>
     <message>
         <source>To reference rms %1</source>
@@ -8654,76 +8622,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zur Referenz, größter %1</translation>
     </message>
     <message>
-        <source>Each is also cut mirrored: left and right. Click or press Space to change it</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts. Klick oder Leertaste ändert es</translation>
-    </message>
-    <message>
-        <source>Not cut mirrored. Click or press Space where left and right are cut from this piece</source>
-        <translation>Nicht gespiegelt geschnitten. Klick oder Leertaste, wo links und rechts nach diesem Teil geschnitten werden</translation>
-    </message>
-    <message>
         <source>Not flattened yet</source>
         <translation>Noch nicht abgewickelt</translation>
-    </message>
-    <message>
-        <source>%1 – of an earlier shape or method; to be flattened anew</source>
-        <translation>%1 – von einer früheren Form oder einem früheren Verfahren; neu abzuwickeln</translation>
     </message>
     <message>
         <source>Quantity</source>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <source>How many of the piece are cut</source>
-        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
-    </message>
-    <message>
         <source>Pair</source>
         <translation>Paar</translation>
-    </message>
-    <message>
-        <source>Each is also cut mirrored: left and right</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>How the piece was flattened; grey until it is flattened anew</source>
-        <translation>Wie das Schnittteil abgewickelt wurde; grau, bis es neu abgewickelt ist</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Stoffart</translation>
-    </message>
-    <message>
-        <source>What the piece is cut from; empty: the garment&apos;s own fabric</source>
-        <translation>Woraus das Schnittteil zugeschnitten wird; leer: aus dem Material des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>No piece of the reference pattern is like this one</source>
-        <translation>Kein Teil des Referenzschnitts gleicht diesem</translation>
-    </message>
-    <message>
-        <source>Several pieces of the reference pattern fit: %1</source>
-        <translation>Mehrere Teile des Referenzschnitts passen: %1</translation>
-    </message>
-    <message>
-        <source>Mirrored to %1 of the reference pattern</source>
-        <translation>Gespiegelt zu %1 des Referenzschnitts</translation>
-    </message>
-    <message>
-        <source>To %1 of the reference pattern</source>
-        <translation>Zu %1 des Referenzschnitts</translation>
-    </message>
-    <message>
-        <source>Distance from the reference panel in the file, or from the reference pattern, laid on as well as it goes: root mean square</source>
-        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt, bestmöglich aufgelegt: quadratisches Mittel</translation>
-    </message>
-    <message>
-        <source>Distance from the reference panel in the file, or from the reference pattern: the largest</source>
-        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt: der größte</translation>
     </message>
     <message>
         <source>Left out</source>
@@ -8734,28 +8650,112 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Flach, ausgeblendet</translation>
     </message>
     <message>
-        <source>%1. Double-click or F2 to call it otherwise</source>
-        <translation>%1. Doppelklick oder F2, um es anders zu nennen</translation>
-    </message>
-    <message>
-        <source>How many are cut. Double-click to change it, of all selected pieces at once</source>
-        <translation>Wie oft es zugeschnitten wird. Doppelklick ändert es, bei allen ausgewählten Schnittteilen zugleich</translation>
-    </message>
-    <message>
         <source>Layer</source>
         <translation>Lage</translation>
     </message>
     <message>
-        <source>Which layer of cloth the piece is of; 1 is the outermost</source>
-        <translation>Zu welcher Stofflage das Teil gehört; 1 ist die äußerste</translation>
+        <source>Flat, exceeds any fabric</source>
+        <translation>Flach, zu viel für jeden Stoff</translation>
     </message>
     <message>
-        <source>Flat, beyond any material</source>
-        <translation>Flach, jenseits jedes Materials</translation>
+        <source>No fabric can take this strain. Cut the piece where it curves most.</source>
+        <translation>Kein Stoff hält diese Dehnung aus. Schneiden Sie das Teil dort ein, wo es am stärksten gewölbt ist.</translation>
     </message>
     <message>
-        <source>No cloth takes this strain. Cut the piece where it curves most.</source>
-        <translation>Kein Stoff hält diese Dehnung aus. Schneiden Sie das Teil dort, wo es am stärksten gewölbt ist.</translation>
+        <source>%1. Double-click or press F2 to rename it</source>
+        <translation>%1. Doppelklick oder F2, um es umzubenennen</translation>
+    </message>
+    <message>
+        <source>Number to cut. Double-click to change it for all selected pieces</source>
+        <translation>Anzahl zum Zuschneiden. Doppelklick ändert sie bei allen ausgewählten Schnittteilen</translation>
+    </message>
+    <message>
+        <source>A mirrored copy is also cut. Click or press Space to change this</source>
+        <translation>Eine gespiegelte Kopie wird auch zugeschnitten. Klick oder Leertaste ändert es</translation>
+    </message>
+    <message>
+        <source>No mirrored copy is cut. Click or press Space to cut left and right</source>
+        <translation>Keine gespiegelte Kopie. Klick oder Leertaste, um links und rechts zuzuschneiden</translation>
+    </message>
+    <message>
+        <source>%1 – out of date: shape or method has changed since</source>
+        <translation>%1 – veraltet: Form oder Verfahren haben sich seitdem geändert</translation>
+    </message>
+    <message>
+        <source>No piece of the reference pattern matches this one</source>
+        <translation>Kein Teil des Referenzschnitts passt zu diesem</translation>
+    </message>
+    <message>
+        <source>Several pieces of the reference pattern match: %1</source>
+        <translation>Mehrere Teile des Referenzschnitts passen: %1</translation>
+    </message>
+    <message>
+        <source>Compared with %1 of the reference pattern, mirrored</source>
+        <translation>Verglichen mit %1 des Referenzschnitts, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Compared with %1 of the reference pattern</source>
+        <translation>Verglichen mit %1 des Referenzschnitts</translation>
+    </message>
+    <message>
+        <source>Whether the piece is flat, or why not</source>
+        <translation>Ob das Schnittteil flach ist, oder warum nicht</translation>
+    </message>
+    <message>
+        <source>Number of copies to cut</source>
+        <translation>Wie oft das Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Also cut a mirrored copy of each: left and right</source>
+        <translation>Jedes auch gespiegelt zuschneiden: links und rechts</translation>
+    </message>
+    <message>
+        <source>Material of the piece; empty: garment&apos;s fabric</source>
+        <translation>Stoffart des Schnittteils; leer: Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Layer of cloth that the piece belongs to; 1 is the outermost</source>
+        <translation>Stofflage des Schnittteils; 1 ist die äußerste</translation>
+    </message>
+    <message>
+        <source>Flattening method of the piece; grey if the result is out of date</source>
+        <translation>Verfahren des Schnittteils; grau, wenn das Ergebnis veraltet ist</translation>
+    </message>
+    <message>
+        <source>Number of triangles in the mesh</source>
+        <translation>Anzahl der Dreiecke im Netz</translation>
+    </message>
+    <message>
+        <source>Length of the seam line around the flat piece</source>
+        <translation>Länge der Nahtlinie rund um das flache Schnittteil</translation>
+    </message>
+    <message>
+        <source>Largest length difference of an outline edge between pattern and garment</source>
+        <translation>Größter Längenunterschied einer Umrisskante zwischen Schnitt und Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Mean size of stretch and surplus</source>
+        <translation>Mittlere Größe von Dehnung und Überschuss</translation>
+    </message>
+    <message>
+        <source>From the largest surplus to the largest stretch; + is stretch</source>
+        <translation>Vom größten Überschuss zur größten Dehnung; + ist Dehnung</translation>
+    </message>
+    <message>
+        <source>Triangles that are flipped in the pattern: must be 0</source>
+        <translation>Dreiecke, die im Schnittmuster umgeklappt sind: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>Points where the outline crosses itself: must be 0</source>
+        <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>Root mean square distance from the best-fitting reference panel or pattern</source>
+        <translation>Quadratisches Mittel des Abstands vom bestmöglich aufgelegten Referenzteil oder -schnitt</translation>
+    </message>
+    <message>
+        <source>Largest distance from the reference panel or pattern</source>
+        <translation>Größter Abstand vom Referenzteil oder Referenzschnitt</translation>
     </message>
 </context>
 <context>
@@ -8825,20 +8825,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ausgewählte Schnittteile</translation>
     </message>
     <message>
-        <source>Click a piece in a view or in the table to see its figures.</source>
-        <translation>Klicken Sie in einer Ansicht oder in der Liste auf ein Schnittteil, um seine Zahlen zu sehen.</translation>
-    </message>
-    <message>
         <source>Pieces, flat</source>
         <translation>Schnittteile, flach</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Cloth needed at least</source>
-        <translation>Stoffbedarf mindestens</translation>
     </message>
     <message>
         <source>Pieces to cut</source>
@@ -8855,6 +8847,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Select a piece in a view or in the table to see its figures.</source>
+        <translation>Wählen Sie ein Schnittteil in einer Ansicht oder in der Liste, um seine Werte zu sehen.</translation>
+    </message>
+    <message>
+        <source>Minimum cloth needed</source>
+        <translation>Stoffbedarf mindestens</translation>
     </message>
 </context>
 <context>
@@ -8881,18 +8881,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Wrong side up</source>
         <translation>Linke Stoffseite oben</translation>
-    </message>
-    <message>
-        <source>From the sheet&apos;s origin to the left edge of what is selected</source>
-        <translation>Vom Nullpunkt des Bogens zur linken Kante des Ausgewählten</translation>
-    </message>
-    <message>
-        <source>From the sheet&apos;s origin up to the lower edge of what is selected</source>
-        <translation>Vom Nullpunkt des Bogens hinauf zur unteren Kante des Ausgewählten</translation>
-    </message>
-    <message>
-        <source>How far the piece is turned anti-clockwise, about its middle</source>
-        <translation>Wie weit das Schnittteil gegen den Uhrzeigersinn um seine Mitte gedreht ist</translation>
     </message>
     <message>
         <source>Mirrored: the wrong side of the fabric faces you</source>
@@ -8922,6 +8910,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Mirror %1</source>
         <translation>%1 spiegeln</translation>
     </message>
+    <message>
+        <source>Distance from the origin to the left edge of the selection</source>
+        <translation>Abstand vom Nullpunkt zur linken Kante der Auswahl</translation>
+    </message>
+    <message>
+        <source>Distance from the origin up to the lower edge of the selection</source>
+        <translation>Abstand vom Nullpunkt hinauf zur unteren Kante der Auswahl</translation>
+    </message>
+    <message>
+        <source>Anti-clockwise rotation of the piece about its centre</source>
+        <translation>Drehung des Schnittteils um seine Mitte, gegen den Uhrzeigersinn</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PreferencesDialog</name>
@@ -8934,20 +8934,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheiten und Sprache</translation>
     </message>
     <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>Work</source>
-        <translation>Arbeit</translation>
-    </message>
-    <message>
         <source>&amp;Reset</source>
         <translation>&amp;Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Take what a new installation has; Cancel puts it back</source>
-        <translation>Alles wie bei einer neuen Installation; Abbrechen nimmt es zurück</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -8974,24 +8962,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zoll, Zweiunddreißigstel</translation>
     </message>
     <message>
-        <source>Lengths are shown in this unit; other units may be typed all the same</source>
-        <translation>Längen werden in dieser Einheit gezeigt; eingeben können Sie auch andere</translation>
-    </message>
-    <message>
         <source>&amp;Lengths:</source>
         <translation>&amp;Längen:</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie die Arbeitsumgebung</translation>
-    </message>
-    <message>
         <source>L&amp;anguage:</source>
         <translation>&amp;Sprache:</translation>
-    </message>
-    <message>
-        <source>The language changes when Toile is started again.</source>
-        <translation>Die Sprache wechselt beim nächsten Start von Toile.</translation>
     </message>
     <message>
         <source>Light</source>
@@ -9030,10 +9006,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rhino</translation>
     </message>
     <message>
-        <source>Whose way of turning, moving and zooming the garment you know</source>
-        <translation>Wessen Art, das Kleidungsstück zu drehen, zu verschieben und zu vergrößern, Sie gewohnt sind</translation>
-    </message>
-    <message>
         <source>&amp;Mouse as in:</source>
         <translation>&amp;Maus wie in:</translation>
     </message>
@@ -9046,20 +9018,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation> min</translation>
     </message>
     <message>
-        <source>How often a copy is kept that survives a crash</source>
-        <translation>Wie oft eine Kopie gesichert wird, die einen Absturz übersteht</translation>
-    </message>
-    <message>
-        <source>&amp;Keep a copy every:</source>
-        <translation>&amp;Kopie sichern alle:</translation>
-    </message>
-    <message>
         <source> triangles</source>
         <translation> Dreiecke</translation>
-    </message>
-    <message>
-        <source>Garments of more triangles are flattened again only when you ask for it</source>
-        <translation>Kleidungsstücke aus mehr Dreiecken werden erst neu abgewickelt, wenn Sie es verlangen</translation>
     </message>
     <message>
         <source>&amp;Flatten after edits up to:</source>
@@ -9074,10 +9034,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einem Schnittmuster zum Zuschneiden und Nähen</translation>
     </message>
     <message>
-        <source>A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, seam allowances and notches. Garments that are open stay as they are</source>
-        <translation>Ein Schnittmuster zum Zuschneiden und Nähen hat ausgeglichene Linien und Nahtenden, gleich gezeichnete gespiegelte Schnittteile, Nahtzugaben und Knipse. Offene Kleidungsstücke bleiben, wie sie sind</translation>
-    </message>
-    <message>
         <source>&amp;New garments start with:</source>
         <translation>&amp;Neue Kleidungsstücke beginnen mit:</translation>
     </message>
@@ -9090,12 +9046,56 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Was man zum Schnittmachen braucht</translation>
     </message>
     <message>
-        <source>Leave out other methods, overlays of their mathematics and what is about meshes. What is in use stays</source>
-        <translation>Lässt andere Verfahren, Einfärbungen zu ihrer Mathematik und alles zum Netz weg. Was in Gebrauch ist, bleibt</translation>
-    </message>
-    <message>
         <source>M&amp;enus show:</source>
         <translation>M&amp;enüs zeigen:</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Reset to the defaults; Cancel undoes this</source>
+        <translation>Auf die Vorgaben zurücksetzen; Abbrechen nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Unit for lengths; you can enter other units too</source>
+        <translation>Einheit für Längen; eingeben können Sie auch andere</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Restart Toile to change the language.</source>
+        <translation>Starten Sie Toile neu, um die Sprache zu wechseln.</translation>
+    </message>
+    <message>
+        <source>Mouse controls like those of this program</source>
+        <translation>Maussteuerung wie in diesem Programm</translation>
+    </message>
+    <message>
+        <source>Patterns to cut and sew have fair lines, trued seam ends, equal mirrored pieces, allowances and notches. Open garments do not change</source>
+        <translation>Schnittmuster zum Nähen haben ausgeglichene Linien und Nahtenden, gleiche gespiegelte Schnittteile, Zugaben und Knipse. Offene Kleidungsstücke ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>Hide research methods, their overlays and mesh commands. Those in use stay visible</source>
+        <translation>Forschungsverfahren, ihre Überlagerungen und Netzbefehle ausblenden. Verwendete bleiben sichtbar</translation>
+    </message>
+    <message>
+        <source>How often Toile saves a backup against crashes</source>
+        <translation>Wie oft Toile eine Sicherung gegen Abstürze speichert</translation>
+    </message>
+    <message>
+        <source>&amp;Back up every:</source>
+        <translation>&amp;Sicherung alle:</translation>
+    </message>
+    <message>
+        <source>Larger garments are flattened only on request</source>
+        <translation>Größere Kleidungsstücke werden nur auf Verlangen abgewickelt</translation>
     </message>
 </context>
 <context>
@@ -9121,18 +9121,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>The pattern is being drawn…</source>
-        <translation>Der Schnitt wird gezeichnet…</translation>
-    </message>
-    <message>
-        <source>No printer is set up on this computer. Export the pattern as a PDF file, and print that elsewhere.</source>
-        <translation>Auf diesem Computer ist kein Drucker eingerichtet. Den Schnitt als PDF-Datei exportieren und diese anderswo drucken.</translation>
-    </message>
-    <message>
-        <source>A projector&apos;s page is shown from a file: export it as PDF.</source>
-        <translation>Die Seite für einen Projektor wird aus einer Datei gezeigt: Sie als PDF exportieren.</translation>
-    </message>
-    <message>
         <source>%1 of %2 x %3 mm, at true scale</source>
         <translation>%1 zu %2 x %3 mm, maßstabsgetreu</translation>
     </message>
@@ -9151,6 +9139,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source> of %1</source>
         <translation> von %1</translation>
     </message>
+    <message>
+        <source>Drawing the pattern…</source>
+        <translation>Schnitt wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Export the pattern as PDF and print it elsewhere.</source>
+        <translation>Auf diesem Computer ist kein Drucker eingerichtet. Exportieren Sie den Schnitt als PDF und drucken Sie ihn anderswo.</translation>
+    </message>
+    <message>
+        <source>A projector needs a file. Export the page as PDF.</source>
+        <translation>Ein Projektor braucht eine Datei. Exportieren Sie die Seite als PDF.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProblemsModel</name>
@@ -9161,10 +9161,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Problem</source>
         <translation>Problem</translation>
-    </message>
-    <message>
-        <source>What to try</source>
-        <translation>Was hilft</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -9179,20 +9175,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Am schlimmsten: %1</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>Cut it open along a seam, or let Toile do it</source>
-        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
-    </message>
-    <message>
-        <source>Prepare the scan first: Garment &gt; Read as &gt; Scan</source>
-        <translation>Bereiten Sie zuerst den Scan auf: Kleidungsstück &gt; Lesen als &gt; Scan</translation>
-    </message>
-    <message>
         <source>Whole garment</source>
         <translation>Ganzes Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Prepare the scan first: Garment &gt; Treat file as &gt; Scan</source>
+        <translation>Bereiten Sie zuerst den Scan auf: Kleidungsstück &gt; Datei lesen als &gt; Scan</translation>
+    </message>
+    <message>
+        <source>Cut it along a seam, or use Piece &gt; Cut open</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder verwenden Sie Schnittteil &gt; Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Remedy</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Rat</translation>
     </message>
 </context>
 <context>
@@ -9202,32 +9202,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Bereit zum Zuschneiden?</translation>
     </message>
     <message>
-        <source>List what must be put right before the cloth is cut</source>
-        <translation>Aufführen, was vor dem Zuschneiden behoben werden muss</translation>
-    </message>
-    <message>
-        <source>List what should be looked at before the cloth is cut</source>
-        <translation>Aufführen, was vor dem Zuschneiden angesehen werden sollte</translation>
-    </message>
-    <message>
-        <source>List what is good to know</source>
-        <translation>Aufführen, was gut zu wissen ist</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Nothing stands against cutting: seams match, no outline crosses itself, the strain is within what the fabric takes, and every grain is stated.</source>
-        <translation>Nichts spricht gegen das Zuschneiden: Nähte passen, kein Umriss kreuzt sich, die Dehnung bleibt in dem, was das Material erlaubt, und jeder Fadenlauf ist angegeben.</translation>
+        <source>List the errors to fix before cutting</source>
+        <translation>Die Fehler auflisten, die vor dem Zuschneiden zu beheben sind</translation>
     </message>
     <message>
-        <source>What was found is hidden; the buttons above show it.</source>
-        <translation>Was gefunden wurde, ist ausgeblendet; die Knöpfe darüber zeigen es.</translation>
+        <source>List the warnings to look at before cutting</source>
+        <translation>Die Warnungen auflisten, die vor dem Zuschneiden anzusehen sind</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>Dorthin</translation>
+        <source>List the notes</source>
+        <translation>Die Hinweise auflisten</translation>
+    </message>
+    <message>
+        <source>Go to place</source>
+        <translation>Zur Stelle gehen</translation>
+    </message>
+    <message>
+        <source>Ready to cut: seams match, no outline crosses itself, the strain is within the fabric&apos;s limits, and every grain is set.</source>
+        <translation>Bereit zum Zuschneiden: Nähte passen, kein Umriss kreuzt sich, die Dehnung liegt in den Grenzen des Stoffs, und jeder Fadenlauf ist gesetzt.</translation>
+    </message>
+    <message>
+        <source>All findings are hidden. Use the buttons above to show them.</source>
+        <translation>Alle Befunde sind ausgeblendet. Die Knöpfe darüber zeigen sie.</translation>
     </message>
 </context>
 <context>
@@ -9275,32 +9275,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>1 = %1 mm</translation>
     </message>
     <message>
-        <source>%1, as measured</source>
-        <translation>%1, wie gemessen</translation>
-    </message>
-    <message>
-        <source>as measured</source>
-        <translation>wie gemessen</translation>
-    </message>
-    <message>
-        <source>Use measured values of the cloth in place of those of its fabric</source>
-        <translation>Gemessene Werte des Stoffs anstelle der Werte seiner Art verwenden</translation>
-    </message>
-    <message>
         <source>Dress form</source>
         <translation>Körper</translation>
     </message>
     <message>
-        <source>What the cloth lies on while it is sewn: the design&apos;s own surface, or the mesh of a body in the garment&apos;s place.</source>
-        <translation>Worauf der Stoff liegt, während er genäht wird: die Fläche des Entwurfs selbst oder das Netz eines Körpers am Ort des Kleidungsstücks.</translation>
+        <source>Use measured values of the cloth instead of its fabric&apos;s values</source>
+        <translation>Gemessene Werte des Stoffs anstelle der Werte seiner Art verwenden</translation>
     </message>
     <message>
-        <source>The unit of the body&apos;s file.</source>
+        <source>Surface under the cloth during sewing: the design itself, or the mesh of a body.</source>
+        <translation>Die Fläche unter dem Stoff beim Nähen: der Entwurf selbst oder das Netz eines Körpers.</translation>
+    </message>
+    <message>
+        <source>Unit of the body&apos;s file.</source>
         <translation>Die Einheit der Datei des Körpers.</translation>
     </message>
     <message>
-        <source>As in its file</source>
-        <translation>Wie in seiner Datei</translation>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, gemessen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
     </message>
 </context>
 <context>
@@ -9310,71 +9310,63 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittteil</translation>
     </message>
     <message>
-        <source>Piece of the garment; a click goes to its largest gap</source>
-        <translation>Schnittteil des Kleidungsstücks; ein Klick führt zu seinem größten Abstand</translation>
-    </message>
-    <message>
         <source>Gap (%1)</source>
         <translation>Abstand (%1)</translation>
-    </message>
-    <message>
-        <source>How far it lies from the design, on average</source>
-        <translation>Wie weit es im Mittel vom Entwurf liegt</translation>
     </message>
     <message>
         <source>95 % (%1)</source>
         <translation>95 % (%1)</translation>
     </message>
     <message>
-        <source>What a twentieth of its area exceeds</source>
-        <translation>Was ein Zwanzigstel seiner Fläche übersteigt</translation>
-    </message>
-    <message>
         <source>Largest (%1)</source>
         <translation>Größter (%1)</translation>
-    </message>
-    <message>
-        <source>The largest gap</source>
-        <translation>Der größte Abstand</translation>
     </message>
     <message>
         <source>Pulls (%)</source>
         <translation>Spannt (%)</translation>
     </message>
     <message>
-        <source>Stretch that a twentieth of its area exceeds</source>
-        <translation>Dehnung, die ein Zwanzigstel seiner Fläche übersteigt</translation>
-    </message>
-    <message>
         <source>Slack (%)</source>
         <translation>Lose (%)</translation>
-    </message>
-    <message>
-        <source>Surplus that a twentieth of its area exceeds</source>
-        <translation>Überschuss, den ein Zwanzigstel seiner Fläche übersteigt</translation>
     </message>
     <message>
         <source>Hangs free (%)</source>
         <translation>Hängt frei (%)</translation>
     </message>
     <message>
-        <source>How much of its area touches nothing</source>
-        <translation>Wie viel seiner Fläche nichts berührt</translation>
+        <source>Piece of the garment; click to go to its largest gap</source>
+        <translation>Schnittteil des Kleidungsstücks; ein Klick führt zu seinem größten Abstand</translation>
+    </message>
+    <message>
+        <source>Mean distance from the design</source>
+        <translation>Mittlerer Abstand vom Entwurf</translation>
+    </message>
+    <message>
+        <source>Gap that 95 % of its area does not exceed</source>
+        <translation>Abstand, den 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Largest gap</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Stretch that 95 % of its area does not exceed</source>
+        <translation>Dehnung, die 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Surplus that 95 % of its area does not exceed</source>
+        <translation>Überschuss, den 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Share of its area that touches nothing</source>
+        <translation>Anteil seiner Fläche, der nichts berührt</translation>
     </message>
 </context>
 <context>
     <name>toile::app::ProofPanel</name>
     <message>
-        <source>Of an earlier pattern</source>
-        <translation>Von einem früheren Schnitt</translation>
-    </message>
-    <message>
         <source>Proof</source>
         <translation>Nähprobe</translation>
-    </message>
-    <message>
-        <source>The pattern, its fabric or its seams have changed since it was sewn: prove it again</source>
-        <translation>Der Schnitt, sein Stoff oder seine Nähte haben sich geändert, seit er genäht wurde: erneut prüfen</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -9389,10 +9381,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Genähte Schnittteile</translation>
     </message>
     <message>
-        <source>What does not fit</source>
-        <translation>Was nicht passt</translation>
-    </message>
-    <message>
         <source>Gap %1 on average, 95 % %2, at most %3 %4</source>
         <translation>Abstand im Mittel %1, 95 % %2, höchstens %3 %4</translation>
     </message>
@@ -9405,16 +9393,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>nach %1 Schritten zur Ruhe gekommen, %2 s</translation>
     </message>
     <message>
-        <source>not settled after %1 steps: figures are rough</source>
-        <translation>nach %1 Schritten nicht zur Ruhe gekommen: die Zahlen sind grob</translation>
-    </message>
-    <message>
         <source>seam %1</source>
         <translation>Naht %1</translation>
-    </message>
-    <message>
-        <source>Slips by %1</source>
-        <translation>Versatz von %1</translation>
     </message>
     <message>
         <source>Does not fit (%1)</source>
@@ -9437,18 +9417,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Durch Nähen prüfen</translation>
     </message>
     <message>
-        <source>The cloth is on its way: the garment view shows where it is.</source>
-        <translation>Der Stoff ist unterwegs: die Ansicht des Kleidungsstücks zeigt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>Sews the pattern back together over the design, as its lines are written to a file, and measures how far from the design it comes to rest: where it stands off, where it pulls, and which seams do not fit.</source>
-        <translation>Näht den Schnitt über dem Entwurf wieder zusammen, so wie seine Linien in eine Datei geschrieben werden, und misst, wie weit vom Entwurf er zur Ruhe kommt: wo er absteht, wo er spannt und welche Nähte nicht passen.</translation>
-    </message>
-    <message>
-        <source>Nothing is flat yet that could be sewn.</source>
-        <translation>Noch ist nichts flach, das genäht werden könnte.</translation>
-    </message>
-    <message>
         <source>%1 triangles with edges of %2</source>
         <translation>%1 Dreiecke mit Kanten von %2</translation>
     </message>
@@ -9457,12 +9425,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Dreiecke</translation>
     </message>
     <message>
-        <source>Sewn by other settings</source>
-        <translation>Mit anderen Angaben genäht</translation>
+        <source>Misfits</source>
+        <translation>Was nicht passt</translation>
     </message>
     <message>
-        <source>The settings have changed since it was sewn: prove it again</source>
-        <translation>Die Einstellungen haben sich seit dem Nähen geändert: neu prüfen</translation>
+        <source>not settled after %1 steps: figures are approximate</source>
+        <translation>nach %1 Schritten nicht zur Ruhe gekommen: die Werte sind ungefähr</translation>
+    </message>
+    <message>
+        <source>Sides differ by %1</source>
+        <translation>Seiten unterscheiden sich um %1</translation>
+    </message>
+    <message>
+        <source>Pattern has changed</source>
+        <translation>Schnitt geändert</translation>
+    </message>
+    <message>
+        <source>Settings have changed</source>
+        <translation>Einstellungen geändert</translation>
+    </message>
+    <message>
+        <source>The pattern, fabric or seams have changed since this proof. Prove again</source>
+        <translation>Schnitt, Stoff oder Nähte haben sich seit dieser Nähprobe geändert. Prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>The settings have changed since this proof. Prove again</source>
+        <translation>Die Einstellungen haben sich seit dieser Nähprobe geändert. Prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>Sewing the pattern. The garment view shows the progress.</source>
+        <translation>Der Schnitt wird genäht. Die Ansicht des Kleidungsstücks zeigt den Fortschritt.</translation>
+    </message>
+    <message>
+        <source>Sew the exported pattern together over the design, and measure the difference: gaps, pulling cloth and seams that do not fit.</source>
+        <translation>Den exportierten Schnitt über dem Entwurf zusammennähen und die Abweichung messen: Abstände, gespannter Stoff und Nähte, die nicht passen.</translation>
+    </message>
+    <message>
+        <source>No flat pieces to sew yet.</source>
+        <translation>Noch keine flachen Schnittteile zum Nähen.</translation>
     </message>
 </context>
 <context>
@@ -9474,10 +9474,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Swap front and back</source>
         <translation>&amp;Vorn und hinten tauschen</translation>
-    </message>
-    <message>
-        <source>&amp;Make these cuts</source>
-        <translation>Diese Schnitte &amp;machen</translation>
     </message>
     <message>
         <source>Proposed cuts</source>
@@ -9492,36 +9488,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Strain after it</source>
-        <translation>Dehnung danach</translation>
-    </message>
-    <message>
         <source>Dart</source>
         <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>Mean strain with this cut and all before it: predicted, or bold as it was flattened</source>
-        <translation>Mittlere Dehnung mit diesem Schnitt und allen davor: vorhergesagt, oder fett, wie sie sich beim Abwickeln ergab</translation>
-    </message>
-    <message>
-        <source>What the dart takes in where it reaches the edge</source>
-        <translation>Was der Abnäher am Rand aufnimmt</translation>
-    </message>
-    <message>
-        <source>Make this &amp;cut</source>
-        <translation>Diesen &amp;Schnitt machen</translation>
-    </message>
-    <message>
-        <source>The mean strain from which on no cut is worth its length, in percent. Empty: what the fabric allows, where that is known</source>
-        <translation>Die mittlere Dehnung in Prozent, ab der kein Schnitt seine Länge wert ist. Leer: was das Material erlaubt, wo das bekannt ist</translation>
-    </message>
-    <message>
-        <source>Which side is the front is a guess: where it is wrong, names and lines are those of the other side</source>
-        <translation>Welche Seite vorn ist, wird vermutet: Wo das falsch ist, gehören Namen und Linien zur anderen Seite</translation>
-    </message>
-    <message>
-        <source>Make the cuts that are ticked, as one step; they are yours then</source>
-        <translation>Die angehakten Schnitte machen, als ein Schritt; sie gehören dann Ihnen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -9530,30 +9498,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Looking for cuts in %1…</source>
         <translation>Schnitte in %1 werden gesucht …</translation>
-    </message>
-    <message>
-        <source>Nothing to propose for %1: Toile does not see how it is worn, or that it needs more cuts. Piece ▸ Cut open makes the shortest ones, the cutting tools yours.</source>
-        <translation>Für %1 gibt es nichts vorzuschlagen: Toile erkennt nicht, wie es getragen wird oder dass es weitere Schnitte braucht. Schnittteil ▸ Aufschneiden macht die kürzesten, die Schnittwerkzeuge Ihre eigenen.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 cuts are to be made, %4 long.</source>
-        <translation>%1: %2 von %3 Schnitten sind zu machen, zusammen %4 lang.</translation>
-    </message>
-    <message>
-        <source>Flattening the best…</source>
-        <translation>Die besten werden abgewickelt …</translation>
-    </message>
-    <message>
-        <source>Predicted before lines were moved: %1</source>
-        <translation>Vorhergesagt, bevor Linien verschoben wurden: %1</translation>
-    </message>
-    <message>
-        <source>Predicted: %1 in the mean, %2 at most</source>
-        <translation>Vorhergesagt: im Mittel %1, höchstens %2</translation>
-    </message>
-    <message>
-        <source>Flattened: %1 in the mean, %2 at most</source>
-        <translation>Abgewickelt: im Mittel %1, höchstens %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -9575,6 +9519,62 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>&amp;Apply cuts</source>
+        <translation>Schnitte &amp;anwenden</translation>
+    </message>
+    <message>
+        <source>Strain after</source>
+        <translation>Dehnung danach</translation>
+    </message>
+    <message>
+        <source>Mean strain after this cut and those above: predicted, or bold if flattened</source>
+        <translation>Mittlere Dehnung nach diesem und den Schnitten darüber: vorhergesagt, fett wenn abgewickelt</translation>
+    </message>
+    <message>
+        <source>Intake of the dart at the edge</source>
+        <translation>Inhalt des Abnähers am Rand</translation>
+    </message>
+    <message>
+        <source>Apply this &amp;cut</source>
+        <translation>Diesen &amp;Schnitt anwenden</translation>
+    </message>
+    <message>
+        <source>Mean strain in per cent below which no more cuts are proposed. Empty: the fabric&apos;s limit</source>
+        <translation>Mittlere Dehnung in Prozent, unter der keine Schnitte mehr vorgeschlagen werden. Leer: die Grenze des Stoffs</translation>
+    </message>
+    <message>
+        <source>Swap the guessed front and back if names and cuts are on the wrong side</source>
+        <translation>Vermutetes Vorn und Hinten tauschen, wenn Namen und Schnitte auf der falschen Seite liegen</translation>
+    </message>
+    <message>
+        <source>Apply the selected cuts as one undo step</source>
+        <translation>Die ausgewählten Schnitte als einen Schritt anwenden</translation>
+    </message>
+    <message>
+        <source>No cuts to propose for %1: it needs none, or Toile does not recognise its shape. Use Piece ▸ Cut open or the cutting tools.</source>
+        <translation>Keine Schnitte für %1: Es braucht keine, oder Toile erkennt die Form nicht. Verwenden Sie Schnittteil ▸ Aufschneiden oder die Schnittwerkzeuge.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 cuts selected, %4 long.</source>
+        <translation>%1: %2 von %3 Schnitten ausgewählt, %4 lang.</translation>
+    </message>
+    <message>
+        <source>Flattening the best cuts…</source>
+        <translation>Die besten Schnitte werden abgewickelt…</translation>
+    </message>
+    <message>
+        <source>Predicted before you moved cuts: %1</source>
+        <translation>Vorhergesagt, bevor Sie Schnitte verschoben haben: %1</translation>
+    </message>
+    <message>
+        <source>Predicted: mean %1, maximum %2</source>
+        <translation>Vorhergesagt: im Mittel %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Flattened: mean %1, maximum %2</source>
+        <translation>Abgewickelt: im Mittel %1, höchstens %2</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::RecentFiles</name>
@@ -9590,27 +9590,27 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>It is not there any more</source>
-        <translation>Es ist nicht mehr da</translation>
-    </message>
-    <message>
-        <source>Nothing opened yet</source>
-        <translation>Noch nichts geöffnet</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>Clear the list of what was opened last</source>
-        <translation>Die Liste des zuletzt Geöffneten leeren</translation>
+        <source>This file no longer exists</source>
+        <translation>Diese Datei gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>No recent files</source>
+        <translation>Keine zuletzt geöffneten Dateien</translation>
+    </message>
+    <message>
+        <source>Clear the list of recent files</source>
+        <translation>Die Liste der zuletzt geöffneten Dateien leeren</translation>
     </message>
 </context>
 <context>
     <name>toile::app::Recovery</name>
     <message>
-        <source>Toile ended without saving your changes to %1. They were last kept on %2 at %3.</source>
-        <translation>Toile endete, ohne Ihre Änderungen an %1 zu speichern. Zuletzt gesichert wurden sie am %2 um %3.</translation>
+        <source>Toile closed before you saved your changes to %1. The last backup is from %2 at %3.</source>
+        <translation>Toile wurde beendet, bevor Ihre Änderungen an %1 gespeichert waren. Die letzte Sicherung ist vom %2 um %3.</translation>
     </message>
 </context>
 <context>
@@ -9620,16 +9620,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the garment as it was when it was last kept</source>
-        <translation>Das Kleidungsstück öffnen, wie es zuletzt gesichert wurde</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
     </message>
     <message>
-        <source>Remove what was kept: it cannot be brought back</source>
-        <translation>Entfernen, was gesichert wurde: es lässt sich nicht zurückholen</translation>
+        <source>Open the garment from the last backup</source>
+        <translation>Das Kleidungsstück aus der letzten Sicherung öffnen</translation>
+    </message>
+    <message>
+        <source>Delete the backup permanently</source>
+        <translation>Die Sicherung endgültig löschen</translation>
     </message>
 </context>
 <context>
@@ -9689,28 +9689,28 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gezeichnet</translation>
     </message>
     <message>
-        <source>Ticked: the kink there is taken out</source>
-        <translation>Angehakt: Der Knick dort wird ausgeglichen</translation>
-    </message>
-    <message>
-        <source>Where the seam starts or where it ends</source>
-        <translation>Wo die Naht beginnt oder wo sie endet</translation>
-    </message>
-    <message>
-        <source>By how much the two lines that meet at the seam&apos;s end miss running on into each other, as flattened</source>
-        <translation>Um wie viel die beiden Linien, die sich am Nahtende treffen, nach dem Abwickeln nicht ineinander übergehen</translation>
-    </message>
-    <message>
-        <source>What is left of the kink as the lines are drawn</source>
-        <translation>Was vom Knick bleibt, wie die Linien gezeichnet werden</translation>
-    </message>
-    <message>
         <source>end</source>
         <translation>Ende</translation>
     </message>
     <message>
         <source>start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Select to remove the kink at this seam end</source>
+        <translation>Auswählen, um den Knick an diesem Nahtende zu entfernen</translation>
+    </message>
+    <message>
+        <source>Start or end of the seam</source>
+        <translation>Anfang oder Ende der Naht</translation>
+    </message>
+    <message>
+        <source>Kink between the two lines at the seam end, as flattened</source>
+        <translation>Knick zwischen den beiden Linien am Nahtende, nach dem Abwickeln</translation>
+    </message>
+    <message>
+        <source>Remaining kink in the drawn pattern</source>
+        <translation>Verbleibender Knick im gezeichneten Schnitt</translation>
     </message>
 </context>
 <context>
@@ -9736,18 +9736,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1: a third layer in a seam of two</source>
-        <translation>%1: eine dritte Lage in einer Naht aus zweien</translation>
-    </message>
-    <message>
-        <source>Stated by you. Delete takes the ease from the 3D lengths again.</source>
-        <translation>Von Ihnen angegeben. Entf nimmt die Einhalteweite wieder aus den 3D-Längen.</translation>
-    </message>
-    <message>
-        <source>From the 3D lengths. Double click or press F2 to state the ease you want.</source>
-        <translation>Aus den 3D-Längen. Doppelklick oder F2, um die gewünschte Einhalteweite anzugeben.</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
@@ -9768,16 +9756,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>Seam, dart, pleat, or a free edge that is sewn to nothing</source>
-        <translation>Naht, Abnäher, Falte oder eine freie Kante, an die nichts genäht wird</translation>
-    </message>
-    <message>
         <source>3D %1</source>
         <translation>3D %1</translation>
-    </message>
-    <message>
-        <source>Length on the garment; left / right where they differ</source>
-        <translation>Länge am Kleidungsstück; links / rechts, wo sie sich unterscheiden</translation>
     </message>
     <message>
         <source>Flat left %1</source>
@@ -9800,48 +9780,68 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Unterschied %1</translation>
     </message>
     <message>
-        <source>Flat left less flat right: what must be eased in when sewing</source>
-        <translation>Flach links weniger flach rechts: was beim Nähen eingehalten werden muss</translation>
-    </message>
-    <message>
         <source>Ease %</source>
         <translation>Einhalteweite %</translation>
-    </message>
-    <message>
-        <source>How much longer the left edge is meant to be. Grey: as on the garment; bold: stated by you. Double click or F2 to state it, Delete to take it from the garment</source>
-        <translation>Wie viel länger die linke Kante sein soll. Grau: wie am Kleidungsstück; fett: von Ihnen angegeben. Doppelklick oder F2 zum Angeben, Entf für den Wert aus dem Kleidungsstück</translation>
     </message>
     <message>
         <source>Error %1</source>
         <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>What is left of the difference when the ease is taken out</source>
-        <translation>Was vom Unterschied bleibt, wenn die Einhalteweite abgezogen ist</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Passung</translation>
-    </message>
-    <message>
-        <source>Matches: up to %1; nearly: up to %2; does not match: more</source>
-        <translation>Passt: bis %1; fast: bis %2; passt nicht: mehr</translation>
     </message>
     <message>
         <source>Drawn</source>
         <translation>Gezeichnet</translation>
     </message>
     <message>
-        <source>Whether the longer edge is drawn that much longer in the pattern; for an ease that you have stated</source>
-        <translation>Ob die längere Kante im Schnittmuster um so viel länger gezeichnet wird; bei einer Einhalteweite, die Sie angegeben haben</translation>
-    </message>
-    <message>
         <source>Changed by %1</source>
         <translation>Geändert durch, %1</translation>
     </message>
     <message>
-        <source>Why the seam has another length in the pattern than on the garment, and by how much</source>
-        <translation>Warum die Naht im Schnitt eine andere Länge hat als am Kleidungsstück, und um wie viel</translation>
+        <source>%1: a third layer in this seam</source>
+        <translation>%1: eine dritte Lage in dieser Naht</translation>
+    </message>
+    <message>
+        <source>Set by you. Press Delete to reset it to the 3D lengths.</source>
+        <translation>Von Ihnen gesetzt. Entf setzt sie auf die 3D-Längen zurück.</translation>
+    </message>
+    <message>
+        <source>From the 3D lengths. Double-click or press F2 to set your own ease.</source>
+        <translation>Aus den 3D-Längen. Doppelklick oder F2, um eine eigene Einhalteweite zu setzen.</translation>
+    </message>
+    <message>
+        <source>Seam, dart, pleat or free edge</source>
+        <translation>Naht, Abnäher, Falte oder freie Kante</translation>
+    </message>
+    <message>
+        <source>Length on the garment; left / right if they differ</source>
+        <translation>Länge am Kleidungsstück; links / rechts, wenn sie sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>Flat left minus flat right: the length to ease in when sewing</source>
+        <translation>Flach links minus flach rechts: die Länge, die beim Nähen einzuhalten ist</translation>
+    </message>
+    <message>
+        <source>How much longer the left edge is. Grey: from the garment; bold: set by you. Double-click or F2: set, Delete: reset</source>
+        <translation>Wie viel länger die linke Kante ist. Grau: vom Kleidungsstück; fett: von Ihnen gesetzt. Doppelklick oder F2: setzen, Entf: zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Whether the pattern draws the longer edge with your ease</source>
+        <translation>Ob der Schnitt die längere Kante mit Ihrer Einhalteweite zeichnet</translation>
+    </message>
+    <message>
+        <source>Why and by how much the seam length differs from the garment</source>
+        <translation>Warum und um wie viel die Nahtlänge vom Kleidungsstück abweicht</translation>
+    </message>
+    <message>
+        <source>Difference that remains after subtracting the ease</source>
+        <translation>Unterschied, der nach Abzug der Einhalteweite bleibt</translation>
+    </message>
+    <message>
+        <source>Matches: up to %1; nearly: up to %2; does not match: above</source>
+        <translation>Passt: bis %1; fast: bis %2; passt nicht: darüber</translation>
     </message>
 </context>
 <context>
@@ -9849,10 +9849,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Show free edges</source>
         <translation>Freie Kanten zeigen</translation>
-    </message>
-    <message>
-        <source>Also list hems, openings and other edges that are sewn to nothing</source>
-        <translation>Auch Säume, Öffnungen und andere Kanten aufführen, an die nichts genäht wird</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -9863,8 +9859,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Keine Nähte</translation>
     </message>
     <message>
-        <source>No two edges of this garment lie on each other, so nothing is sewn. “Show free edges” lists the edges there are.</source>
-        <translation>Keine zwei Kanten dieses Kleidungsstücks liegen aufeinander, also ist nichts genäht. „Freie Kanten zeigen“ führt die vorhandenen Kanten auf.</translation>
+        <source>Also list hems, openings and other edges that are not sewn</source>
+        <translation>Auch Säume, Öffnungen und andere nicht genähte Kanten auflisten</translation>
+    </message>
+    <message>
+        <source>No edges of this garment meet, so nothing is sewn. Use “Show free edges” to list the edges.</source>
+        <translation>Keine Kanten dieses Kleidungsstücks treffen sich, also ist nichts genäht. „Freie Kanten zeigen“ listet die Kanten auf.</translation>
     </message>
 </context>
 <context>
@@ -9882,16 +9882,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Eckpunkt setzen</translation>
     </message>
     <message>
-        <source>Let the line turn at the selected vertex: a segment ends there</source>
-        <translation>Die Linie an der ausgewählten Ecke des Netzes abbiegen lassen: Dort endet ein Abschnitt</translation>
-    </message>
-    <message>
         <source>Remove turn point</source>
         <translation>Eckpunkt entfernen</translation>
-    </message>
-    <message>
-        <source>Let the line run on smoothly at the selected vertex</source>
-        <translation>Die Linie an der ausgewählten Ecke des Netzes glatt weiterlaufen lassen</translation>
     </message>
     <message>
         <source>Segment</source>
@@ -9911,23 +9903,11 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation>Winkel %1</translation>
+        <translation>Ecke %1</translation>
     </message>
     <message>
         <source>Ends: %1, %2</source>
         <translation>Enden: %1, %2</translation>
-    </message>
-    <message>
-        <source>Turn point</source>
-        <translation>Eckpunkt</translation>
-    </message>
-    <message>
-        <source>Removal of a turn point</source>
-        <translation>Entfernen eines Eckpunkts</translation>
-    </message>
-    <message>
-        <source>Add a notch in the middle of the longest part without one</source>
-        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
     </message>
     <message>
         <source>Remove the notch nearest to the middle</source>
@@ -9938,32 +9918,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Auf beiden Seiten</translation>
     </message>
     <message>
-        <source>Set the allowance of the edge that is sewn to the segment, too</source>
-        <translation>Auch die Zugabe der Kante setzen, die an den Abschnitt genäht wird</translation>
-    </message>
-    <message>
-        <source>A kink is the angle that two lines sewn together lack to run into each other; at other ends the angle by which the outline turns</source>
-        <translation>Ein Knick ist der Winkel, der zwei zusammengenähten Linien fehlt, um ineinander überzugehen; an anderen Enden der Winkel, um den der Umriss abbiegt</translation>
-    </message>
-    <message>
-        <source>Add a notch</source>
-        <translation>Einen Knips setzen</translation>
-    </message>
-    <message>
-        <source>Remove a notch</source>
-        <translation>Einen Knips entfernen</translation>
-    </message>
-    <message>
         <source>Notches</source>
         <translation>Knipse</translation>
     </message>
     <message>
         <source>Select a seam, or double-click a part of an outline.</source>
         <translation>Wählen Sie eine Naht, oder doppelklicken Sie auf ein Stück Umriss.</translation>
-    </message>
-    <message>
-        <source>The segment before is %1.</source>
-        <translation>Der vorige Abschnitt ist %1.</translation>
     </message>
     <message>
         <source>%1, facing</source>
@@ -9974,8 +9934,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knips</translation>
     </message>
     <message>
-        <source>Removal of a notch</source>
-        <translation>Entfernen eines Knipses</translation>
+        <source>Let the outline turn at the selected vertex, and end the segment there</source>
+        <translation>Den Umriss an der ausgewählten Netzecke abbiegen lassen und den Abschnitt dort beenden</translation>
+    </message>
+    <message>
+        <source>Let the outline continue smoothly at the selected vertex</source>
+        <translation>Den Umriss an der ausgewählten Netzecke glatt weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Add a notch in the middle of the longest part without notches</source>
+        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
+    </message>
+    <message>
+        <source>Also set the allowance of the edge that is sewn to this one</source>
+        <translation>Auch die Zugabe der Kante setzen, die an diese genäht wird</translation>
+    </message>
+    <message>
+        <source>Kink: angle between the joined lines of a sewn seam end. Turn: angle of the outline at other ends</source>
+        <translation>Knick: Winkel zwischen den Linien an einem genähten Nahtende. Ecke: Winkel des Umrisses an anderen Enden</translation>
+    </message>
+    <message>
+        <source>Add notch</source>
+        <translation>Knips setzen</translation>
+    </message>
+    <message>
+        <source>Remove notch</source>
+        <translation>Knips entfernen</translation>
+    </message>
+    <message>
+        <source>The previous segment is %1.</source>
+        <translation>Der vorige Abschnitt ist %1.</translation>
+    </message>
+    <message>
+        <source>Delete notch</source>
+        <translation>Knips löschen</translation>
     </message>
 </context>
 <context>
@@ -10001,7 +9993,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <name>toile::app::SelectionPanel</name>
     <message>
         <source>Select a piece, a seam or an edge to change its properties.</source>
-        <translation>Wähle ein Schnittteil, eine Naht oder eine Kante, um deren Eigenschaften zu ändern.</translation>
+        <translation>Wählen Sie ein Schnittteil, eine Naht oder eine Kante, um die Eigenschaften zu ändern.</translation>
     </message>
     <message>
         <source>Garment</source>
@@ -10023,12 +10015,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Fett: von Ihnen gesetzt.</translation>
     </message>
     <message>
-        <source>Remove the value that you have set</source>
-        <translation>Den Wert entfernen, den Sie gesetzt haben</translation>
-    </message>
-    <message>
         <source>%1: off</source>
         <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>Remove your value</source>
+        <translation>Ihren Wert entfernen</translation>
     </message>
 </context>
 <context>
@@ -10083,10 +10075,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>gleich: eines für beide</translation>
     </message>
     <message>
-        <source>Cut on both sides of the garment at once, and turn the grain on both; where mirrored pieces are equal</source>
-        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen; wo gespiegelte Schnittteile gleich sind</translation>
-    </message>
-    <message>
         <source>&amp;Mirrored pieces</source>
         <translation>&amp;Gespiegelte Schnittteile</translation>
     </message>
@@ -10095,48 +10083,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gespiegelte Schnittteile</translation>
     </message>
     <message>
-        <source>Seams without a counterpart</source>
-        <translation>Nähte ohne Gegenstück</translation>
-    </message>
-    <message>
-        <source>Seams and free edges that are no mirror image of another: they keep their length</source>
-        <translation>Nähte und freie Kanten, die kein Spiegelbild einer anderen sind: sie behalten ihre Länge</translation>
-    </message>
-    <message>
         <source>Left and right differ by %1, at most %2.</source>
         <translation>Links und rechts weichen um %1 voneinander ab, höchstens um %2.</translation>
-    </message>
-    <message>
-        <source>Left and right are not compared. Choose what they are to have in common.</source>
-        <translation>Links und rechts werden nicht verglichen. Wählen Sie, was sie gemeinsam haben sollen.</translation>
     </message>
     <message>
         <source>No mirror plane: left and right of this garment differ too much.</source>
         <translation>Keine Spiegelebene: links und rechts sind an diesem Kleidungsstück zu verschieden.</translation>
     </message>
     <message>
-        <source>The mirror plane is not known yet: it is found when the pieces are flattened.</source>
-        <translation>Die Spiegelebene ist noch nicht bekannt: sie wird gesucht, wenn die Schnittteile abgewickelt werden.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 are drawn equal. Seams change by at most %3; the largest strain goes from %4 to %5.</source>
-        <translation>%1 von %2 sind gleich gezeichnet. Nähte ändern sich um höchstens %3; die größte Dehnung geht von %4 auf %5.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Without a counterpart (%1)</source>
-        <translation>Ohne Gegenstück (%1)</translation>
-    </message>
-    <message>
-        <source>Mirrored pieces as they are</source>
-        <translation>Gespiegelte Schnittteile lassen, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Mirrored pieces equal</source>
-        <translation>Gespiegelte Schnittteile angleichen</translation>
     </message>
     <message>
         <source>as in the file</source>
@@ -10147,8 +10103,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>gleich, wenn innerhalb von 2 mm oder 1 %</translation>
     </message>
     <message>
-        <source>What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Pieces that become equal have a common length in seams that mirror each other</source>
-        <translation>Was aus Schnittteilen wird, die bis auf den Fall des Stoffs Spiegelbilder voneinander sind. Schnittteile, die gleich werden, haben in gespiegelten Nähten eine gemeinsame Länge</translation>
+        <source>How to draw mirrored pieces. Equal pieces get common lengths in mirrored seams</source>
+        <translation>Wie gespiegelte Schnittteile gezeichnet werden. Gleiche Schnittteile erhalten in gespiegelten Nähten gemeinsame Längen</translation>
+    </message>
+    <message>
+        <source>Apply cuts and grain changes to both mirrored pieces if they are drawn equal</source>
+        <translation>Einschnitte und Fadenlauf auf beide gespiegelten Schnittteile anwenden, wenn sie gleich gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Seams with no match on the other side</source>
+        <translation>Nähte ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>Seams and free edges without a mirror image keep their length</source>
+        <translation>Nähte und freie Kanten ohne Spiegelbild behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Left and right are not compared. Choose how to draw mirrored pieces.</source>
+        <translation>Links und rechts werden nicht verglichen. Wählen Sie, wie gespiegelte Schnittteile gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Flatten the pieces to find the mirror plane.</source>
+        <translation>Wickeln Sie die Schnittteile ab, um die Spiegelebene zu finden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 are drawn equal. Seams change by at most %3. The largest strain changes from %4 to %5.</source>
+        <translation>%1 von %2 sind gleich gezeichnet. Nähte ändern sich um höchstens %3. Die größte Dehnung ändert sich von %4 auf %5.</translation>
+    </message>
+    <message>
+        <source>No match on the other side (%1)</source>
+        <translation>Ohne Gegenstück (%1)</translation>
+    </message>
+    <message>
+        <source>Keep mirrored pieces as in the file</source>
+        <translation>Gespiegelte Schnittteile wie in der Datei lassen</translation>
+    </message>
+    <message>
+        <source>Make mirrored pieces equal</source>
+        <translation>Gespiegelte Schnittteile angleichen</translation>
     </message>
 </context>
 <context>
@@ -10213,52 +10205,52 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Vom 3D-Kleidungsstück zum Schnittmuster</translation>
     </message>
     <message>
-        <source>Toile flattens every piece of a garment so that its seam lines keep their length, and shows what the cloth has to do.</source>
-        <translation>Toile wickelt jedes Teil eines Kleidungsstücks so ab, dass seine Nahtlinien ihre Länge behalten, und zeigt, was der Stoff leisten muss.</translation>
-    </message>
-    <message>
-        <source>Or begin with a sample</source>
-        <translation>Oder mit einem Beispiel beginnen</translation>
-    </message>
-    <message>
-        <source>Opened before</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several meshes are taken as one garment</source>
-        <translation>oder OBJ-, .zip-, glTF-, FBX-, USD-, PLY-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
-    </message>
-    <message>
         <source>CLO, Marvelous Designer</source>
         <translation>CLO, Marvelous Designer</translation>
-    </message>
-    <message>
-        <source>Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile takes the panels from the map.</source>
-        <translation>Als OBJ exportieren: alle Schnittteile, dünn (thin), in mm oder cm, mit UV-Karte. Toile nimmt die Schnittteile aus der Karte.</translation>
     </message>
     <message>
         <source>Blender</source>
         <translation>Blender</translation>
     </message>
     <message>
-        <source>Export as Wavefront OBJ: the garment selected, modifiers applied, UV coordinates with it. Where you have marked seams and unwrapped, divide by UV islands.</source>
-        <translation>Als Wavefront OBJ exportieren: das Kleidungsstück ausgewählt, Modifikatoren angewendet, mit UV-Koordinaten. Wo Sie Nähte markiert und abgewickelt haben, nach UV-Inseln teilen.</translation>
-    </message>
-    <message>
-        <source>Game or figure</source>
-        <translation>Spiel oder Figur</translation>
-    </message>
-    <message>
-        <source>Export the garment alone as OBJ with its UV map. Say how tall it is when you are asked; maps made for textures are often not cut as cloth is, and cuts can be drawn.</source>
-        <translation>Nur das Kleidungsstück als OBJ mit seiner UV-Karte exportieren. Sagen Sie auf die Frage, wie hoch es ist; Karten für Texturen sind oft nicht wie Stoff geschnitten, Schnitte lassen sich zeichnen.</translation>
-    </message>
-    <message>
         <source>Scan</source>
         <translation>Scan</translation>
     </message>
     <message>
-        <source>Save the garment alone as PLY, STL or OBJ, cleaned and reduced to some 100,000 triangles. A scan has no seams: draw them as cuts.</source>
-        <translation>Nur das Kleidungsstück als PLY, STL oder OBJ speichern, bereinigt und auf etwa 100 000 Dreiecke verringert. Ein Scan hat keine Nähte: Zeichnen Sie sie als Schnitte.</translation>
+        <source>Toile flattens every piece of a garment, keeps the length of its seam lines, and shows the strain of the cloth.</source>
+        <translation>Toile wickelt jedes Teil eines Kleidungsstücks ab, behält die Länge seiner Nahtlinien und zeigt die Dehnung des Stoffs.</translation>
+    </message>
+    <message>
+        <source>or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several meshes form one garment</source>
+        <translation>oder OBJ-, .zip-, glTF-, FBX-, USD-, PLY-, STL- oder .toile-Dateien hier ablegen; mehrere Netze bilden ein Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Or start with a sample</source>
+        <translation>Oder mit einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile gets the panels from the map.</source>
+        <translation>Als OBJ exportieren: alle Schnittteile, dünn (thin), in mm oder cm, mit UV-Karte. Toile liest die Schnittteile aus der Karte.</translation>
+    </message>
+    <message>
+        <source>Select the garment and export it as Wavefront OBJ, with modifiers applied and UV coordinates. If you marked seams and unwrapped, split by UV islands.</source>
+        <translation>Das Kleidungsstück auswählen und als Wavefront OBJ exportieren, mit angewendeten Modifikatoren und UV-Koordinaten. Wenn Sie Nähte markiert und abgewickelt haben, nach UV-Inseln teilen.</translation>
+    </message>
+    <message>
+        <source>Game or character</source>
+        <translation>Spiel oder Figur</translation>
+    </message>
+    <message>
+        <source>Export only the garment as OBJ with its UV map. Enter its height when Toile asks. If the texture map is not split like cloth, draw cuts.</source>
+        <translation>Nur das Kleidungsstück als OBJ mit seiner UV-Karte exportieren. Geben Sie die Höhe ein, wenn Toile fragt. Ist die Texturkarte nicht wie Stoff geteilt, zeichnen Sie Einschnitte.</translation>
+    </message>
+    <message>
+        <source>Save only the garment as PLY, STL or OBJ, cleaned and reduced to about 100,000 triangles. A scan has no seams: draw them as cuts.</source>
+        <translation>Nur das Kleidungsstück als PLY, STL oder OBJ speichern, bereinigt und auf etwa 100 000 Dreiecke verringert. Ein Scan hat keine Nähte: Zeichnen Sie sie als Einschnitte.</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
 <context>
@@ -10275,40 +10267,36 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Über Toile</translation>
     </message>
     <message>
-        <source>Sewing patterns from 3D garments, every seam line at its true length: the length-preserved natural boundary of Wang (2005).
-
-Free software under the GNU General Public License, version 3 or later.</source>
-        <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
-
-Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
-    </message>
-    <message>
         <source>Documentation</source>
         <translation>Dokumentation</translation>
-    </message>
-    <message>
-        <source>The documentation is not installed beside the program. Help &gt; Keyboard and mouse is always there, and every control says what it does under the pointer.</source>
-        <translation>Die Dokumentation ist nicht mit dem Programm installiert. Hilfe &gt; Tastatur und Maus ist immer da, und jedes Bedienelement sagt unter dem Mauszeiger, was es tut.</translation>
     </message>
     <message>
         <source>Report a problem</source>
         <translation>Ein Problem melden</translation>
     </message>
     <message>
-        <source>Say what you did, what you expected and what came instead, and add these lines and, if you may, the garment&apos;s file.</source>
-        <translation>Sagen Sie, was Sie getan haben, was Sie erwartet haben und was stattdessen kam, und fügen Sie diese Zeilen bei und, wenn Sie dürfen, die Datei des Kleidungsstücks.</translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>The documentation is not installed with the program. See Help &gt; Keyboard and mouse, or hold the pointer over a control for its tool tip.</source>
+        <translation>Die Dokumentation ist nicht mit dem Programm installiert. Siehe Hilfe &gt; Tastatur und Maus, oder halten Sie den Zeiger auf ein Bedienelement.</translation>
+    </message>
+    <message>
+        <source>Describe what you did, what you expected and what happened instead. Add these lines and, if you can, the garment&apos;s file.</source>
+        <translation>Beschreiben Sie, was Sie getan haben, was Sie erwartet haben und was stattdessen geschah. Fügen Sie diese Zeilen bei und, wenn möglich, die Datei des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Sewing patterns from 3D garments, with every seam line at its true length. Method: length-preserved natural boundary, Wang (2005).
+
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Schnittmuster aus 3D-Kleidungsstücken, mit jeder Nahtlinie in ihrer wahren Länge. Verfahren: längentreuer natürlicher Rand, Wang (2005).
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::WindowDocks</name>
-    <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
-    </message>
     <message>
         <source>Pieces</source>
         <translation>Schnittteile</translation>
@@ -10349,6 +10337,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Properties</source>
         <translation>Eigenschaften</translation>
     </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::WindowStatus</name>
@@ -10371,10 +10363,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>%1
 
-Click to choose the unit or to say how tall the garment is</source>
+Click to choose the unit or to enter the garment&apos;s height</source>
         <translation>%1
 
-Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück ist</translation>
+Klicken, um die Einheit zu wählen oder die Höhe des Kleidungsstücks einzugeben</translation>
     </message>
 </context>
 <context>
