@@ -129,7 +129,7 @@ std::vector<MenuSpec> makeTable() {
         {"unitMenu", TR("&Unit"),
          {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},
         {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, kBelow},
-        {"readAsMenu", TR("&Treat file as"),
+        {"readAsMenu", TR("Tr&eat file as"),
          {ReadAuto, ReadSheet, kLine, ReadOuter, ReadInner, ReadMiddle, kLine,
           ReadLayers, ReadOuterLayer, ReadInnerLayer, kLine, ReadScan}, kBelow},
         {"divideMenu", TR("S&plit pieces by"),

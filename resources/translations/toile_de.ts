@@ -4180,7 +4180,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Read&amp;y to cut?</source>
-        <translation>&amp;Bereit zum Zuschneiden?</translation>
+        <translation>Bereit zu&amp;m Zuschneiden?</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -4268,7 +4268,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Strain along war&amp;p</source>
-        <translation>Dehnung längs der &amp;Kette</translation>
+        <translation>Dehnung längs der Ke&amp;tte</translation>
     </message>
     <message>
         <source>Warp</source>
@@ -4327,7 +4327,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gitternetz</translation>
     </message>
     <message>
-        <source>Referen&amp;ce panels</source>
+        <source>Re&amp;ference panels</source>
         <translation>R&amp;eferenzteile</translation>
     </message>
     <message>
@@ -4548,7 +4548,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Lay &amp;out again</source>
-        <translation>Neu aus&amp;legen</translation>
+        <translation>Ne&amp;u auslegen</translation>
     </message>
     <message>
         <source>Turn &amp;grain upwards</source>
@@ -4579,7 +4579,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Raster</translation>
     </message>
     <message>
-        <source>Sna&amp;pping</source>
+        <source>S&amp;napping</source>
         <translation>&amp;Einrasten</translation>
     </message>
     <message>
@@ -4940,7 +4940,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>F&amp;latten</source>
-        <translation>Ab&amp;wickeln</translation>
+        <translation>Abwi&amp;ckeln</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
@@ -5298,7 +5298,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>zurückgelesen: %1, größter Unterschied %2 mm</translation>
     </message>
     <message>
-        <source>Open reference &amp;pattern…</source>
+        <source>Open reference pa&amp;ttern…</source>
         <translation>&amp;Referenzschnitt öffnen…</translation>
     </message>
     <message>
@@ -5391,7 +5391,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Leave out</source>
-        <translation>Aus&amp;nehmen</translation>
+        <translation>Ausneh&amp;men</translation>
     </message>
     <message>
         <source>Leave out &amp;small pieces…</source>
@@ -5411,7 +5411,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
-        <translation>S&amp;piegeln</translation>
+        <translation>Spie&amp;geln</translation>
     </message>
     <message>
         <source>Rename %1</source>
@@ -5479,11 +5479,11 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Cut o&amp;pen</source>
-        <translation>Auf&amp;schneiden</translation>
+        <translation>Aufs&amp;chneiden</translation>
     </message>
     <message>
         <source>&amp;Dart here…</source>
-        <translation>&amp;Abnäher hier …</translation>
+        <translation>Abnäher &amp;hier…</translation>
     </message>
     <message>
         <source>Move the selected pieces by 1 mm (1/16 in), with Shift by 10 mm (1/2 in)</source>
@@ -5515,7 +5515,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Close s&amp;lits</source>
-        <translation>Sch&amp;litze schließen</translation>
+        <translation>Schlit&amp;ze schließen</translation>
     </message>
     <message>
         <source>a tube with %1 openings</source>
@@ -5591,7 +5591,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Select &amp;same material</source>
-        <translation>Gleiche Stoffart aus&amp;wählen</translation>
+        <translation>Gleiche S&amp;toffart auswählen</translation>
     </message>
     <message>
         <source>Select same la&amp;yer</source>
@@ -5634,8 +5634,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Keine Lagen</translation>
     </message>
     <message>
-        <source>Pr&amp;opose cuts…</source>
-        <translation>Schnitte &amp;vorschlagen …</translation>
+        <source>Propose cu&amp;ts…</source>
+        <translation>Schnitte vorschla&amp;gen…</translation>
     </message>
     <message>
         <source>Propose cuts…</source>
@@ -5647,7 +5647,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Worn strain of the sewn cloth</source>
-        <translation>Dehn&amp;ung des genähten Stoffs</translation>
+        <translation>Dehnung des &amp;genähten Stoffs</translation>
     </message>
     <message>
         <source>Worn strain</source>
@@ -6139,7 +6139,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Newton solver</source>
-        <translation>&amp;Newton-Verfahren</translation>
+        <translation>New&amp;ton-Verfahren</translation>
     </message>
     <message>
         <source>Solve the outline by Newton steps, the fast way</source>
@@ -6147,7 +6147,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>Wang 2005 so&amp;lver</source>
-        <translation>&amp;Verfahren von Wang 2005</translation>
+        <translation>Verfahren von &amp;Wang 2005</translation>
     </message>
     <message>
         <source>Solve the same outline by linearly constrained steps, as in the paper</source>
@@ -6354,8 +6354,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die ausgewählten Schnittteile in beiden Ansichten ausblenden; Dateien und Prüfungen enthalten sie weiter</translation>
     </message>
     <message>
-        <source>Show &amp;only selected</source>
-        <translation>&amp;Nur ausgewählte zeigen</translation>
+        <source>Sho&amp;w only selected</source>
+        <translation>Nur ausge&amp;wählte zeigen</translation>
     </message>
     <message>
         <source>Hide all other pieces; files and checks still include them</source>
@@ -6379,7 +6379,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>I&amp;nclude again</source>
-        <translation>Wieder a&amp;ufnehmen</translation>
+        <translation>Wie&amp;der aufnehmen</translation>
     </message>
     <message>
         <source>Return the selected left-out pieces to the pattern</source>
@@ -6518,8 +6518,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Senkrecht</translation>
     </message>
     <message>
-        <source>Grain from reference &amp;panels</source>
-        <translation>Fadenlauf der &amp;Referenzteile</translation>
+        <source>Grain &amp;from reference panels</source>
+        <translation>Fadenlauf &amp;der Referenzteile</translation>
     </message>
     <message>
         <source>Run the grain up the reference panels; pieces without a panel get vertical grain</source>
@@ -6803,15 +6803,15 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>P&amp;anels</source>
-        <translation>&amp;Felder</translation>
+        <translation>Fel&amp;der</translation>
     </message>
     <message>
         <source>&amp;Align</source>
-        <translation>Aus&amp;richten</translation>
+        <translation>Ausr&amp;ichten</translation>
     </message>
     <message>
-        <source>&amp;Treat file as</source>
-        <translation>Datei &amp;lesen als</translation>
+        <source>Tr&amp;eat file as</source>
+        <translation>Date&amp;i lesen als</translation>
     </message>
     <message>
         <source>S&amp;plit pieces by</source>
@@ -7794,7 +7794,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Leave out</source>
-        <translation>Aus&amp;nehmen</translation>
+        <translation>Ausneh&amp;men</translation>
     </message>
     <message>
         <source>%1 of %2 pieces: %3</source>
