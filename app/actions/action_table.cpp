@@ -366,8 +366,8 @@ std::vector<ActionSpec> makeActions() {
     using Group = ActionGroup;
     return {
         {ActionId::Open, "open", TR("&Open…"), "Ctrl+O",
-         TR("Open a project, or the file or files of one garment"),
-         asks(&GarmentActions::askAndOpen), "open", TR("Open")},
+         TR("Open a project, or one or more files of a garment"), asks(&GarmentActions::askAndOpen),
+         "open", TR("Open")},
         {ActionId::Save,
          "save",
          TR("&Save"),

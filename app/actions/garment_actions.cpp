@@ -182,7 +182,7 @@ void GarmentActions::askForBody() {
         ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
         plan.bodyUnit.reset();  // it was that of another file
-        document.setProofPlan(std::move(plan), tr("Proof on a body"));
+        document.setProofPlan(std::move(plan), tr("Use body as dress form"));
     }
 }
 

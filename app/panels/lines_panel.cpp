@@ -161,7 +161,7 @@ void LinesPanel::showSettings() {
 
 void LinesPanel::showStraying() {
     if (!document_.garment() || !facts_.drawn) {
-        straying_->setText(document_.garment() ? tr("Every line is the exact outline.")
+        straying_->setText(document_.garment() ? tr("All lines follow the exact outline.")
                                                : QString());
         return;
     }

@@ -138,8 +138,8 @@ QString MirroredPiecesList::equalTip(const Document& document, const MirroredPie
     }
     const auto& lead = document.garment()->pieces[static_cast<std::size_t>(row.lead)];
     return document.state().lines.mirror == Mirror::First
-               ? tr("Both have the line of %1").arg(QString::fromStdString(lead->name))
-               : tr("Both have the mean of their lines");
+               ? tr("Both use the line of %1").arg(QString::fromStdString(lead->name))
+               : tr("Both use the mean of their lines");
 }
 
 void MirroredPiecesList::select(const std::set<int>& pieces) {

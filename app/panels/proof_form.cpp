@@ -142,7 +142,7 @@ void ProofForm::chooseUnit(int choice) {
     if (known < static_cast<int>(std::size(kLengthUnits))) {  // else keep the current unit
         ProofPlan plan = document_.state().proof;
         plan.bodyUnit = known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
-        document_.setProofPlan(std::move(plan), tr("Unit of the body"), -1);
+        document_.setProofPlan(std::move(plan), tr("Change unit of the body"), -1);
     }
 }
 
@@ -151,7 +151,7 @@ void ProofForm::chooseHolder(int choice) {
         ProofPlan plan = document_.state().proof;
         plan.body.clear();
         plan.bodyUnit.reset();
-        document_.setProofPlan(std::move(plan), tr("Proof on the design"), -1);
+        document_.setProofPlan(std::move(plan), tr("Use design as dress form"), -1);
         return;
     }
     if (choice == ByAnotherBody || proof_.plan().body.empty()) {

@@ -5850,10 +5850,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1, von Ecke zu Ecke · %2 / %3 in 3D</translation>
     </message>
     <message>
-        <source>Open a project, or the file or files of one garment</source>
-        <translation>Ein Projekt oder die Dateien eines Kleidungsstücks öffnen</translation>
-    </message>
-    <message>
         <source>Save all your work on this garment in its project file</source>
         <translation>Alle Arbeit an diesem Kleidungsstück in seiner Projektdatei speichern</translation>
     </message>
@@ -6949,6 +6945,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Copy a strip of this width along the segment as a separate piece; neighbouring segments share one facing</source>
         <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren; benachbarte Abschnitte teilen sich einen Beleg</translation>
     </message>
+    <message>
+        <source>Open a project, or one or more files of a garment</source>
+        <translation>Ein Projekt oder eine oder mehrere Dateien eines Kleidungsstücks öffnen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::Banner</name>
@@ -7592,10 +7592,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Proof on a body</source>
-        <translation>Nähprobe auf einem Körper</translation>
-    </message>
-    <message>
         <source>&amp;Undo: Move proposed cut</source>
         <translation>&amp;Rückgängig: Vorgeschlagenen Schnitt verschieben</translation>
     </message>
@@ -7634,6 +7630,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Reset grain of %1</source>
         <translation>Fadenlauf von %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use body as dress form</source>
+        <translation>Auf einem Körper nähen</translation>
     </message>
 </context>
 <context>
@@ -7808,10 +7808,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::LinesPanel</name>
     <message>
-        <source>Every line is the exact outline.</source>
-        <translation>Jede Linie ist der genaue Umriss.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
     </message>
@@ -7834,6 +7830,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>At most %1 from the exact outline. The largest strain changes from %2 to %3.</source>
         <translation>Höchstens %1 vom genauen Umriss. Die größte Dehnung ändert sich von %2 auf %3.</translation>
+    </message>
+    <message>
+        <source>All lines follow the exact outline.</source>
+        <translation>Alle Linien folgen dem genauen Umriss.</translation>
     </message>
 </context>
 <context>
@@ -8269,14 +8269,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Eine Hälfte der Linie ist das Spiegelbild der anderen</translation>
     </message>
     <message>
-        <source>Both have the line of %1</source>
-        <translation>Beide haben die Linie von %1</translation>
-    </message>
-    <message>
-        <source>Both have the mean of their lines</source>
-        <translation>Beide haben das Mittel ihrer Linien</translation>
-    </message>
-    <message>
         <source>as in the file</source>
         <translation>wie in der Datei</translation>
     </message>
@@ -8319,6 +8311,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>No common line was found, so each keeps its own</source>
         <translation>Keine gemeinsame Linie gefunden. Jeder behält seine eigene</translation>
+    </message>
+    <message>
+        <source>Both use the line of %1</source>
+        <translation>Beide verwenden die Linie von %1</translation>
+    </message>
+    <message>
+        <source>Both use the mean of their lines</source>
+        <translation>Beide verwenden das Mittel ihrer Linien</translation>
     </message>
 </context>
 <context>
@@ -9267,10 +9267,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheit des Körpers</translation>
     </message>
     <message>
-        <source>Proof on the design</source>
-        <translation>Nähprobe auf dem Entwurf</translation>
-    </message>
-    <message>
         <source>1 = %1 mm</source>
         <translation>1 = %1 mm</translation>
     </message>
@@ -9301,6 +9297,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>measured</source>
         <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Change unit of the body</source>
+        <translation>Einheit des Körpers ändern</translation>
+    </message>
+    <message>
+        <source>Use design as dress form</source>
+        <translation>Auf dem Entwurf nähen</translation>
     </message>
 </context>
 <context>
