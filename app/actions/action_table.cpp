@@ -847,7 +847,7 @@ std::vector<ActionSpec> makeActions() {
          TR("Run the grain up the reference panels; pieces without a panel get vertical grain"),
          asks(&GarmentActions::findReferenceGrain, isAnyFlat)},
         {ActionId::BestGrain, "bestGrain", TR("&Best grain"), "",
-         TR("Run the grain up the garment, or turn it 45° or 90° if that strains much less"),
+         TR("Run the grain upwards, or turn it 45° or 90° if that strains much less"),
          asks(&GarmentActions::findBestGrain, isAnyFlat), "", TR("Best")},
         {ActionId::ResetGrain, "resetGrain", TR("R&eset grain"), "",
          TR("Clear the grain of the selected pieces, or of all"),

@@ -62,9 +62,8 @@ constexpr Words kWords[] = {
     {Remedy::StateEase, QT_TRANSLATE_NOOP("Remedy", "Set ease…"),
      QT_TRANSLATE_NOOP("Remedy", "Set how much longer one side of the seam is")},
     {Remedy::BestGrain, QT_TRANSLATE_NOOP("Remedy", "Best grain"),
-     QT_TRANSLATE_NOOP(
-         "Remedy",
-         "Run the grain up the garment, or turn it 45° or 90° if that strains much less")},
+     QT_TRANSLATE_NOOP("Remedy",
+                       "Run the grain upwards, or turn it 45° or 90° if that strains much less")},
     {Remedy::ShowStrain, QT_TRANSLATE_NOOP("Remedy", "Show strain"),
      QT_TRANSLATE_NOOP("Remedy", "Colour the pieces by strain")},
     {Remedy::PutDart, QT_TRANSLATE_NOOP("Remedy", "Add dart"),

@@ -770,7 +770,7 @@ veraltet</translation>
         <translation>Festlegen, wie viel länger eine Seite der Naht ist</translation>
     </message>
     <message>
-        <source>Run the grain up the garment, or turn it 45° or 90° if that strains much less</source>
+        <source>Run the grain upwards, or turn it 45° or 90° if that strains much less</source>
         <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
     </message>
     <message>
@@ -6522,7 +6522,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Den Fadenlauf in den Referenzteilen nach oben legen; Schnittteile ohne Referenzteil: senkrecht</translation>
     </message>
     <message>
-        <source>Run the grain up the garment, or turn it 45° or 90° if that strains much less</source>
+        <source>Run the grain upwards, or turn it 45° or 90° if that strains much less</source>
         <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
     </message>
     <message>
