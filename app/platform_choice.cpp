@@ -83,8 +83,8 @@ QString windowProblem(const DisplayProbe& display) {
         return {};
     }
     return PlatformWords::tr(
-        "there is no display to open the window on; \"toile flatten\" and \"toile render\" need "
-        "none, and xvfb-run lends one");
+        "there is no display for the window; use xvfb-run, or \"toile flatten\" and \"toile "
+        "render\", which need none");
 }
 
 QString choosePicturePlatform(const DisplayProbe& display) {
@@ -94,8 +94,7 @@ QString choosePicturePlatform(const DisplayProbe& display) {
     }
     if (!canLoadPlatform("offscreen")) {
         return PlatformWords::tr(
-            "there is no display to draw on, and Qt's part for drawing without one is not "
-            "installed; xvfb-run lends a display");
+            "there is no display, and Qt's offscreen plugin is not installed; use xvfb-run");
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
     // Otherwise Qt's plugin would look for a display and print warnings.

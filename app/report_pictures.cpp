@@ -29,7 +29,7 @@ struct PictureOf {
 
 constexpr PictureOf kPictures[] = {
     {Overlay::Checker, "The garment and its pattern; squares of 10 mm"},
-    {Overlay::Strain, "Strain: what the cloth must do to lie on the garment"},
+    {Overlay::Strain, "Strain: how far the cloth must stretch or shrink"},
 };
 
 /// Qt needs an application to draw text; the command line has none.

@@ -202,7 +202,7 @@ int render(int argc, char** argv, const Arguments& arguments, Messages& messages
     QByteArray png;
     QBuffer buffer(&png);
     if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG")) {
-        return refused("the picture could not be made into a PNG file", messages);
+        return refused("the picture could not be saved as PNG", messages);
     }
     if (const auto written = writePicture(arguments, png); !written) {
         messages.add(written.error());
@@ -223,7 +223,7 @@ int runRender(int argc, char** argv, const Arguments& typed) {
         return arguments ? render(argc, argv, *arguments, messages)
                          : refuse(arguments.refusal(), messages);
     } catch (const std::exception& fault) {  // out of memory, or a bug: still report one sentence
-        messages.add(std::string("stopped by an unexpected fault (") + fault.what() + ").");
+        messages.add(std::string("stopped by an unexpected error (") + fault.what() + ").");
         return kExitUnreadable;
     }
 }

@@ -44,9 +44,9 @@ SaveAnswer askInABox(QWidget* parent, const QString& name) {
                     .arg(name));
     box.setInformativeText(
         isProject
-            ? FileDialogs::tr("Without saving, what you have done since the last time is lost.")
-            : FileDialogs::tr("The garment's file stays as it is. Without saving, what you have "
-                              "done is lost."));
+            ? FileDialogs::tr("Your changes since the last save are lost if you do not save them.")
+            : FileDialogs::tr(
+                  "Your work is lost if you do not save it. The garment's file is never changed."));
     box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
@@ -63,11 +63,9 @@ OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
     QMessageBox box(parent);
     box.setObjectName("askToOverwrite");
     box.setIcon(QMessageBox::Warning);
-    box.setText(
-        FileDialogs::tr("%1 was changed by another program since it was opened. Save anyway?")
-            .arg(name));
-    box.setInformativeText(
-        FileDialogs::tr("Saving anyway loses what the other program has put there."));
+    box.setText(FileDialogs::tr("Another program has changed %1 since you opened it. Save anyway?")
+                    .arg(name));
+    box.setInformativeText(FileDialogs::tr("If you save, the other program's changes are lost."));
     const QPushButton* anyway =
         box.addButton(FileDialogs::tr("Save anyway"), QMessageBox::DestructiveRole);
     QPushButton* as = box.addButton(FileDialogs::tr("Save as…"), QMessageBox::AcceptRole);
@@ -81,7 +79,7 @@ OverwriteAnswer askAboutOthers(QWidget* parent, const QString& name) {
 
 bool askToReplace(QWidget* parent, const QString& path) {
     return QMessageBox::question(parent, FileDialogs::tr("Replace the file?"),
-                                 FileDialogs::tr("There is a file %1 already. Replace it?")
+                                 FileDialogs::tr("The file %1 already exists. Replace it?")
                                      .arg(QFileInfo(path).fileName())) == QMessageBox::Yes;
 }
 
@@ -127,7 +125,7 @@ FileDialogs FileDialogs::native() {
                 .arg(patternsOf(openableSuffixes())));
     };
     dialogs.openSeams = [](QWidget* parent, const QString& folder) {
-        return QFileDialog::getOpenFileName(parent, FileDialogs::tr("Read cuts and ease"), folder,
+        return QFileDialog::getOpenFileName(parent, FileDialogs::tr("Load cuts and ease"), folder,
                                             FileDialogs::tr("Seams files (*.json);;All files (*)"));
     };
     dialogs.openHides = [](QWidget* parent, const QString& folder) {

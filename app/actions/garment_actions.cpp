@@ -86,7 +86,7 @@ void GarmentActions::updateHistory() {
     QAction& redo = actions_[ActionId::Redo];
     undo.setEnabled(workspace_.canUndo());
     redo.setEnabled(history.canRedo());
-    undo.setText(workspace_.proposals().hasMoves() ? tr("&Undo: Move of a proposed cut")
+    undo.setText(workspace_.proposals().hasMoves() ? tr("&Undo: Move proposed cut")
                  : history.canUndo()               ? tr("&Undo: %1").arg(history.undoText())
                                                    : tr("&Undo"));
     redo.setText(history.canRedo() ? tr("&Redo: %1").arg(history.redoText()) : tr("&Redo"));
@@ -117,8 +117,7 @@ void GarmentActions::openNow(const QStringList& files) {
         project_->open(files.front());
     } else {
         emit failed(
-            tr("A project is opened by itself: choose one project, or the meshes of one "
-               "garment."));
+            tr("Projects open one at a time. Choose one project, or the meshes of one garment."));
     }
 }
 
@@ -158,7 +157,7 @@ void GarmentActions::askAndSaveProof() {
     const QFileInfo first(textOf(shown.ground.garment->files.front()->path));
     const QString path = dialogs_.saveReport(
         &window_, QString("%1/%2.proof.json").arg(folderToWriteTo(), first.completeBaseName()),
-        tr("Reports of proofs (*.json)"));
+        tr("Proof reports (*.json)"));
     if (path.isEmpty()) {
         return;
     }
@@ -178,7 +177,7 @@ void GarmentActions::askForBody() {
         ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
         plan.bodyUnit.reset();  // it was that of another file
-        document.setProofPlan(std::move(plan), tr("Proof on a body"));
+        document.setProofPlan(std::move(plan), tr("Use body as dress form"));
     }
 }
 
@@ -311,24 +310,24 @@ void GarmentActions::findGrain(GrainRule rule) {
     if (pieces.empty()) {
         return;
     }
-    grain_ = workspace_.jobs().start(grainJob(
-        workspace_.document(), rule, pieces,
-        [this, rule](const PieceGrains& found, bool outdated, const GrainShares& shares) {
-            grain_ = 0;
-            if (outdated) {
-                sayOutdated();
-            } else if (found.empty()) {
-                emit failed(
-                    tr("These pieces lie level, so that no way on them is up. Say yourself how the "
-                       "grain runs."));
-            }
-            if (!found.empty()) {
-                setGrain(workspace_.document(), tr("Grain of %1"), found);
-            }
-            if (rule == GrainRule::LeastStrain && !outdated && !found.empty()) {
-                sayWhatIsWon(shares);
-            }
-        }));
+    grain_ = workspace_.jobs().start(
+        grainJob(workspace_.document(), rule, pieces,
+                 [this, rule](const PieceGrains& found, bool outdated, const GrainShares& shares) {
+                     grain_ = 0;
+                     if (outdated) {
+                         sayOutdated();
+                     } else if (found.empty()) {
+                         emit failed(
+                             tr("These pieces are horizontal and have no upward direction. Set "
+                                "their grain yourself."));
+                     }
+                     if (!found.empty()) {
+                         setGrain(workspace_.document(), tr("Set grain of %1"), found);
+                     }
+                     if (rule == GrainRule::LeastStrain && !outdated && !found.empty()) {
+                         sayWhatIsWon(shares);
+                     }
+                 }));
 }
 
 void GarmentActions::sayWhatIsWon(const GrainShares& shares) {
@@ -336,20 +335,20 @@ void GarmentActions::sayWhatIsWon(const GrainShares& shares) {
         return QLocale().toString(100 * share, 'f', 1);
     };
     if (!hasLimits(workspace_.document().fabric()) && shares.before == 0) {
-        emit done(tr("Best grain as for a woven: the fabric is not stated"));
+        emit done(tr("Best grain for woven fabric: no fabric is set"));
     } else if (percent(shares.after) == percent(shares.before)) {
-        emit done(tr("Best grain: no turn helps; %1 % of the cloth lies beyond the fabric")
-                      .arg(percent(shares.after)));
+        emit done(
+            tr("Best grain: turning does not help; %1 % of the cloth exceeds the fabric's limits")
+                .arg(percent(shares.after)));
     } else {
-        emit done(tr("Best grain: %1 % of the cloth beyond the fabric, %2 % before")
+        emit done(tr("Best grain: %1 % of the cloth exceeds the fabric's limits, %2 % before")
                       .arg(percent(shares.after), percent(shares.before)));
     }
 }
 
 void GarmentActions::sayOutdated() {
     emit failed(
-        tr("Pieces were flattened anew, or the fabric was changed, while their "
-           "grain was found. Ask for it once more."));
+        tr("Pieces or fabric changed while the grain was being computed. Run the command again."));
 }
 
 void GarmentActions::resetGrain() {
@@ -357,7 +356,7 @@ void GarmentActions::resetGrain() {
     for (const int piece : selectedOrAllFlat(workspace_.document())) {
         grains[piece] = std::nullopt;
     }
-    setGrain(workspace_.document(), tr("Grain of %1"), grains);
+    setGrain(workspace_.document(), tr("Reset grain of %1"), grains);
 }
 
 }  // namespace toile::app

@@ -48,7 +48,7 @@ void MaterialMenu::refill(QMenu& menu) {
             return materialOf(document_, piece) == material;
         }));
         entry->setEnabled(!selection.empty());
-        entry->setStatusTip(tr("Cut the selected pieces from it"));
+        entry->setStatusTip(tr("Cut the selected pieces from this material"));
         connect(entry, &QAction::triggered, this,
                 [this, material] { setMaterial(document_, selectedPieces(document_), material); });
         const auto actions = menu.actions();
@@ -56,7 +56,7 @@ void MaterialMenu::refill(QMenu& menu) {
                                        [](const QAction* action) { return action->isSeparator(); });
         menu.insertAction(line == actions.rend() ? nullptr : *line, entry);
     };
-    add(tr("The garment's &fabric"), {});
+    add(tr("Garment's &fabric"), {});
     for (const Material& material : document_.state().materials) {
         const QString name = QString::fromStdString(material.name);
         add(QString(name).replace('&', "&&"), name);
@@ -76,7 +76,7 @@ void MaterialMenu::askForNew() {
     dialog->setObjectName("newMaterial");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("New material"));
-    dialog->setLabelText(tr("What %1 is cut from:").arg(nameOfPieces(document_, pieces)));
+    dialog->setLabelText(tr("Material of %1:").arg(nameOfPieces(document_, pieces)));
     dialog->setComboBoxItems(names);
     dialog->setComboBoxEditable(true);
     connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& name) {

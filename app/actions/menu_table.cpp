@@ -22,7 +22,7 @@ std::vector<MenuItem> flattenItems() {
     std::vector<MenuItem> items;
     for (const bool keepsLengths : {true, false}) {
         items.emplace_back(MenuHeading{keepsLengths ? TR("Seam lines keep their length")
-                                                    : TR("Seam lines may change")});
+                                                    : TR("Seam lines may change length")});
         for (const MethodTraits& method : allMethods()) {
             if (method.keepsLengths == keepsLengths) {
                 items.emplace_back(actionOf(method.method));
@@ -77,10 +77,10 @@ std::vector<MenuSpec> makeTable() {
         {"layersMenu", TR("La&yers"),
          {CuttingLine, ShowSeams, ExactOutline, ReferencePanels, kLine,
           Notches, InternalLines, GrainArrows, Labels}, kBelow},
-        {"lookMenu", TR("Loo&k"),
+        {"lookMenu", TR("Loo&k from"),
          {LookFront, LookBack, LookRight, LookLeft, LookTop, LookBottom, kLine,
           Orthographic}, kBelow},
-        {"listsMenu", TR("Sh&ow"), {ListsPlace{}}, kBelow},
+        {"listsMenu", TR("P&anels"), {ListsPlace{}}, kBelow},
         {"pieceMenu", TR("&Piece"),
          {RenamePiece, SetQuantity, Submenu{"materialMenu"}, kLine,
           HidePieces, ShowOnlyThese, ShowAllPieces, kLine,
@@ -117,7 +117,7 @@ std::vector<MenuSpec> makeTable() {
           GrainUpwards, kLine,
           VerticalGrain, ReferenceGrain, BestGrain, ResetGrain, kLine,
           Snapping}},
-        {"lineUpMenu", TR("&Line up"),
+        {"lineUpMenu", TR("&Align"),
          {AlignLeft, AlignCentre, AlignRight, AlignTop, AlignMiddle, AlignBottom, kLine,
           DistributeAcross, DistributeUpwards}, kBelow},
         {"garmentMenu", TR("&Garment"),
@@ -129,10 +129,10 @@ std::vector<MenuSpec> makeTable() {
         {"unitMenu", TR("&Unit"),
          {UnitAuto, UnitMillimetre, UnitCentimetre, UnitDecimetre, UnitMetre, UnitInch}, kBelow},
         {"upMenu", TR("Up &axis"), {UpAuto, UpY, UpZ}, kBelow},
-        {"readAsMenu", TR("&Read as"),
+        {"readAsMenu", TR("Tr&eat file as"),
          {ReadAuto, ReadSheet, kLine, ReadOuter, ReadInner, ReadMiddle, kLine,
           ReadLayers, ReadOuterLayer, ReadInnerLayer, kLine, ReadScan}, kBelow},
-        {"divideMenu", TR("&Divide by"),
+        {"divideMenu", TR("S&plit pieces by"),
          {SplitAuto, SplitComponents, SplitObjects, SplitGroups, SplitMaterials, SplitUv,
           SplitSeams}, kBelow},
         {"flattenMenu", TR("F&latten"), flattenItems()},

@@ -26,12 +26,12 @@ QString sizeText(const QSizeF& size) {
 QString lackText(const RoomLacking& lack) {
     return lack.isMargin
                ? PatternPrinting::tr(
-                     "The printer leaves more free at the edges of its page than the pattern's "
-                     "pages do; lines there would be missing. Choose another paper: the tiles that "
-                     "fit A4 and Letter leave most.")
+                     "The printer's margins are wider than the pattern's, so lines at the edges "
+                     "would be missing. Choose another page: the one that fits A4 and Letter has "
+                     "the widest margins.")
                : PatternPrinting::tr(
-                     "The printer's page is %1; the pattern's pages are %2, and are never printed "
-                     "smaller. Choose another paper here, or a larger one for the printer.")
+                     "The printer's page is %1, but the pattern's pages are %2 and cannot be "
+                     "scaled down. Choose another page here or larger paper for the printer.")
                      .arg(sizeText(lack.page), sizeText(lack.paper));
 }
 
@@ -117,8 +117,8 @@ void PatternPrinting::printFrom(PrintDialog& dialog) {
             if (isTaken) {
                 emit printed(tr("Printed: %1").arg(name));
             } else {
-                emit failed(tr("%1 takes nothing to print. See whether it is switched on, or print "
-                               "a PDF file from another program.")
+                emit failed(tr("%1 does not accept the print job. Check that it is switched on, or "
+                               "print a PDF file from another program.")
                                 .arg(name));
             }
         }));

@@ -59,16 +59,16 @@ void RecentFiles::refill(QMenu& menu) {
         const bool there =
             std::ranges::all_of(files, [](const QString& file) { return QFileInfo::exists(file); });
         entry->setEnabled(there);
-        entry->setStatusTip(there ? files.join('\n') : tr("It is not there any more"));
+        entry->setStatusTip(there ? files.join('\n') : tr("This file no longer exists"));
         connect(entry, &QAction::triggered, this, [this, files] { emit wanted(files); });
     }
     if (recent.isEmpty()) {
-        menu.addAction(tr("Nothing opened yet"))->setEnabled(false);
+        menu.addAction(tr("No recent files"))->setEnabled(false);
         return;
     }
     menu.addSeparator();
     QAction* clear = menu.addAction(tr("&Clear this list"));
-    clear->setStatusTip(tr("Clear the list of what was opened last"));
+    clear->setStatusTip(tr("Clear the list of recent files"));
     connect(clear, &QAction::triggered, this, [this] { preferences_.setRecentFiles({}); });
 }
 
@@ -184,8 +184,9 @@ void ProjectActions::askForMeshes(const std::filesystem::path& project,
                            ? beside
                            : dialogs_.findMesh(&window_, folder, textOf(mesh.filename()));
         if (path.isEmpty()) {
-            emit failed(errorText({ErrorCode::FileUnreadable, Subject::file(mesh.string()),
-                                   toile::worded("the project needs it, it is not there")}));
+            emit failed(
+                errorText({ErrorCode::FileUnreadable, Subject::file(mesh.string()),
+                           toile::worded("the project needs this file, but it is missing")}));
             return;
         }
         folder = QFileInfo(path).absolutePath();

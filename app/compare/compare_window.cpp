@@ -161,13 +161,12 @@ CompareWindow::CompareWindow(Document& document, const JobRunner& ordinary, QWid
     const QString problem = glProblem();
     legend_->setObjectName("compareLegend");
     legend_->setVisible(problem.isEmpty());
-    auto* note = new QLabel(
-        problem.isEmpty()
-            ? tr("★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to "
-                 "it are flattened by the same method for it. Drag a picture to move all of them, "
-                 "turn the wheel to zoom, double click to see everything.")
-            : tr("No pictures can be shown: %1").arg(problem),
-        this);
+    auto* note = new QLabel(problem.isEmpty()
+                                ? tr("★ best of its row. Seam Δ: the worst seam of the piece; its "
+                                     "neighbours are flattened by the same method. Drag: move all "
+                                     "pictures · Wheel: zoom · Double click: show everything")
+                                : tr("Pictures are not available: %1").arg(problem),
+                            this);
     note->setObjectName("compareNote");
     note->setWordWrap(true);
     makeTable();
@@ -246,7 +245,7 @@ void CompareWindow::makeColumn(int number, bool canDraw) {
     column.use = new QPushButton(tr("Use this method"));
     column.use->setObjectName(name("Use"));
     column.use->setAutoDefault(false);
-    column.use->setToolTip(tr("Flatten the garment by this method from now on"));
+    column.use->setToolTip(tr("Flatten the garment by this method"));
     connect(column.use, &QPushButton::clicked, this,
             [this, &column] { emit methodWanted(Method(column.method->currentData().toInt())); });
     table_->setCellWidget(kMethodChoices, number, column.method);

@@ -313,7 +313,7 @@ void Document::show(Derived derived, SettingsById settings) {
 void Document::setOptions(const FlattenOptions& options, const QString& text) {
     DocumentState next = state_;
     next.options = options;
-    edit(text.isEmpty() ? tr("Change of method") : text, std::move(next));
+    edit(text.isEmpty() ? tr("Change method") : text, std::move(next));
 }
 
 const Fabric& Document::fabricOf(int piece) const {
@@ -429,7 +429,7 @@ void Document::setSeamEase(int seam, std::optional<double> ease, int gesture) {
     DocumentState next = state_;
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, ease);
-    edit(tr("Ease of %1").arg(seamName(*this, seam)), std::move(next), gesture);
+    edit(tr("Set ease of %1").arg(seamName(*this, seam)), std::move(next), gesture);
 }
 
 void Document::setEaseDrawn(int seam, bool drawn) {
@@ -442,7 +442,7 @@ void Document::setEaseDrawn(int seam, bool drawn) {
     auto& settings = next.inputs.loading.seamSettings;
     settings = withEase(std::move(settings), before, before.ease,
                         drawn ? std::optional(SeamPart{}) : std::nullopt);
-    const QString text = drawn ? tr("Drawn ease of %1") : tr("Ease of %1 no longer drawn");
+    const QString text = drawn ? tr("Draw ease of %1") : tr("Do not draw ease of %1");
     edit(text.arg(seamName(*this, seam)), std::move(next));
 }
 

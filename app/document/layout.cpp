@@ -189,7 +189,7 @@ void turnGrainUpwards(Document& document, const std::vector<int>& pieces) {
         placements[piece] = turnedAbout(before, boxOnSheet(document, piece).center(),
                                         std::numbers::pi / 2 - directionOnSheet(before, grain));
     }
-    place(document, tr("Grain of %1 upwards"), placements);
+    place(document, tr("Turn grain of %1 upwards"), placements);
 }
 
 void align(Document& document, const std::vector<int>& pieces, Alignment alignment) {

@@ -56,15 +56,16 @@ void setQuantity(Document& document, const std::vector<int>& pieces, int quantit
     const int copies = std::clamp(quantity, 1, kMaxCopies);
     if (!there.empty()) {
         editSettings(document,
-                     tr("Quantity of %1: %2").arg(nameOfPieces(document, there)).arg(copies), there,
-                     [copies](int, PieceSettings& settings) { settings.quantity = copies; });
+                     tr("Set quantity of %1 to %2").arg(nameOfPieces(document, there)).arg(copies),
+                     there, [copies](int, PieceSettings& settings) { settings.quantity = copies; });
     }
 }
 
 void setMirroredPair(Document& document, const std::vector<int>& pieces, bool isPair) {
     const std::vector<int> there = inGarment(document, pieces);
     if (!there.empty()) {
-        const QString text = isPair ? tr("Mirrored pair: %1") : tr("No mirrored pair: %1");
+        const QString text =
+            isPair ? tr("Set mirrored pair for %1") : tr("Clear mirrored pair for %1");
         editSettings(document, text.arg(nameOfPieces(document, there)), there,
                      [isPair](int, PieceSettings& settings) { settings.mirroredPair = isPair; });
     }
@@ -87,8 +88,9 @@ void setMaterial(Document& document, const std::vector<int>& pieces, const QStri
     });
     next.materials = materialsInUse(next);
     const QString text =
-        name.empty() ? tr("Material of %1: as the garment").arg(nameOfPieces(document, there))
-                     : tr("Material of %1: %2").arg(nameOfPieces(document, there), shown);
+        name.empty()
+            ? tr("Set material of %1 to garment's fabric").arg(nameOfPieces(document, there))
+            : tr("Set material of %1 to %2").arg(nameOfPieces(document, there), shown);
     document.edit(text, std::move(next));
 }
 
@@ -141,7 +143,7 @@ void setByHalf(Document& document, const std::vector<int>& pieces, bool byHalf) 
     if (byHalf && next.lines.mirror == Mirror::None) {
         next.lines.mirror = Mirror::Close;
     }
-    const QString text = byHalf ? tr("Half only: %1") : tr("As a whole: %1");
+    const QString text = byHalf ? tr("Draw %1 as half") : tr("Draw %1 as whole");
     document.edit(text.arg(nameOfPieces(document, there)), std::move(next));
 }
 
@@ -188,7 +190,7 @@ void setLeftOut(Document& document, const std::vector<int>& pieces, bool leftOut
     std::vector<int> meant = inGarment(document, pieces);
     std::erase_if(meant, [&](int piece) { return isLeftOut(document, piece) == leftOut; });
     if (!meant.empty()) {
-        const QString text = leftOut ? tr("Leave out %1") : tr("Take in %1");
+        const QString text = leftOut ? tr("Leave out %1") : tr("Include %1");
         editSettings(document, text.arg(nameOfPieces(document, meant)), meant,
                      [leftOut](int, PieceSettings& settings) { settings.leftOut = leftOut; });
     }

@@ -43,7 +43,7 @@ void DrawingPreview::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), palette().color(QPalette::Mid));
     if (!drawing_) {
         painter.setPen(palette().color(QPalette::WindowText));
-        painter.drawText(rect(), Qt::AlignCenter, tr("The pattern is being drawn…"));
+        painter.drawText(rect(), Qt::AlignCenter, tr("Drawing the pattern…"));
         return;
     }
     QRectF all;

@@ -101,7 +101,7 @@ ExportDialog::ExportDialog(const QString& path, const QString& format, const Exp
     notes_->hide();
     preview_->setObjectName("exportPreview");
     text_->setObjectName("exportText");
-    text_->setAccessibleName(tr("Beginning of the file"));
+    text_->setAccessibleName(tr("Start of the file"));
     text_->setReadOnly(true);
     text_->setLineWrapMode(QPlainTextEdit::NoWrap);
     text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -173,7 +173,7 @@ QWidget* ExportDialog::makeTarget() {
     connect(other, &QPushButton::clicked, this, &ExportDialog::browse);
     folder_ = new QCheckBox(tr("&Show in folder"), target);
     folder_->setObjectName("exportShowFolder");
-    folder_->setToolTip(tr("Show the folder once the file is written."));
+    folder_->setToolTip(tr("Show the folder after writing the file."));
     row->addWidget(label);
     row->addWidget(path_, 1);
     row->addWidget(other);

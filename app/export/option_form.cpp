@@ -82,7 +82,7 @@ void OptionForm::show(FormatId format, const ExportOptions& options) {
 
 PieceChoice::PieceChoice(QWidget* parent) : QComboBox(parent) {
     setAccessibleName(tr("Pieces"));
-    setToolTip(tr("Which pieces are wanted"));
+    setToolTip(tr("Pieces to include"));
     hide();
     connect(this, &QComboBox::currentIndexChanged, this, &PieceChoice::chosen);
 }

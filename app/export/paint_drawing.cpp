@@ -116,7 +116,7 @@ Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
             {kMaxDots / width, kMaxDots / height, std::sqrt(kMaxOfPicture / (width * height))});
         return Error{ErrorCode::PageTooSmall,
                      {},
-                     worded("%1 x %2 dots; at most %3 dpi fit",
+                     worded("%1 x %2 pixels; the maximum is %3 dpi",
                             {figure(width), figure(height), figure(std::floor(most * dpi))})};
     }
     QImage picture(static_cast<int>(width), static_cast<int>(height), QImage::Format_RGB32);

@@ -111,13 +111,12 @@ QWidget* PrintDialog::makePages() {
 
 void PrintDialog::layOut() {
     sheets_.reset();
-    summary_->setText(pattern_ ? QString() : tr("The pattern is being drawn…"));
-    note_->setText(hasPrinter_
-                       ? QString()
-                       : tr("No printer is set up on this computer. Export the pattern as a "
-                            "PDF file, and print that elsewhere."));
+    summary_->setText(pattern_ ? QString() : tr("Drawing the pattern…"));
+    note_->setText(hasPrinter_ ? QString()
+                               : tr("No printer is set up on this computer. Export the pattern as "
+                                    "PDF and print it elsewhere."));
     if (options().pdf.paper == Paper::Projector) {
-        summary_->setText(tr("A projector's page is shown from a file: export it as PDF."));
+        summary_->setText(tr("A projector needs a file. Export the page as PDF."));
     } else if (pattern_) {
         Result<PrintedPattern> made = PrintedPattern::on(pattern_, options().pdf);
         if (made) {

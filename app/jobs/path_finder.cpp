@@ -73,7 +73,7 @@ void PathFinder::take(const Order& order, const std::shared_ptr<Surface>& surfac
     startNext();
     if (isWanted) {
         // Out of memory, or a fault: the preview stays straight, and the cut itself will tell.
-        order.done(made.answer ? *made.answer : cutError({}, "the way was not found"));
+        order.done(made.answer ? *made.answer : cutError({}, "no path was found"));
     }
 }
 

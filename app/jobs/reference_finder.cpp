@@ -106,21 +106,21 @@ QString ReferenceFinder::summaryOf(const ReferenceMatch& found) const {
     }
     const auto pairs = static_cast<qsizetype>(found.match.pairs.size());
     QString text =
-        tr("Reference pattern %1: %2 of %3 pieces paired")
+        tr("Reference pattern %1: %2 of %3 pieces matched")
             .arg(textOf(document_.state().reference.path.filename()),
                  QString::number(pairs - doubtful.size()), QString::number(pairs + alone.size()));
     const auto add = [&text](const QString& clause) { text += "; " + clause; };
     if (!alone.isEmpty()) {
-        add(tr("without a partner: %1").arg(listOf(alone)));
+        add(tr("no match: %1").arg(listOf(alone)));
     }
     if (!doubtful.isEmpty()) {
-        add(tr("fits several: %1").arg(listOf(doubtful)));
+        add(tr("several matches: %1").arg(listOf(doubtful)));
     }
     if (!unused.isEmpty()) {
-        add(tr("in the file alone: %1").arg(listOf(unused)));
+        add(tr("only in the file: %1").arg(listOf(unused)));
     }
     if (found.file->unitInDoubt) {
-        add(tr("its unit is in doubt, taken for %1")
+        add(tr("unit uncertain, read as %1")
                 .arg(QString::fromStdString(unitText(found.file->unit))));
     }
     for (const Wording& note : found.file->notes) {

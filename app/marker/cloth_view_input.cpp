@@ -35,8 +35,7 @@ void ClothView::turnSelected(bool clockwise) {
         desk_.keep(copy, *turned, tr("Turn %1 on the cloth"));
         emit said({});
     } else {
-        emit said(
-            tr("All pieces lie one way on this cloth: choose another rule for turning first."));
+        emit said(tr("This marker allows only one direction. Change Direction first."));
     }
 }
 
@@ -66,7 +65,7 @@ void ClothView::endDrag() {
     turning_.reset();
     if (placement && copy >= 0 && desk_.marker()) {
         desk_.keep(copy, *placement,
-                   isTurn ? tr("Turn %1 on the cloth") : tr("Lay %1 on the cloth"));
+                   isTurn ? tr("Turn %1 on the cloth") : tr("Place %1 on the cloth"));
     }
 }
 
@@ -213,23 +212,22 @@ void ClothView::showMenu(const QPoint& at, int copy) {
     };
     if (copy >= 0) {
         const Placement here = desk_.marker()->copies[static_cast<std::size_t>(copy)].placement;
-        add(tr("&Keep it here"), !isKept, [this, here] {
+        add(tr("&Keep here"), !isKept, [this, here] {
             if (const int now = selected(); now >= 0) {
                 desk_.keep(now, here, tr("Keep %1 on the cloth"));
             }
         });
-        add(tr("&Release it"), isKept, [this] {
+        add(tr("&Release"), isKept, [this] {
             if (const int now = selected(); now >= 0) {
                 desk_.release(now);
             }
         });
-        add(desk_.settings().turns == TurnRule::Free ? tr("&Turn by a quarter")
-                                                     : tr("&Turn by half"),
+        add(desk_.settings().turns == TurnRule::Free ? tr("&Turn by 90°") : tr("&Turn by 180°"),
             desk_.settings().turns != TurnRule::OneWay, [this] { turnSelected(false); });
         menu->addSeparator();
     }
     add(tr("Release &all"), !desk_.plan().kept.empty(), [this] { desk_.releaseAll(); });
-    add(tr("&Show all of the cloth"), true, [this] { frameAll(); });
+    add(tr("&Show whole cloth"), true, [this] { frameAll(); });
     menu->popup(mapToGlobal(at));
 }
 
@@ -242,9 +240,10 @@ bool ClothView::event(QEvent* event) {
             QToolTip::showText(
                 help->globalPos(),
                 shape.isMisplaced
-                    ? tr("%1: it lies on another piece or beyond the cloth").arg(shape.name)
-                : shape.isKept ? tr("%1: kept here; double click to release it").arg(shape.name)
-                               : shape.name,
+                    ? tr("%1 overlaps another piece or leaves the cloth").arg(shape.name)
+                : shape.isKept
+                    ? tr("%1 is placed by hand; double-click to release it").arg(shape.name)
+                    : shape.name,
                 this);
         } else {
             QToolTip::hideText();

@@ -126,15 +126,13 @@ QString MarkerDesk::problem() const {
     switch (stage()) {
         case Stage::Nothing:
             if (workspace_.canExport()) {
-                return tr(
-                    "The pattern is out of date: flatten it first, with Flatten > Flatten again.");
+                return tr("The pattern is out of date. Use Flatten > Flatten again.");
             }
-            return document_.garment()
-                       ? tr("Nothing is flat that could be laid: flatten the pieces first, with "
-                            "Flatten > Flatten again; what cannot lie flat needs a cut.")
-                       : tr("Open a garment first.");
+            return document_.garment() ? tr("There are no flat pieces. Use Flatten > Flatten "
+                                            "again, or cut the pieces that cannot lie flat.")
+                                       : tr("Open a garment first.");
         case Stage::Waiting:
-            return tr("The pattern is on its way…");
+            return tr("Waiting for the pattern…");
         case Stage::Failed:
             return groundProblem_ ? errorText(*groundProblem_) : searchProblem(*search_.problem());
         case Stage::Laid:
@@ -144,11 +142,9 @@ QString MarkerDesk::problem() const {
         return {};
     }
     if (!isRunning()) {
-        return tr(
-            "The search was stopped before the pieces were laid as you asked: Start again lays "
-            "them.");
+        return tr("The search stopped before it applied your settings. Press Start again.");
     }
-    return marker_ ? QString() : tr("The pieces are being laid…");
+    return marker_ ? QString() : tr("Placing the pieces…");
 }
 
 void MarkerDesk::setMaterial(const std::string& material) {
@@ -234,7 +230,7 @@ void MarkerDesk::releaseAll() {
     said.kept.clear();
     DocumentState next = document_.state();
     next.markers = next.markers.with(material_, std::move(said));
-    document_.edit(tr("Release all on the cloth"), std::move(next));
+    document_.edit(tr("Release all pieces on the cloth"), std::move(next));
 }
 
 QString MarkerDesk::nameOf(int copy) const {

@@ -88,17 +88,15 @@ void MarkerForm::addChoice(QGridLayout& grid, QComboBox& field, const char* name
 void MarkerForm::addCloth(QGridLayout& grid) {
     addHeading(grid, tr("Cloth"));
     addChoice(grid, *material_, "markerMaterial", tr("&Material"),
-              tr("Each material has a marker of its own. Set the material of a piece in the panel "
-                 "Piece."));
+              tr("Each material has its own marker. Set the material of a piece in the panel "
+                 "Properties"));
     connect(material_, &QComboBox::activated, this, [this](int index) {
         desk_.setMaterial(material_->itemData(index).toString().toStdString());
     });
     kind_->addItems({tr("Roll"), tr("Sheets"), tr("Hides…")});
-    addChoice(
-        grid, *kind_, "markerKind", tr("&Fabric form"),
-        tr("A roll, of which as little as possible is used, sheets of one size, or hides read "
-           "from DXF or SVG drawings: the largest line is the edge, lines within it are holes, "
-           "or zones if their layer is called \"grade 2\"."));
+    addChoice(grid, *kind_, "markerKind", tr("&Fabric form"),
+              tr("A roll, sheets of one size, or hides from DXF or SVG files. The largest line is "
+                 "the edge, inner lines are holes, or zones on layers like \"grade 2\""));
     connect(kind_, &QComboBox::activated, this, &MarkerForm::chooseKind);
     for (const char* path : {"width", "along", "across", "isFolded"}) {
         fields_.addRow(grid, path, grid.rowCount());
@@ -119,9 +117,8 @@ void MarkerForm::addStripes(QGridLayout& grid) {
     fields_.addRow(grid, "repeat.weft", grid.rowCount());
     matched_->setObjectName("markerMatched");
     matched_->setAccessibleName(tr("Seams that match"));
-    matched_->setToolTip(
-        tr("Along these seams the repeat continues from one piece to the other; seams where that "
-           "is impossible are named below."));
+    matched_->setToolTip(tr(
+        "The repeat continues across the checked seams; seams where it cannot are listed below"));
     matched_->setFixedHeight(kSeamsHigh);
     matchedTitle_->setBuddy(matched_);
     const int row = grid.rowCount();
@@ -175,7 +172,7 @@ void MarkerForm::chooseKind(int kind) {
         settings.sheet = kUsualSheet;
         settings.isFolded = false;
     }
-    desk_.setSettings(tr("Kind of cloth"), settings, -1);
+    desk_.setSettings(tr("Change fabric form"), settings, -1);
 }
 
 void MarkerForm::showMaterials() {

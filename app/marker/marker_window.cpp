@@ -81,7 +81,7 @@ MarkerWindow::MarkerWindow(Workspace& workspace, Preferences& preferences, FileD
       again_(new QPushButton(tr("Start a&gain"), this)),
       save_(new QPushButton(tr("Sa&ve marker…"), this)) {
     setObjectName("markerWindow");
-    setWindowTitle(tr("Lay on cloth"));
+    setWindowTitle(tr("Marker"));
     setSizeGripEnabled(true);
     auto* scrolled = scrolledColumn(*form_, this);
     scrolled->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
@@ -132,8 +132,8 @@ QLayout* MarkerWindow::makeFigures() {
     rate_->setDecimals(1);
     rate_->setValue(preferences_.sewingRate().value_or(kUsualRate));
     rate_->setSuffix(tr(" min/m"));
-    rate_->setToolTip(tr("Minutes that a metre of seam takes you to sew"));
-    rate_->setAccessibleName(tr("Minutes a metre of seam"));
+    rate_->setToolTip(tr("Your sewing time per metre of seam"));
+    rate_->setAccessibleName(tr("Minutes per metre of seam"));
     auto* details = new QHBoxLayout;
     details->addWidget(details_);
     details->addWidget(rate_);
@@ -152,9 +152,9 @@ QLayout* MarkerWindow::makeFigures() {
 QLayout* MarkerWindow::makeButtons() {
     improve_->setObjectName("markerImprove");
     again_->setObjectName("markerAgain");
-    again_->setToolTip(tr("Forget what was found and lay everything anew; what you laid stays"));
+    again_->setToolTip(tr("Discard the result and search again; pieces placed by hand stay"));
     save_->setObjectName("markerSave");
-    save_->setToolTip(tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG"));
+    save_->setToolTip(tr("Save the marker as PDF, SVG, DXF, PLT or PNG"));
     for (QPushButton* button : {improve_, again_, save_}) {
         button->setAutoDefault(false);
     }
@@ -210,17 +210,17 @@ void MarkerWindow::refresh() {
     notes_->setText(notes);
     notes_->setVisible(!notes.isEmpty());
     improve_->setText(desk_.isRunning() ? tr("&Stop") : tr("&Improve"));
-    improve_->setToolTip(desk_.isRunning() ? tr("Keep the best that was found so far")
-                                           : tr("Look for a shorter marker until you stop it"));
+    improve_->setToolTip(desk_.isRunning() ? tr("Stop and keep the best marker found")
+                                           : tr("Search for a shorter marker until you stop"));
     improve_->setEnabled(desk_.isRunning() || desk_.canImprove());
     again_->setEnabled(desk_.stage() == MarkerDesk::Stage::Laid ||
                        desk_.stage() == MarkerDesk::Stage::Failed);
     save_->setEnabled(desk_.isCurrent() && desk_.misplaced().empty());
     save_->setToolTip(
-        !marker || save_->isEnabled() ? tr("Write the marker as a file: PDF, SVG, DXF, PLT or PNG")
-        : desk_.isCurrent() ? tr("First lay what is red so that nothing lies on another piece or "
-                                 "beyond the cloth")
-                            : tr("The pieces are not laid yet as you asked"));
+        !marker || save_->isEnabled() ? tr("Save the marker as PDF, SVG, DXF, PLT or PNG")
+        : desk_.isCurrent()
+            ? tr("First move the red pieces so that none overlaps or leaves the cloth")
+            : tr("The search has not applied your settings yet"));
 }
 
 void MarkerWindow::say(const QString& sentence) {
@@ -233,8 +233,8 @@ QString MarkerWindow::figuresText() const {
     const int misplaced = static_cast<int>(desk_.misplaced().size());
     if (misplaced > 0) {
         return misplaced == 1
-                   ? tr("1 piece lies on another or beyond the cloth")
-                   : tr("%n pieces lie on others or beyond the cloth", nullptr, misplaced);
+                   ? tr("1 piece overlaps another or leaves the cloth")
+                   : tr("%n pieces overlap others or leave the cloth", nullptr, misplaced);
     }
     if (!marker.isRoll && !marker.areHides) {
         return (marker.sheets == 1 ? tr("1 sheet, %1 % used")
@@ -258,7 +258,7 @@ QString MarkerWindow::detailsText() const {
     const int rounds = desk_.marker()->rounds;
     QStringList parts{
         figures.copies == 1 ? tr("1 piece") : tr("%n pieces", nullptr, figures.copies),
-        rounds == 1 ? tr("1 round of search") : tr("%n rounds of search", nullptr, rounds),
+        rounds == 1 ? tr("1 search round") : tr("%n search rounds", nullptr, rounds),
         tr("%1 to cut").arg(metres(figures.cutMetres)),
         figures.notches == 1 ? tr("1 notch") : tr("%n notches", nullptr, figures.notches),
         tr("%1 of seams: %2 min at")
@@ -302,7 +302,7 @@ void MarkerWindow::chooseHides() {
     if (!settings.hides.empty()) {
         settings.sheet.reset();
         settings.isFolded = false;
-        desk_.setSettings(tr("Hides"), settings);
+        desk_.setSettings(tr("Choose hides"), settings);
     }
     form_->showAgain();
 }
@@ -324,14 +324,13 @@ void MarkerWindow::save() {
         return;
     }
     if (!holdsMarkers(pathOf(path))) {
-        say(tr("A marker is written as .pdf, .svg, .dxf, .plt or .png."));
+        say(tr("Choose a file name that ends in .pdf, .svg, .dxf, .plt or .png."));
         return;
     }
     // The marker may have changed while the file dialog was open.
     const ClothMarker* marker = desk_.marker();
     if (!desk_.isCurrent() || !desk_.ground() || !desk_.misplaced().empty()) {
-        say(tr(
-            "Nothing is written: the marker became another meanwhile. Save it once it is laid."));
+        say(tr("Not saved: the marker changed meanwhile. Save it again."));
         return;
     }
     preferences_.setExportFolder(QFileInfo(path).absolutePath());
@@ -342,7 +341,7 @@ void MarkerWindow::save() {
         std::move(sheet), pathOf(path), preferences_.exportOptions(),
         [this, alive = QPointer<MarkerWindow>(this)](const Exported& written) {
             if (alive) {
-                say(tr("Written: %1").arg(QFileInfo(textOf(written.files.front())).fileName()));
+                say(tr("Saved: %1").arg(QFileInfo(textOf(written.files.front())).fileName()));
             }
         }));
 }

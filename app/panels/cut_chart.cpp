@@ -43,7 +43,7 @@ QString strainText(double strain) {
 
 CutChart::CutChart(QWidget* parent) : QWidget(parent) {
     setObjectName("cutChart");
-    setAccessibleName(tr("Strain against the length of cuts"));
+    setAccessibleName(tr("Strain by length of cuts"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -136,7 +136,7 @@ void CutChart::paintEvent(QPaintEvent*) {
     const QRectF below(within.left(), within.bottom() + 7, within.width() + 10,
                        fontMetrics().height());
     painter.setPen(faint);
-    painter.drawText(below, Qt::AlignLeft, tr("no cut"));
+    painter.drawText(below, Qt::AlignLeft, tr("no cuts"));
     painter.drawText(below, Qt::AlignRight, tr("all: %1").arg(saidLength(all)));
     const QColor accent = colours.color(QPalette::Highlight);
     if (enough_) {
@@ -146,7 +146,7 @@ void CutChart::paintEvent(QPaintEvent*) {
         painter.setPen(faint);
         painter.drawText(QRectF(within.left(), y - fontMetrics().height() - 1, within.width(),
                                 fontMetrics().height()),
-                         Qt::AlignRight, tr("enough"));
+                         Qt::AlignRight, tr("limit"));
     }
     for (std::size_t k = 1; k < steps_.size(); ++k) {
         const Step &from = steps_[k - 1], &to = steps_[k];
@@ -181,11 +181,11 @@ bool CutChart::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const auto step = stepAt(help->pos());
-        QToolTip::showText(help->globalPos(),
-                           step ? steps_[*step].tip
-                                : tr("Mean strain after so much length of cuts. Line: predicted; "
-                                     "filled points: flattened"),
-                           this);
+        QToolTip::showText(
+            help->globalPos(),
+            step ? steps_[*step].tip
+                 : tr("Mean strain by length of cuts. Line: predicted; filled points: flattened"),
+            this);
         return true;
     }
     return QWidget::event(event);

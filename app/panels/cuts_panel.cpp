@@ -59,7 +59,7 @@ CutsPanel::CutsPanel(const Document& document, QWidget* parent)
     layout->addWidget(count_);
     layout->addWidget(table_, 1);
     table_->installEventFilter(this);
-    auto* takeBack = new QAction(tr("&Take back"), table_);
+    auto* takeBack = new QAction(tr("&Remove"), table_);
     takeBack->setObjectName("takeCutBack");
     table_->addAction(takeBack);
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -120,7 +120,7 @@ void CutsPanel::rebuild() {
             const QString named = evidence.isEmpty()
                                       ? row->text(CutName)
                                       : tr("%1: %2").arg(row->text(CutName), evidence);
-            row->setToolTip(CutName, own ? tr("%1: Delete takes it back").arg(named) : named);
+            row->setToolTip(CutName, own ? tr("%1: press Delete to remove it").arg(named) : named);
             row->setData(CutName, kIsOwn, own);
             row->setData(CutName, kCutId, static_cast<qulonglong>(cut.id.value));
             row->setText(Author, !own                 ? tr("Toile")
@@ -134,7 +134,8 @@ void CutsPanel::rebuild() {
             auto* row = new QTreeWidgetItem(table_);
             row->setText(CutName, QString::fromStdString(join.name));
             row->setToolTip(
-                CutName, tr("%1 was joined: Delete brings the seam back").arg(row->text(CutName)));
+                CutName,
+                tr("%1 was joined: press Delete to restore the seam").arg(row->text(CutName)));
             row->setData(CutName, kIsOwn, true);
             row->setData(CutName, kIsJoin, true);
             row->setText(Author, tr("you, joined"));

@@ -39,7 +39,7 @@ DartForm::DartForm(Document& document, QWidget* parent)
     fields_.make<DartSettings>(kDartFields, "dart");
     fields_.setRange("intake", 0, kMaxIntake);  // flat cloth has an intake of 0
     fields_.dress(*angle_, "dartAngle", tr("Angle"),
-                  tr("The intake as the angle between the legs at the tip."));
+                  tr("Intake as the angle between the legs at the tip."));
     angle_->setWrapping(false);
     angle_->setRange(0, kWidestAngle);
     connect(angle_, &QDoubleSpinBox::valueChanged, this,
@@ -171,15 +171,14 @@ QString DartForm::refusalOf(double intake) const {
     const double reach = drawn_.firstLeg() + drawn_.secondLeg();
     const double apart = std::abs(drawn_.firstLeg() - drawn_.secondLeg());
     if (!(intake < reach)) {
-        return tr("The legs do not reach so far: the intake must be below %1.")
+        return tr("The legs are too short for this intake. Set it below %1.")
             .arg(lengthWithUnit(reach));
     }
     if (!(intake > apart)) {
-        return tr("One leg is longer than the other: the intake must be above %1.")
-            .arg(lengthWithUnit(apart));
+        return tr("The legs differ in length. Set the intake above %1.").arg(lengthWithUnit(apart));
     }
     if (!(angleOf(drawn_, intake) < kWidestDart)) {
-        return tr("What opens by 60° or more is a corner and no dart: the intake must be below %1.")
+        return tr("A dart must open by less than 60°. Set the intake below %1.")
             .arg(lengthWithUnit(intakeOf(drawn_, kWidestDart)));
     }
     return {};

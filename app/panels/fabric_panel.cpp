@@ -45,7 +45,7 @@ constexpr auto kLimitFields = [](auto& at, auto& fabric) {
         at.field(Setting{least,
                          "",
                          leastName,
-                         TR("How much shorter the cloth can become without folds; 0 or less"),
+                         TR("How far the cloth can shrink without folds; 0 or less"),
                          nullptr,
                          {},
                          Quantity::Percent},
@@ -63,7 +63,7 @@ constexpr auto kLimitFields = [](auto& at, auto& fabric) {
     limits(fabric.weft, "weftLeast", TR("Weft, shrinks"), "weftMost", TR("Weft, stretches"));
     limits(fabric.bias, "biasLeast", TR("Bias, shrinks"), "biasMost", TR("Bias, stretches"));
     at.field(Setting{"width", TR("&Width"), TR("Width of the cloth"),
-                     TR("As it is sold, from selvedge to selvedge")},
+                     TR("Usable width from selvedge to selvedge")},
              fabric.width, 1, kMaxClothWidth);
 };
 
@@ -171,7 +171,7 @@ QWidget* FabricPanel::makeContents() {
     grid->setColumnStretch(1, 1);
     grid->setColumnStretch(2, 1);
     fields_.dress(*material_, "fabricMaterial", tr("Fabric of"),
-                  tr("The garment, or another material that pieces are cut from (panel Piece)."));
+                  tr("The garment, or a material that you set for pieces."));
     connect(material_, &QComboBox::activated, this, [this](int index) {
         shown_ = material_->itemData(index).toString().toStdString();
         refresh();
@@ -192,9 +192,9 @@ QWidget* FabricPanel::makeContents() {
     constexpr int kFitRow = 8, kLastRow = 14;
     addLimits(*grid);
     grid->addWidget(
-        makeWrappedNote(tr("Presets are rules of thumb. If it matters, measure a sample "
-                           "and type its limits."),
-                        "fabricNote", this),
+        makeWrappedNote(
+            tr("Presets are rules of thumb. For exact limits, measure a sample and enter them."),
+            "fabricNote", this),
         6, 0, 1, 3);
     limitWidgets_ = widgetsOfRows(*grid, 2, kFitRow - 1);
     addFit(*grid, kFitRow);
@@ -211,8 +211,7 @@ void FabricPanel::addCloth(QGridLayout& grid, int row) {
     fields_.addRow(grid, "width", row);
     need_ = makeWrappedNote({}, "fabricNeed", this);
     need_->setToolTip(
-        tr("The box around the pieces that are cut from this fabric, one of each, with their "
-           "allowances, the grain upwards"));
+        tr("Box around one of each piece in this fabric, with allowances, grain upwards"));
     grid.addWidget(need_, row + 1, 0, 1, 3);
     grid.setRowStretch(row + 2, 1);
 }
@@ -247,10 +246,9 @@ void FabricPanel::addLimits(QGridLayout& grid) {
 }
 
 void FabricPanel::addFit(QGridLayout& grid, int row) {
-    auto* heading = makeHeading(tr("Beyond the fabric"), this);
-    heading->setToolTip(
-        tr("How much of the flat cloth is strained beyond these limits, counted by triangles: in "
-           "each direction the number beside the colour bar of that overlay"));
+    auto* heading = makeHeading(tr("Over the limits"), this);
+    heading->setToolTip(tr(
+        "Share of the cloth strained beyond these limits, as shown at the overlay's colour bar"));
     grid.addWidget(heading, row++, 0, 1, 3);
     const char* const names[] = {"fabricBeyondWarp", "fabricBeyondWeft", "fabricBeyondBias"};
     const auto connectLink = [this](QLabel* label) {
@@ -259,7 +257,7 @@ void FabricPanel::addFit(QGridLayout& grid, int row) {
     };
     for (std::size_t k = 0; k < shares_.size(); ++k) {
         directions_[k] = new QLabel(this);
-        directions_[k]->setToolTip(tr("Show the strain in this direction on the cloth"));
+        directions_[k]->setToolTip(tr("Show the strain in this direction"));
         connectLink(directions_[k]);
         shares_[k] = new QLabel(this);
         shares_[k]->setObjectName(names[k]);
@@ -267,10 +265,10 @@ void FabricPanel::addFit(QGridLayout& grid, int row) {
         grid.addWidget(shares_[k], row++, 1, Qt::AlignRight);
     }
     showDirections();
-    auto* any = new QLabel(tr("In any"), this);
-    any->setToolTip(tr(
-        "In one of the three directions at least. Edge strain is something else: there every edge "
-        "is held to the tightest of these limits, whatever its direction."));
+    auto* any = new QLabel(tr("Any"), this);
+    any->setToolTip(
+        tr("In at least one of the three directions. Edge strain differs: it applies the tightest "
+           "limit to every edge."));
     grid.addWidget(any, row, 0);
     all_->setObjectName("fabricBeyondAny");
     grid.addWidget(all_, row++, 1, Qt::AlignRight);
@@ -318,11 +316,9 @@ void FabricPanel::showNeed() {
                                             document_.state().materials, document_.fabric());
     for (const ClothNeed& need : clothNeeds(laid, document_.fabric())) {
         if (need.material == shown_) {
-            need_->setText(
-                need.fits()
-                    ? tr("Needs %1 of it, as the pieces lie now").arg(saidLength(need.length))
-                    : tr("As the pieces lie now they take %1 across, more than its width")
-                          .arg(saidLength(need.across)));
+            need_->setText(need.fits() ? tr("%1 at this width").arg(saidLength(need.length))
+                                       : tr("The pieces are %1 wide, wider than the fabric")
+                                             .arg(saidLength(need.across)));
             need_->show();
         }
     }
@@ -392,7 +388,7 @@ void FabricPanel::showFit() {
     }
     all_->setText(fit_ ? shareText(fit_->any) : unknown);
     if (!fit_ || !document_.garment()) {
-        worst_->setText(problem_.isEmpty() ? tr("Nothing is flat yet.") : problem_.toHtmlEscaped());
+        worst_->setText(problem_.isEmpty() ? tr("No flat pieces yet.") : problem_.toHtmlEscaped());
         return;
     }
     if (!fit_->worst || fit_->worst->piece >= document_.pieceCount()) {
@@ -400,8 +396,8 @@ void FabricPanel::showFit() {
         return;
     }
     const QString name = pieceName(document_, fit_->worst->piece);
-    worst_->setText(
-        tr("Worst: %1, %2 of it").arg(linked(name, kPieceLink), shareText(fit_->worst->share)));
+    worst_->setText(tr("Worst: %1, %2 of its area")
+                        .arg(linked(name, kPieceLink), shareText(fit_->worst->share)));
 }
 
 void FabricPanel::choosePreset(int index) {
@@ -424,8 +420,8 @@ void FabricPanel::choosePreset(int index) {
     }
     const QString name = fabricName(fabric);
     const QString text = shown_.empty()
-                             ? tr("Fabric: %1").arg(name)
-                             : tr("Fabric of %1: %2").arg(QString::fromStdString(shown_), name);
+                             ? tr("Set fabric: %1").arg(name)
+                             : tr("Set fabric of %1: %2").arg(QString::fromStdString(shown_), name);
     document_.edit(text, std::move(next));
     refresh();
 }
@@ -437,7 +433,7 @@ void FabricPanel::take(const SettingChange& change) {
         fabric = fields_.changed(kLimitFields, fabric, change);
         const bool isLimit = change.path != "width";
         fabric.id = isLimit ? kCustom : fabric.id;
-        document_.edit(isLimit ? tr("Fabric limits") : change.text, std::move(next),
+        document_.edit(isLimit ? tr("Set fabric limits") : change.text, std::move(next),
                        change.gesture);
         refresh();
     }

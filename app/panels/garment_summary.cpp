@@ -91,7 +91,7 @@ Eigen::Vector3d extentsOf(const Document& document, int file) {
 CardQuestion askUnit(const SourceFile& file, const Eigen::Vector3d& extents, Workspace& workspace) {
     const double perUnit = millimetresPer(file.unit);
     CardQuestion question{
-        tr("The garment measures %1 in height, read as %2 (largest extent %3). Is that right?")
+        tr("The garment is %1 tall if the file is in %2 (largest extent %3). Is that right?")
             .arg(heightText(extents.y()), wordOf(file.unit),
                  QLocale().toString(extents.maxCoeff() / perUnit, 'g', 4))};
     for (const LengthUnit unit : kLengthUnits) {
@@ -114,12 +114,10 @@ CardQuestion askUnit(const SourceFile& file, const Eigen::Vector3d& extents, Wor
 
 CardQuestion askUpAxis(const SourceFile& file, Workspace& workspace) {
     const bool isY = file.up == UpAxis::Y;
-    const QString sentence = !file.upInDoubt ? tr("Which of the file's axes points up?")
-                             : isY
-                                 ? tr("The garment was read as standing along y, but it may stand "
-                                      "along z. Which axis points up?")
-                                 : tr("The garment was read as standing along z, but it may stand "
-                                      "along y. Which axis points up?");
+    const QString sentence =
+        !file.upInDoubt ? tr("Which of the file's axes points up?")
+        : isY ? tr("Toile assumes that y points up, but it may be z. Which axis points up?")
+              : tr("Toile assumes that z points up, but it may be y. Which axis points up?");
     return {sentence,
             {{tr("y up"), isY, [&workspace] { workspace.setUpAxis(UpAxis::Y); }},
              {tr("z up"), !isY, [&workspace] { workspace.setUpAxis(UpAxis::Z); }}}};
@@ -162,16 +160,15 @@ CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
     }
     Preparation asIs = workspace.loading().preparing;
     asIs.as = FileKind::Solid;
-    return {tr("The file is a form that is to be covered: %1. Cuts make pieces of it; they are "
-               "yours to take back.")
+    return {tr("The file is a closed shape: %1. It needs cuts before it can lie flat.")
                 .arg(wordingText(garment.files[static_cast<std::size_t>(index)]->reading.evidence)),
             {{tr("Propose cuts…"), false,
               [&workspace, pieces] {
                   workspace.document().setSelection({pieces.begin(), pieces.end()});
                   workspace.proposals().open();
               }},
-             {tr("Cut it open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
-             {tr("As it is"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
+             {tr("Cut open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
+             {tr("Leave unchanged"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
 }
 
 /// Empty if the file is not half a garment, or was completed.
@@ -183,23 +180,23 @@ CardQuestion askHalf(const SourceFile& file, Workspace& workspace) {
     Preparation completed = workspace.loading().preparing;
     completed.isHalf = true;
     return {
-        tr("This looks like half a garment: its rims lie over %1 in one plane, all cloth on one "
-           "side. Add its mirror image?")
+        tr("This looks like half a garment: %1 of its rims lie in one plane. Add the mirror image?")
             .arg(saidLength(half->length)),
-        {{tr("Complete it"), false, [&workspace, completed] { workspace.setPreparing(completed); }},
-         {tr("As it is"), true}}};
+        {{tr("Complete"), false, [&workspace, completed] { workspace.setPreparing(completed); }},
+         {tr("Leave unchanged"), true}}};
 }
 
 /// Asks which layers of a file to cut.
 CardQuestion askLayers(const FileReading& reading, Workspace& workspace) {
     constexpr int kListed = 4;
     const int count = layerCount(reading);
-    CardQuestion question{count == 1
-                              ? tr("The file may hold layers of cloth: %1. What is it?")
-                                    .arg(wordingText(reading.evidence))
-                              : tr("The file holds %1 layers of cloth: %2. Which are to be cut?")
-                                    .arg(count)
-                                    .arg(wordingText(reading.evidence))};
+    CardQuestion question{
+        count == 1
+            ? tr("The file may contain layers of cloth: %1. Which is it?")
+                  .arg(wordingText(reading.evidence))
+            : tr("The file contains %1 layers of cloth: %2. Which layers do you want to cut?")
+                  .arg(count)
+                  .arg(wordingText(reading.evidence))};
     const auto add = [&](const QString& text, bool present, FileKind kind, int only = 0) {
         Preparation preparing = workspace.loading().preparing;
         preparing.as = kind;
@@ -218,7 +215,7 @@ CardQuestion askLayers(const FileReading& reading, Workspace& workspace) {
                                           : tr("Layer %1 only").arg(layer);
         add(text, false, FileKind::Layers, layer);
     }
-    add(count == 1 ? tr("As it is") : tr("No layers"), false, FileKind::Sheet);
+    add(count == 1 ? tr("Leave unchanged") : tr("No layers"), false, FileKind::Sheet);
     return question;
 }
 
@@ -241,7 +238,7 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace,
     const QString evidence = wordingText(reading.evidence);
     if (reading.kind == FileKind::Shell) {
         CardQuestion question{
-            tr("The file is cloth with a thickness: %1. Which of its surfaces is the sheet?")
+            tr("The file is cloth with a thickness: %1. Which side is the pattern for?")
                 .arg(evidence)};
         for (const auto& [surface, text] : {std::pair(ShellSurface::Outer, tr("Outer")),
                                             std::pair(ShellSurface::Inner, tr("Inner")),
@@ -249,18 +246,18 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace,
             question.choices.push_back(choice(
                 text, surface == workspace.loading().preparing.surface, FileKind::Shell, surface));
         }
-        question.choices.push_back(choice(tr("As it is"), false, FileKind::Sheet));
+        question.choices.push_back(choice(tr("Leave unchanged"), false, FileKind::Sheet));
         return question;
     }
     if (reading.kind == FileKind::Layers) {
         return askLayers(reading, workspace);
     }
     if (reading.kind == FileKind::Scan) {
-        return {tr("The file looks like a scan: %1. It can be made a sheet: debris goes, small "
-                   "holes are closed, noise is smoothed.")
+        return {tr("The file looks like a scan: %1. Prepare it to remove debris, close small holes "
+                   "and smooth noise.")
                     .arg(evidence),
                 {{tr("Prepare the scan…"), false, prepareScan},
-                 choice(tr("As it is"), false, FileKind::Sheet)}};
+                 choice(tr("Leave unchanged"), false, FileKind::Sheet)}};
     }
     return {};
 }
@@ -268,15 +265,15 @@ CardQuestion askReading(const SourceFile& file, Workspace& workspace,
 QString divideBy(SplitMode mode) {
     switch (mode) {
         case SplitMode::Objects:
-            return tr("Divide by objects");
+            return tr("Split by objects");
         case SplitMode::Groups:
-            return tr("Divide by groups");
+            return tr("Split by groups");
         case SplitMode::Materials:
-            return tr("Divide by materials");
+            return tr("Split by materials");
         case SplitMode::Uv:
-            return tr("Divide by UV islands");
+            return tr("Split by UV islands");
         default:
-            return tr("Divide by connected parts");
+            return tr("Split by connected parts");
     }
 }
 
@@ -292,7 +289,7 @@ CardQuestion askDivision(const Garment& garment, int index, Workspace& workspace
     if (pieces == flat || flat >= better.flat) {
         return {};
     }
-    return {tr("Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.")
+    return {tr("Split %1, only %2 of %3 pieces can lie flat. Split %4, %5 of %6 could.")
                 .arg(divisionWord(file.split.mode))
                 .arg(flat)
                 .arg(pieces)
@@ -340,21 +337,21 @@ QString garmentReasons(const Document& document) {
                                   const QString& stated) {
             lines << tr("%1: %2").arg(what, reason.empty() ? stated : wordingText(reason));
         };
-        add(tr("Unit"), file->unitReason, tr("%1, as stated").arg(wordOf(file->unit)));
+        add(tr("Unit"), file->unitReason, tr("%1, set by you").arg(wordOf(file->unit)));
         add(tr("Up axis"), file->upReason,
-            file->up == UpAxis::Y ? tr("y, as stated") : tr("z, as stated"));
+            file->up == UpAxis::Y ? tr("y, set by you") : tr("z, set by you"));
         if (file->reading.kind != FileKind::Sheet || file->reading.isStated) {
             const Wording& evidence = file->reading.evidence;
-            lines << tr("%1: %2").arg(tr("Read as"), evidence.empty()
-                                                         ? kindText(file->reading)
-                                                         : tr("%1: %2").arg(kindText(file->reading),
-                                                                            wordingText(evidence)));
+            lines << tr("%1: %2").arg(tr("Treated as"),
+                                      evidence.empty() ? kindText(file->reading)
+                                                       : tr("%1: %2").arg(kindText(file->reading),
+                                                                          wordingText(evidence)));
         }
         if (file->reading.half && file->reading.half->isCompleted) {
-            lines << tr("Half a garment: its mirror image was added");
+            lines << tr("Half a garment: Toile added the mirror image");
         }
         add(tr("Pieces"), file->split.reason,
-            tr("%1, as stated").arg(divisionWord(file->split.mode)));
+            tr("%1, set by you").arg(divisionWord(file->split.mode)));
     }
     return lines.join('\n');
 }
@@ -383,10 +380,9 @@ CardQuestion askSymmetry(Workspace& workspace) {
                   .arg(pieceName(document, worst.piece), pieceName(document, worst.counterpart));
     QStringList sentences{pieces, seams};
     if (others > 0) {
-        sentences
-            << (others == 1
-                    ? GarmentCard::tr("One more piece or pair differs, but by less.")
-                    : GarmentCard::tr("%1 more pieces or pairs differ, but by less.").arg(others));
+        sentences << (others == 1
+                          ? GarmentCard::tr("One more piece or pair differs by less.")
+                          : GarmentCard::tr("%1 more pieces or pairs differ by less.").arg(others));
     }
     const auto makeEqual = [&document] {
         LineSettings lines = document.state().lines;

@@ -69,8 +69,8 @@ HelpPage::HelpPage(std::vector<HelpGroup> groups, QWidget* parent)
     setObjectName("helpPage");
     setWindowTitle(tr("Keyboard and mouse"));
     line_->setObjectName("helpLine");
-    line_->setPlaceholderText(tr("Look for a key or a command"));
-    line_->setAccessibleName(tr("Look for"));
+    line_->setPlaceholderText(tr("Search for a key or a command"));
+    line_->setAccessibleName(tr("Search"));
     line_->setClearButtonEnabled(true);
     text_->setObjectName("helpText");
     text_->setFrameShape(QFrame::NoFrame);
@@ -99,7 +99,7 @@ void HelpPage::updateText() {
                         .arg(group.title.toHtmlEscaped(), rows);
         }
     }
-    text_->setHtml(html.isEmpty() ? QString("<p>%1</p>").arg(tr("Nothing is called that.")) : html);
+    text_->setHtml(html.isEmpty() ? QString("<p>%1</p>").arg(tr("No matches")) : html);
 }
 
 void HelpPage::changeEvent(QEvent* event) {

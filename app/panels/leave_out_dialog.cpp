@@ -72,7 +72,7 @@ void LeaveOutDialog::count() {
         }
         names << pieceName(document_, piece);
     }
-    count_->setText(pieces.empty() ? tr("No piece is smaller.")
+    count_->setText(pieces.empty() ? tr("No piece is smaller than this.")
                                    : tr("%1 of %2 pieces: %3")
                                          .arg(pieces.size())
                                          .arg(document_.pieceCount())

@@ -57,7 +57,7 @@ LinesPanel::LinesPanel(Document& document, QWidget* parent)
         const LineSettings lines = withSeamEnd(document_.state().lines, document_.garment()->seams,
                                                facts_.ends[static_cast<std::size_t>(end)], trued);
         document_.setLines(trued ? withFairing(lines) : lines,
-                           trued ? tr("Trueing of a seam end") : tr("Kink at a seam end"));
+                           trued ? tr("True seam end") : tr("Keep kink at seam end"));
     });
     connect(ends_, &SeamEndsList::seamChosen, &document_, &Document::setSeam);
     connect(&document_, &Document::opened, this, &LinesPanel::onOpened);
@@ -102,8 +102,7 @@ QWidget* LinesPanel::makeAdditions() {
     grid->addLayout(label, 4, 0, 1, 3);
     fields_.addRow(*label, "label.size", 0);
     fields_.addRow(*label, "label.date", 1);
-    auto* today =
-        makeButton("labelToday", tr("Today"), tr("Write today's date on the labels"), this);
+    auto* today = makeButton("labelToday", tr("Today"), tr("Put today's date on the labels"), this);
     label->addWidget(today, 1, 2);
     grid->setColumnStretch(3, 1);
     grid->setRowStretch(5, 1);
@@ -164,12 +163,12 @@ void LinesPanel::showSettings() {
 
 void LinesPanel::showStraying() {
     if (!document_.garment() || !facts_.drawn) {
-        straying_->setText(document_.garment() ? tr("Every line is the exact outline.")
+        straying_->setText(document_.garment() ? tr("All lines follow the exact outline.")
                                                : QString());
         return;
     }
     straying_->setText(
-        tr("At most %1 from the exact outline; the largest strain goes from %2 to %3.")
+        tr("At most %1 from the exact outline. The largest strain changes from %2 to %3.")
             .arg(fineLength(facts_.farthest) + ' ' + lengthUnit(),
                  tr("%1 %").arg(percent(facts_.exactStrain)),
                  tr("%1 %").arg(percent(facts_.strain))));

@@ -37,13 +37,12 @@ MirroredPiecesList::MirroredPiecesList(QWidget* parent) : QTreeWidget(parent) {
     dressList(*this);
     setColumnCount(ColumnCount);
     setHeaderLabels({tr("Pieces"), tr("Differ by"), tr("Drawn"), tr("Half only")});
-    headerItem()->setToolTip(Name, tr("Two that mirror each other, or one that is symmetric in "
-                                      "itself"));
-    headerItem()->setToolTip(Deviation, tr("Root mean square distance on the garment between a "
-                                           "piece and the mirror image of the other"));
-    headerItem()->setToolTip(Drawn, tr("Whether the pattern has them as mirror images"));
-    headerItem()->setToolTip(Half, tr("Ticked: one of two pieces is drawn, to be cut as a pair; "
-                                      "one half of a piece, to be cut on the fold of the cloth"));
+    headerItem()->setToolTip(Name, tr("Two pieces that mirror each other, or one symmetric piece"));
+    headerItem()->setToolTip(
+        Deviation, tr("Root mean square distance between a piece and the other's mirror image"));
+    headerItem()->setToolTip(Drawn, tr("How the pattern draws the pieces"));
+    headerItem()->setToolTip(
+        Half, tr("Draw only one piece of a pair, or one half of a piece to cut on the fold"));
     headerItem()->setTextAlignment(Deviation, Qt::AlignRight | Qt::AlignVCenter);
     header()->setStretchLastSection(false);
     header()->setSectionResizeMode(Name, QHeaderView::Stretch);
@@ -86,10 +85,10 @@ void MirroredPiecesList::fill(QTreeWidgetItem& item, const Document& document,
         names << pieceName(document, piece);
     }
     item.setText(Name, names.join(" / "));
-    item.setToolTip(
-        Name, row.isPair() ? tr("%1 and %2 mirror each other").arg(names.front(), names.back())
-              : row.counterpart >= 0 ? tr("%1 is symmetric in itself").arg(names.front())
-                                     : names.front());
+    item.setToolTip(Name, row.isPair()
+                              ? tr("%1 and %2 mirror each other").arg(names.front(), names.back())
+                          : row.counterpart >= 0 ? tr("%1 is symmetric").arg(names.front())
+                                                 : names.front());
     item.setText(Deviation,
                  row.counterpart < 0 ? QString(QChar(0x2013)) : lengthWithUnit(row.deviation));
     item.setTextAlignment(Deviation, Qt::AlignRight | Qt::AlignVCenter);
@@ -102,35 +101,33 @@ void MirroredPiecesList::fill(QTreeWidgetItem& item, const Document& document,
     item.setText(Half, !canBeHalved   ? QString()
                        : row.isPair() ? tr("cut 1 pair")
                                       : tr("cut on the fold"));
-    item.setToolTip(Half, canBeHalved ? QString() : tr("Only what is drawn equal can be halved"));
+    item.setToolTip(Half,
+                    canBeHalved ? QString() : tr("Only pieces that are drawn equal can be halved"));
 }
 
 MirroredPiecesList::Words MirroredPiecesList::drawnWords(const Document& document,
                                                          const MirroredPieces& row) {
     if (row.counterpart < 0) {
         return {tr("no counterpart"),
-                tr("No other piece is its mirror image, and it is not symmetric in itself")};
+                tr("No other piece mirrors this one, and it is not symmetric")};
     }
     switch (row.drawing) {
         case Drawing::Equal:
             return {tr("equal"), equalTip(document, row)};
         case Drawing::Kept:
-            return {
-                tr("as in the file"),
-                tr("%1 and %2 differ by %3, more than the tolerance of %4: both keep their shapes")
-                    .arg(seamName(document, row.unequal->seam),
-                         seamName(document, row.unequal->mirrored),
-                         lengthWithUnit(row.unequal->difference),
-                         lengthWithUnit(row.unequal->tolerance))};
+            return {tr("as in the file"), tr("%1 and %2 differ by %3, more than the tolerance of "
+                                             "%4, so both keep their shapes")
+                                              .arg(seamName(document, row.unequal->seam),
+                                                   seamName(document, row.unequal->mirrored),
+                                                   lengthWithUnit(row.unequal->difference),
+                                                   lengthWithUnit(row.unequal->tolerance))};
         case Drawing::OtherOutline:
-            return {tr("other segments"),
-                    tr("The segments of the two outlines do not follow each other in the same "
-                       "order: each keeps its own line")};
+            return {tr("other segments"), tr("The segments of the two outlines are in a different "
+                                             "order, so each keeps its line")};
         case Drawing::NotFlat:
             return {tr("not flat"), tr("Only flat pieces are drawn")};
         case Drawing::NotDrawn:
-            return {tr("not drawn"),
-                    tr("No line could be found that both have: each keeps its own")};
+            return {tr("not drawn"), tr("No common line was found, so each keeps its own")};
     }
     return {};
 }
@@ -141,8 +138,8 @@ QString MirroredPiecesList::equalTip(const Document& document, const MirroredPie
     }
     const auto& lead = document.garment()->pieces[static_cast<std::size_t>(row.lead)];
     return document.state().lines.mirror == Mirror::First
-               ? tr("Both have the line of %1").arg(QString::fromStdString(lead->name))
-               : tr("Both have the mean of their lines");
+               ? tr("Both use the line of %1").arg(QString::fromStdString(lead->name))
+               : tr("Both use the mean of their lines");
 }
 
 void MirroredPiecesList::select(const std::set<int>& pieces) {

@@ -50,9 +50,9 @@ PositionForm::PositionForm(Document& document, QWidget* parent)
       y_(makeField<LengthEdit>(*fieldGuard_, "positionY", tr("Lower edge"), this)),
       angle_(makeField<AngleEdit>(*fieldGuard_, "positionAngle", tr("Angle"), this)),
       mirrored_(new QCheckBox(tr("Wrong side up"), this)) {
-    x_->setToolTip(tr("From the sheet's origin to the left edge of what is selected"));
-    y_->setToolTip(tr("From the sheet's origin up to the lower edge of what is selected"));
-    angle_->setToolTip(tr("How far the piece is turned anti-clockwise, about its middle"));
+    x_->setToolTip(tr("Distance from the origin to the left edge of the selection"));
+    y_->setToolTip(tr("Distance from the origin up to the lower edge of the selection"));
+    angle_->setToolTip(tr("Anti-clockwise rotation of the piece about its centre"));
     mirrored_->setObjectName("positionMirrored");
     mirrored_->setToolTip(tr("Mirrored: the wrong side of the fabric faces you"));
     for (LengthEdit* place : {x_, y_}) {
@@ -171,20 +171,19 @@ PieceForm::PieceForm(Document& document, const ActionRegistry& actions, QWidget*
       material_(makeField<QComboBox>(*fieldGuard_, "pieceMaterial", tr("Material"), this)),
       grain_(makeField<AngleEdit>(*fieldGuard_, "positionGrain", tr("Grain"), this)),
       grainNote_(new QLabel(this)) {
-    name_->setToolTip(tr("What the piece is called; empty: as its file has it"));
+    name_->setToolTip(tr("Name of the piece; empty: the name in the file"));
     size_->setObjectName("pieceSize");
-    size_->setToolTip(tr("The flat piece as it is cut: across the grain × along it"));
-    quantity_->setToolTip(tr("How many of the piece are cut"));
+    size_->setToolTip(tr("Size of the cut piece: across the grain × along the grain"));
+    quantity_->setToolTip(tr("Number of copies to cut"));
     quantity_->setRange(0, kMaxCopies);  // 0: different quantities
     quantity_->setSpecialValueText(variousText());
     quantity_->setKeyboardTracking(false);
     pair_->setObjectName("piecePair");
-    pair_->setToolTip(tr("Each is also cut mirrored: left and right"));
+    pair_->setToolTip(tr("Also cut a mirrored copy of each: left and right"));
     material_->setEditable(true);
     material_->setInsertPolicy(QComboBox::NoInsert);
-    material_->setToolTip(
-        tr("What is selected is cut from this; empty: from the garment's own fabric"));
-    grain_->setToolTip(tr("Direction of the warp on the sheet: 90° runs upwards"));
+    material_->setToolTip(tr("Material of the selected pieces; empty: garment's fabric"));
+    grain_->setToolTip(tr("Direction of the warp: 90° is upwards"));
     dressAngle(*grain_);
     makeLayout(actions);
     connectFields();
@@ -339,7 +338,7 @@ void PieceForm::showMaterial(bool isOther) {
     material_->setCurrentIndex(material_->findText(shownMaterial_, Qt::MatchExactly));
     material_->setEditText(shownMaterial_);
     material_->lineEdit()->setPlaceholderText(pieces_.empty() ? QString()
-                                              : shared        ? tr("as the garment")
+                                              : shared        ? tr("garment's fabric")
                                                               : variousText());
 }
 
@@ -376,7 +375,7 @@ void PieceForm::turnGrain(double degrees) {
     for (const int piece : flat_) {
         grains[piece] = directionOnPiece(placementOf(document_, piece), degrees * kDegree);
     }
-    setGrain(document_, tr("Grain of %1"), grains);
+    setGrain(document_, tr("Set grain of %1"), grains);
     refresh();
 }
 

@@ -215,7 +215,7 @@ PiecesModel::Cell PiecesModel::cell(int row, int column) const {
             }
             return {!known                       ? tr("Waiting")
                     : statusOf(*known) != "flat" ? tr("Partly flipped")
-                    : isBeyondCloth(row)         ? tr("Flat, beyond any material")
+                    : isBeyondCloth(row)         ? tr("Flat, exceeds any fabric")
                                                  : tr("Flat")};
         case ReferenceRms:
             return distance(document_.referenceFit(row), &ReferenceFit::rms);
@@ -233,25 +233,21 @@ QString PiecesModel::toolTip(int row, int column) const {
         case Status:
             return known && known->error ? whyNotFlat(document_, *known)
                    : known && isBeyondCloth(row)
-                       ? tr("No cloth takes this strain. Cut the piece where it curves most.")
+                       ? tr("No fabric can take this strain. Cut the piece where it curves most.")
                        : cell(row, column).text;
         case Name:
-            return tr("%1. Double-click or F2 to call it otherwise").arg(cell(row, column).text);
+            return tr("%1. Double-click or press F2 to rename it").arg(cell(row, column).text);
         case Quantity:
-            return tr(
-                "How many are cut. Double-click to change it, of all selected pieces "
-                "at once");
+            return tr("Number to cut. Double-click to change it for all selected pieces");
         case Pair:
             return settings(row).mirroredPair
-                       ? tr("Each is also cut mirrored: left and right. Click or press Space to "
-                            "change it")
-                       : tr("Not cut mirrored. Click or press Space where left and right are cut "
-                            "from this piece");
+                       ? tr("A mirrored copy is also cut. Click or press Space to change this")
+                       : tr("No mirrored copy is cut. Click or press Space to cut left and right");
         case Method:
             if (!known) {
                 return tr("Not flattened yet");
             }
-            return isStale(row) ? tr("%1 – of an earlier shape or method; to be flattened anew")
+            return isStale(row) ? tr("%1 – out of date: shape or method has changed since")
                                       .arg(methodName(known->options.method))
                                 : methodName(known->options.method);
         case ReferenceRms:
@@ -269,19 +265,19 @@ QString PiecesModel::partnerText(int row) const {
         return QString::fromStdString(found.file->pieces[static_cast<std::size_t>(piece)].name);
     };
     if (!pair) {
-        return tr("No piece of the reference pattern is like this one");
+        return tr("No piece of the reference pattern matches this one");
     }
     if (!isSure(*pair)) {
         QStringList names{nameOfPiece(pair->filePiece)};
         for (const int rival : pair->rivals) {
             names << nameOfPiece(rival);
         }
-        return tr("Several pieces of the reference pattern fit: %1").arg(names.join(", "));
+        return tr("Several pieces of the reference pattern match: %1").arg(names.join(", "));
     }
     const QString name = nameOfPiece(pair->filePiece);
     return pair->lines.front().fit.mirrored
-               ? tr("Mirrored to %1 of the reference pattern").arg(name)
-               : tr("To %1 of the reference pattern").arg(name);
+               ? tr("Compared with %1 of the reference pattern, mirrored").arg(name)
+               : tr("Compared with %1 of the reference pattern").arg(name);
 }
 
 QVariant PiecesModel::foreground(int row, int column) const {
@@ -353,27 +349,25 @@ bool PiecesModel::isTrouble(int row, int column) const {
 std::vector<PiecesModel::Heading> PiecesModel::headings() const {
     return {
         {tr("Piece"), tr("Name of the piece and its colour in the views")},
-        {tr("Status"), tr("Flat, or why not")},
-        {tr("Quantity"), tr("How many of the piece are cut")},
-        {tr("Pair"), tr("Each is also cut mirrored: left and right")},
-        {tr("Material"), tr("What the piece is cut from; empty: the garment's own fabric")},
-        {tr("Layer"), tr("Which layer of cloth the piece is of; 1 is the outermost")},
-        {tr("Method"), tr("How the piece was flattened; grey until it is flattened anew")},
-        {tr("Triangles"), tr("Triangles of the mesh")},
+        {tr("Status"), tr("Whether the piece is flat, or why not")},
+        {tr("Quantity"), tr("Number of copies to cut")},
+        {tr("Pair"), tr("Also cut a mirrored copy of each: left and right")},
+        {tr("Material"), tr("Material of the piece; empty: garment's fabric")},
+        {tr("Layer"), tr("Layer of cloth that the piece belongs to; 1 is the outermost")},
+        {tr("Method"), tr("Flattening method of the piece; grey if the result is out of date")},
+        {tr("Triangles"), tr("Number of triangles in the mesh")},
         {tr("Area %1").arg(areaUnit()), tr("Area of the flat piece")},
-        {tr("Outline %1").arg(lengthUnit()), tr("Length of the flat piece's seam line all around")},
+        {tr("Outline %1").arg(lengthUnit()), tr("Length of the seam line around the flat piece")},
         {tr("Outline error %"),
-         tr("Largest difference of an outline edge between the flat piece and the garment")},
-        {tr("Mean strain %"), tr("Mean size of what the cloth must stretch or gather")},
-        {tr("Strain range %"), tr("From most surplus to most stretch; + is stretch")},
-        {tr("Flips"), tr("Triangles that lie upside down in the pattern: must be 0")},
-        {tr("Crossings"), tr("Places where the outline crosses itself: must be 0")},
+         tr("Largest length difference of an outline edge between pattern and garment")},
+        {tr("Mean strain %"), tr("Mean size of stretch and surplus")},
+        {tr("Strain range %"), tr("From the largest surplus to the largest stretch; + is stretch")},
+        {tr("Flips"), tr("Triangles that are flipped in the pattern: must be 0")},
+        {tr("Crossings"), tr("Points where the outline crosses itself: must be 0")},
         {tr("To reference rms %1").arg(lengthUnit()),
-         tr("Distance from the reference panel in the file, or from the reference pattern, laid "
-            "on as well as it goes: root mean square")},
+         tr("Root mean square distance from the best-fitting reference panel or pattern")},
         {tr("To reference max %1").arg(lengthUnit()),
-         tr("Distance from the reference panel in the file, or from the reference pattern: the "
-            "largest")},
+         tr("Largest distance from the reference panel or pattern")},
     };
 }
 

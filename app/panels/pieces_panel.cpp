@@ -397,21 +397,20 @@ QString PiecesPanel::detailsOfMany() const {
         }
     }
     const QString title = selection.empty() ? tr("The whole garment") : tr("Selected pieces");
-    const QString hint = selection.empty()
-                             ? "<p>" +
-                                   tr("Click a piece in a view or in the table to see its "
-                                      "figures.")
-                                       .toHtmlEscaped() +
-                                   "</p>"
-                             : QString();
+    const QString hint =
+        selection.empty() ? "<p>" +
+                                tr("Select a piece in a view or in the table to see its figures.")
+                                    .toHtmlEscaped() +
+                                "</p>"
+                          : QString();
     const QString toCut =
         cut == counted ? QString() : row(tr("Pieces to cut"), QLocale().toString(cut));
     return QString("<p><b>%1</b></p><table>%2%3%4</table>%5")
-        .arg(title.toHtmlEscaped(), row(tr("Pieces, flat"), tr("%1 of %2").arg(flat).arg(counted)),
-             toCut,
-             row(tr("Cloth needed at least"),
-                 flat > 0 ? areaWithUnit(area) : QString(QChar(0x2013))),
-             hint);
+        .arg(
+            title.toHtmlEscaped(), row(tr("Pieces, flat"), tr("%1 of %2").arg(flat).arg(counted)),
+            toCut,
+            row(tr("Minimum cloth needed"), flat > 0 ? areaWithUnit(area) : QString(QChar(0x2013))),
+            hint);
 }
 
 }  // namespace toile::app

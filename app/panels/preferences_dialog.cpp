@@ -49,7 +49,7 @@ ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {
     setPopupMode(QToolButton::InstantPopup);
     setIconSize(kSwatch);
     auto* menu = new QMenu(this);
-    menu->addAction(tr("The theme's"), this, [this] { choose({}); })->setObjectName("usualColour");
+    menu->addAction(tr("Default"), this, [this] { choose({}); })->setObjectName("usualColour");
     menu->addAction(tr("Another colour…"), this, [this] {
         const QColor chosen = QColorDialog::getColor(colour_, this);
         if (chosen.isValid()) {
@@ -62,7 +62,7 @@ ColourButton::ColourButton(QWidget* parent) : QToolButton(parent) {
 
 void ColourButton::setColour(const QColor& colour) {
     colour_ = colour;
-    setText(colour.isValid() ? colour.name() : tr("The theme's"));
+    setText(colour.isValid() ? colour.name() : tr("Default"));
     if (!colour.isValid()) {
         setIcon({});
         return;
@@ -85,8 +85,8 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     layout->setSpacing(12);
     const std::pair<QString, void (PreferencesDialog::*)(QFormLayout&)> groups[] = {
         {tr("Units and language"), &PreferencesDialog::makeUnits},
-        {tr("Look"), &PreferencesDialog::makeLook},
-        {tr("Work"), &PreferencesDialog::makeWork}};
+        {tr("Appearance"), &PreferencesDialog::makeLook},
+        {tr("General"), &PreferencesDialog::makeWork}};
     for (const auto& [title, make] : groups) {
         auto* box = new QGroupBox(title, this);
         auto* form = new QFormLayout(box);
@@ -100,7 +100,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, QWidget* parent)
     buttons->setObjectName("preferencesButtons");
     auto& reset = *buttons->button(QDialogButtonBox::RestoreDefaults);
     reset.setText(tr("&Reset"));
-    reset.setToolTip(tr("Take what a new installation has; Cancel puts it back"));
+    reset.setToolTip(tr("Reset to the defaults; Cancel undoes this"));
     connect(&reset, &QPushButton::clicked, this, [this] {
         preferences_.setChoices({});
         showChoices();
@@ -155,19 +155,19 @@ void PreferencesDialog::makeUnits(QFormLayout& form) {
     unit_ = makeCombo("lengthUnitChoice", {tr("Millimetres"), tr("Centimetres"),
                                            tr("Inches, decimals"), tr("Inches, eighths"),
                                            tr("Inches, sixteenths"), tr("Inches, thirty-seconds")});
-    unit_->setToolTip(tr("Lengths are shown in this unit; other units may be typed all the same"));
+    unit_->setToolTip(tr("Unit for lengths; you can enter other units too"));
     form.addRow(tr("&Lengths:"), unit_);
-    language_ = makeCombo("languageChoice", {tr("As the desktop"), QStringLiteral("English"),
+    language_ = makeCombo("languageChoice", {tr("System default"), QStringLiteral("English"),
                                              QStringLiteral("Deutsch")});
     form.addRow(tr("L&anguage:"), language_);
-    restart_ = new QLabel(tr("The language changes when Toile is started again."), this);
+    restart_ = new QLabel(tr("Restart Toile to change the language."), this);
     restart_->setObjectName("restartNote");
     restart_->setWordWrap(true);
     form.addRow(QString(), restart_);
 }
 
 void PreferencesDialog::makeLook(QFormLayout& form) {
-    theme_ = makeCombo("themeChoice", {tr("As the desktop"), tr("Light"), tr("Dark")});
+    theme_ = makeCombo("themeChoice", {tr("System default"), tr("Light"), tr("Dark")});
     form.addRow(tr("&Theme:"), theme_);
     selection_ = new ColourButton(this);
     selection_->setObjectName("selectionColour");
@@ -182,28 +182,26 @@ void PreferencesDialog::makeLook(QFormLayout& form) {
 void PreferencesDialog::makeWork(QFormLayout& form) {
     navigation_ =
         makeCombo("navigationChoice", {tr("Toile"), tr("Blender"), tr("CLO"), tr("Rhino")});
-    navigation_->setToolTip(tr("Whose way of turning, moving and zooming the garment you know"));
+    navigation_->setToolTip(tr("Mouse controls like those of this program"));
     form.addRow(tr("&Mouse as in:"), navigation_);
     newGarment_ =
         makeCombo("newGarmentChoice", {tr("Exact outlines"), tr("A pattern to cut and sew")});
     newGarment_->setToolTip(
-        tr("A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, "
-           "seam allowances and notches. Garments that are open stay as they are"));
+        tr("Patterns to cut and sew have fair lines, trued seam ends, equal mirrored pieces, "
+           "allowances and notches. Open garments do not change"));
     form.addRow(tr("&New garments start with:"), newGarment_);
     menus_ = makeCombo("menusChoice", {tr("Everything"), tr("What pattern makers need")});
     menus_->setToolTip(
-        tr("Leave out other methods, overlays of their mathematics and what is about meshes. What "
-           "is in use stays"));
+        tr("Hide research methods, their overlays and mesh commands. Those in use stay visible"));
     form.addRow(tr("M&enus show:"), menus_);
     autosave_ = makeNumber("autosaveMinutes", Choices::kMaxAutosaveMinutes, 1);
     autosave_->setSpecialValueText(tr("Never"));
     autosave_->setSuffix(tr(" min"));
-    autosave_->setToolTip(tr("How often a copy is kept that survives a crash"));
-    form.addRow(tr("&Keep a copy every:"), autosave_);
+    autosave_->setToolTip(tr("How often Toile saves a backup against crashes"));
+    form.addRow(tr("&Back up every:"), autosave_);
     heavy_ = makeNumber("autoFlattenTriangles", kMaxTriangles, kTriangleStep);
     heavy_->setSuffix(tr(" triangles"));
-    heavy_->setToolTip(
-        tr("Garments of more triangles are flattened again only when you ask for it"));
+    heavy_->setToolTip(tr("Larger garments are flattened only on request"));
     form.addRow(tr("&Flatten after edits up to:"), heavy_);
 }
 

@@ -39,11 +39,11 @@ QStandardItem* makeHelp(const Finding& finding, const CutPlan& plan) {
 /// What to try, with reference to the button in the row.
 QString adviceBeside(const Finding& finding, const CutPlan& plan) {
     if (finding.kind == FindingKind::NotFlat && isOfUnpreparedScan(finding, *plan.garment)) {
-        return ProblemsModel::tr("Prepare the scan first: Garment > Read as > Scan");
+        return ProblemsModel::tr("Prepare the scan first: Garment > Treat file as > Scan");
     }
     const auto remedies = remediesFor(finding, plan);
     const bool hasCut = std::ranges::find(remedies, Remedy::CutOpen) != remedies.end();
-    return hasCut ? ProblemsModel::tr("Cut it open along a seam, or let Toile do it")
+    return hasCut ? ProblemsModel::tr("Cut it along a seam, or use Piece > Cut open")
                   : problemAdvice(finding);
 }
 
@@ -64,7 +64,7 @@ ProblemsModel::ProblemsModel(QObject* parent) : QStandardItemModel(0, ColumnCoun
 void ProblemsModel::show(const Readiness& readiness, const CutPlan& plan,
                          const std::set<Severity>& shown) {
     clear();
-    setHorizontalHeaderLabels({tr("Where"), tr("Problem"), tr("Help"), tr("What to try")});
+    setHorizontalHeaderLabels({tr("Where"), tr("Problem"), tr("Remedy"), tr("Advice")});
     const auto& findings = readiness.findings;
     // Findings are sorted, so those of one severity and kind are adjacent.
     for (std::size_t i = 0; i < findings.size();) {
@@ -198,13 +198,13 @@ QString problemTitle(FindingKind kind) {
 QString severityCount(Severity severity, int count) {
     switch (severity) {
         case Severity::Fault:
-            return count == 0   ? tr("no faults")
-                   : count == 1 ? tr("1 fault")
-                                : tr("%1 faults").arg(QLocale().toString(count));
+            return count == 0   ? tr("no errors")
+                   : count == 1 ? tr("1 error")
+                                : tr("%1 errors").arg(QLocale().toString(count));
         case Severity::Doubt:
-            return count == 0   ? tr("no doubts")
-                   : count == 1 ? tr("1 doubt")
-                                : tr("%1 doubts").arg(QLocale().toString(count));
+            return count == 0   ? tr("no warnings")
+                   : count == 1 ? tr("1 warning")
+                                : tr("%1 warnings").arg(QLocale().toString(count));
         case Severity::Note:
             return count == 0   ? tr("no notes")
                    : count == 1 ? tr("1 note")

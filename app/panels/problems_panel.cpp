@@ -102,9 +102,9 @@ QWidget* ProblemsPanel::makeHead() {
     row->addWidget(mark_);
     row->addWidget(verdict_, 1);
     constexpr const char* kNames[] = {"showFaults", "showDoubts", "showNotes"};
-    const QString tips[] = {tr("List what must be put right before the cloth is cut"),
-                            tr("List what should be looked at before the cloth is cut"),
-                            tr("List what is good to know")};
+    const QString tips[] = {tr("List the errors to fix before cutting"),
+                            tr("List the warnings to look at before cutting"),
+                            tr("List the notes")};
     for (std::size_t i = 0; i < filters_.size(); ++i) {
         const Severity severity = kSeverities[i];
         auto* filter = new QToolButton(head);
@@ -179,7 +179,7 @@ void ProblemsPanel::showMenu(const QPoint& at) {
     menu->setObjectName("problemMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
-    connect(menu->addAction(tr("Go there")), &QAction::triggered, this,
+    connect(menu->addAction(tr("Go to place")), &QAction::triggered, this,
             [this, findings] { emit wanted(findings); });
     const auto& finding = checker_.readiness().findings[static_cast<std::size_t>(findings.front())];
     for (const Remedy remedy : remediesFor(finding, checker_.plan())) {
@@ -224,10 +224,9 @@ void ProblemsPanel::updateHead() {
         filters_[i]->setEnabled(found > 0);
     }
     empty_->setText(readiness.findings.empty()
-                        ? tr("Nothing stands against cutting: seams match, no outline crosses "
-                             "itself, the strain is within what the fabric takes, and every grain "
-                             "is stated.")
-                        : tr("What was found is hidden; the buttons above show it."));
+                        ? tr("Ready to cut: seams match, no outline crosses itself, the strain is "
+                             "within the fabric's limits, and every grain is set.")
+                        : tr("All findings are hidden. Use the buttons above to show them."));
     pages_->setCurrentWidget(model_->rowCount() > 0 || !isOpen ? static_cast<QWidget*>(table_)
                                                                : empty_);
 }

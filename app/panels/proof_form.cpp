@@ -57,7 +57,7 @@ ProofForm::ProofForm(Document& document, PatternProof& proof, QWidget* parent)
       unit_(new QComboBox(this)),
       cloth_(new QLabel(this)),
       fold_(makeButton("proofMeasured", tr("Measured cloth"),
-                       tr("Use measured values of the cloth in place of those of its fabric"),
+                       tr("Use measured values of the cloth instead of its fabric's values"),
                        this)),
       measured_(new QWidget(this)) {
     fields_.make<ProofPlan>(kProofFields, "proof");
@@ -89,13 +89,12 @@ QWidget& ProofForm::firstField() const {
 }
 
 void ProofForm::makeChoices() {
-    fields_.dress(*holder_, "proofHolder", tr("Dress form"),
-                  tr("What the cloth lies on while it is sewn: the design's own surface, or the "
-                     "mesh of a body in the garment's place."));
+    fields_.dress(
+        *holder_, "proofHolder", tr("Dress form"),
+        tr("Surface under the cloth during sewing: the design itself, or the mesh of a body."));
     holder_->addItems({tr("The design"), tr("A body…"), tr("Another body…")});
-    fields_.dress(*unit_, "proofBodyUnit", tr("Unit of the body"),
-                  tr("The unit of the body's file."));
-    unit_->addItem(tr("As in its file"));
+    fields_.dress(*unit_, "proofBodyUnit", tr("Unit of the body"), tr("Unit of the body's file."));
+    unit_->addItem(tr("As in the file"));
     for (const LengthUnit unit : kLengthUnits) {
         unit_->addItem(QString::fromUtf8(symbol(unit)));
     }
@@ -137,7 +136,7 @@ void ProofForm::chooseUnit(int choice) {
     if (known < static_cast<int>(std::size(kLengthUnits))) {  // else keep the current unit
         ProofPlan plan = document_.state().proof;
         plan.bodyUnit = known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
-        document_.setProofPlan(std::move(plan), tr("Unit of the body"), -1);
+        document_.setProofPlan(std::move(plan), tr("Change unit of the body"), -1);
     }
 }
 
@@ -146,7 +145,7 @@ void ProofForm::chooseHolder(int choice) {
         ProofPlan plan = document_.state().proof;
         plan.body.clear();
         plan.bodyUnit.reset();
-        document_.setProofPlan(std::move(plan), tr("Proof on the design"), -1);
+        document_.setProofPlan(std::move(plan), tr("Use design as dress form"), -1);
         return;
     }
     if (choice == ByAnotherBody || proof_.plan().body.empty()) {
@@ -175,8 +174,8 @@ void ProofForm::show() {
     form_->setRowVisible(&fields_.at("thickness"), plan.settings.touchesItself);
     const QString fabric = fabricName(document_.fabric());
     cloth_->setText(plan.settings.stiffness == StatedStiffness{} ? fabric
-                    : hasLimits(document_.fabric())              ? tr("%1, as measured").arg(fabric)
-                                                                 : tr("as measured"));
+                    : hasLimits(document_.fabric())              ? tr("%1, measured").arg(fabric)
+                                                                 : tr("measured"));
 }
 
 void ProofForm::showUnit(const ProofPlan& plan) {

@@ -39,13 +39,13 @@ void ProofModel::show(std::shared_ptr<const ShownProof> shown) {
 
 std::vector<ColumnsModel::Heading> ProofModel::headings() const {
     const QString unit = lengthUnit();
-    return {{tr("Piece"), tr("Piece of the garment; a click goes to its largest gap")},
-            {tr("Gap (%1)").arg(unit), tr("How far it lies from the design, on average")},
-            {tr("95 % (%1)").arg(unit), tr("What a twentieth of its area exceeds")},
-            {tr("Largest (%1)").arg(unit), tr("The largest gap")},
-            {tr("Pulls (%)"), tr("Stretch that a twentieth of its area exceeds")},
-            {tr("Slack (%)"), tr("Surplus that a twentieth of its area exceeds")},
-            {tr("Hangs free (%)"), tr("How much of its area touches nothing")}};
+    return {{tr("Piece"), tr("Piece of the garment; click to go to its largest gap")},
+            {tr("Gap (%1)").arg(unit), tr("Mean distance from the design")},
+            {tr("95 % (%1)").arg(unit), tr("Gap that 95 % of its area does not exceed")},
+            {tr("Largest (%1)").arg(unit), tr("Largest gap")},
+            {tr("Pulls (%)"), tr("Stretch that 95 % of its area does not exceed")},
+            {tr("Slack (%)"), tr("Surplus that 95 % of its area does not exceed")},
+            {tr("Hangs free (%)"), tr("Share of its area that touches nothing")}};
 }
 
 ColumnsModel::Cell ProofModel::cell(int row, int column) const {

@@ -165,7 +165,7 @@ QWidget* ProofPanel::makeResult() {
     connect(table_, &QTreeView::clicked, this, go);
     onEnter(*table_, [this, go] { go(table_->currentIndex()); });
     misfits_->setObjectName("misfitList");
-    misfits_->setAccessibleName(tr("What does not fit"));
+    misfits_->setAccessibleName(tr("Misfits"));
     misfits_->setRootIsDecorated(false);
     misfits_->setColumnCount(2);
     dressList(*misfits_);
@@ -242,7 +242,7 @@ QString ProofPanel::particulars() const {
         proof.hasSettled
             ? tr("settled after %1 steps, %2 s")
                   .arg(locale.toString(proof.iterations), locale.toString(proof.seconds, 'f', 1))
-            : tr("not settled after %1 steps: figures are rough")
+            : tr("not settled after %1 steps: figures are approximate")
                   .arg(locale.toString(proof.iterations))};
     said.removeAll(QString());
     return said.join(QStringLiteral(" · "));
@@ -273,7 +273,7 @@ std::vector<ProofPanel::Misfit> ProofPanel::misfits() const {
             std::ranges::any_of(shown_->proof->faults,
                                 [&seam](const Finding& fault) { return fault.seam == seam.seam; });
         if (!isTold && std::abs(seam.slip) >= kWorthSlip) {
-            found.push_back({tr("Slips by %1").arg(lengthWithUnit(std::abs(seam.slip))),
+            found.push_back({tr("Sides differ by %1").arg(lengthWithUnit(std::abs(seam.slip))),
                              seamText(seam.seam),
                              {},
                              seam.seam});
@@ -313,20 +313,17 @@ void ProofPanel::showRun() {
         progress_->setValue(0);
     }
     outdated_->setVisible((isOld || isOfOtherPlan) && !isRunning);
-    outdated_->setText(isOld ? tr("Of an earlier pattern") : tr("Sewn by other settings"));
-    outdated_->setToolTip(isOld
-                              ? tr("The pattern, its fabric or its seams have changed since it "
-                                   "was sewn: prove it again")
-                              : tr("The settings have changed since it was sewn: prove it again"));
+    outdated_->setText(isOld ? tr("Pattern has changed") : tr("Settings have changed"));
+    outdated_->setToolTip(
+        isOld ? tr("The pattern, fabric or seams have changed since this proof. Prove again")
+              : tr("The settings have changed since this proof. Prove again"));
     sentence_->setEnabled(!isOld);
     table_->setEnabled(!isOld || isOfThis());
-    empty_->setText(
-        isRunning ? tr("The cloth is on its way: the garment view shows where it is.")
-        : proof_.canProve()
-            ? tr("Sews the pattern back together over the design, as its lines are written to a "
-                 "file, and measures how far from the design it comes to rest: where it stands "
-                 "off, where it pulls, and which seams do not fit.")
-            : tr("Nothing is flat yet that could be sewn."));
+    empty_->setText(isRunning ? tr("Sewing the pattern. The garment view shows the progress.")
+                    : proof_.canProve()
+                        ? tr("Sew the exported pattern together over the design, and measure the "
+                             "difference: gaps, pulling cloth and seams that do not fit.")
+                        : tr("No flat pieces to sew yet."));
 }
 
 }  // namespace toile::app

@@ -46,7 +46,7 @@ ProposalsForm::ProposalsForm(CutProposals& proposals, QWidget* parent)
       table_(new QTreeWidget(this)),
       enough_(new QLineEdit(this)),
       swap_(new QPushButton(tr("&Swap front and back"), this)),
-      make_(new QPushButton(tr("&Make these cuts"), this)) {
+      make_(new QPushButton(tr("&Apply cuts"), this)) {
     setObjectName("proposalsForm");
     setWindowTitle(tr("Proposed cuts"));
     saying_->setObjectName("proposalsSaying");
@@ -62,19 +62,18 @@ ProposalsForm::ProposalsForm(CutProposals& proposals, QWidget* parent)
     table_->setAccessibleName(tr("Proposed cuts"));
     table_->setRootIsDecorated(false);
     dressList(*table_);
-    table_->setHeaderLabels({tr("Cut"), tr("Length"), tr("Strain after it"), tr("Dart")});
+    table_->setHeaderLabels({tr("Cut"), tr("Length"), tr("Strain after"), tr("Dart")});
     for (const int column : {ProposedLength, StrainAfter, Intake}) {
         table_->headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
     table_->headerItem()->setToolTip(
-        StrainAfter, tr("Mean strain with this cut and all before it: predicted, or bold as it was "
-                        "flattened"));
-    table_->headerItem()->setToolTip(Intake,
-                                     tr("What the dart takes in where it reaches the edge"));
+        StrainAfter,
+        tr("Mean strain after this cut and those above: predicted, or bold if flattened"));
+    table_->headerItem()->setToolTip(Intake, tr("Intake of the dart at the edge"));
     table_->header()->setStretchLastSection(false);
     table_->header()->setSectionResizeMode(ProposedName, QHeaderView::Stretch);
     table_->setMinimumHeight(kTableHeight);
-    auto* makeOne = new QAction(tr("Make this &cut"), table_);
+    auto* makeOne = new QAction(tr("Apply this &cut"), table_);
     makeOne->setObjectName("makeThisCut");
     table_->addAction(makeOne);
     table_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -124,8 +123,8 @@ QLayout* ProposalsForm::makeFields() {
     enough_->setAccessibleName(tr("Stop at strain"));
     enough_->setMaximumWidth(kFieldWidth);
     enough_->setToolTip(
-        tr("The mean strain from which on no cut is worth its length, in percent. Empty: what the "
-           "fabric allows, where that is known"));
+        tr("Mean strain in per cent below which no more cuts are proposed. Empty: the fabric's "
+           "limit"));
     connect(enough_, &QLineEdit::editingFinished, this, [this] {
         if (!enough_->isModified()) {
             return;  // keep the exact value: the text is rounded
@@ -140,8 +139,7 @@ QLayout* ProposalsForm::makeFields() {
     swap_->setObjectName("proposalsSwap");
     swap_->setAutoDefault(false);
     swap_->setToolTip(
-        tr("Which side is the front is a guess: where it is wrong, names and lines "
-           "are those of the other side"));
+        tr("Swap the guessed front and back if names and cuts are on the wrong side"));
     connect(swap_, &QPushButton::clicked, &proposals_, &CutProposals::swapFront);
     auto* row = new QHBoxLayout;
     row->addWidget(label);
@@ -154,7 +152,7 @@ QLayout* ProposalsForm::makeFields() {
 QLayout* ProposalsForm::makeButtons() {
     make_->setObjectName("proposalsMake");
     make_->setAutoDefault(false);
-    make_->setToolTip(tr("Make the cuts that are ticked, as one step; they are yours then"));
+    make_->setToolTip(tr("Apply the selected cuts as one undo step"));
     connect(make_, &QPushButton::clicked, &proposals_, &CutProposals::makeTaken);
     auto* close = new QPushButton(tr("&Close"), this);
     close->setObjectName("proposalsClose");
@@ -202,34 +200,33 @@ QString ProposalsForm::saying() const {
     }
     const auto& cuts = proposals_.advice().cuts;
     if (cuts.empty()) {
-        return tr("Nothing to propose for %1: Toile does not see how it is worn, or that it needs "
-                  "more cuts. Piece ▸ Cut open makes the shortest ones, the cutting tools "
-                  "yours.")
+        return tr("No cuts to propose for %1: it needs none, or Toile does not recognise its "
+                  "shape. Use Piece ▸ Cut open or the cutting tools.")
             .arg(piece);
     }
     double length = 0;
     for (std::size_t k = 0; k < cuts.size(); ++k) {
         length += proposals_.isTaken(k) ? cuts[k].length : 0;
     }
-    const QString counts = tr("%1: %2 of %3 cuts are to be made, %4 long.")
+    const QString counts = tr("%1: %2 of %3 cuts selected, %4 long.")
                                .arg(piece)
                                .arg(proposals_.takenCount())
                                .arg(cuts.size())
                                .arg(saidLength(length));
-    return proposals_.isSolving() ? counts + ' ' + tr("Flattening the best…") : counts;
+    return proposals_.isSolving() ? counts + ' ' + tr("Flattening the best cuts…") : counts;
 }
 
 QString ProposalsForm::strainTip(std::size_t cut) const {
     const AdvisedCut& of = proposals_.advice().cuts[cut];
     QStringList lines{QString::fromStdString(of.what.cut.name)};
     if (proposals_.isStale(cut)) {
-        lines << tr("Predicted before lines were moved: %1").arg(strainWord(of.predicted.mean));
+        lines << tr("Predicted before you moved cuts: %1").arg(strainWord(of.predicted.mean));
     } else {
-        lines << tr("Predicted: %1 in the mean, %2 at most")
+        lines << tr("Predicted: mean %1, maximum %2")
                      .arg(strainWord(of.predicted.mean), strainWord(of.predicted.most));
     }
     if (of.solved) {
-        lines << tr("Flattened: %1 in the mean, %2 at most")
+        lines << tr("Flattened: mean %1, maximum %2")
                      .arg(strainWord(of.solved->mean), strainWord(of.solved->most));
     }
     return lines.join('\n');

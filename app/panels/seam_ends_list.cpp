@@ -26,11 +26,10 @@ SeamEndsList::SeamEndsList(QWidget* parent) : QTreeWidget(parent) {
     setTextElideMode(Qt::ElideMiddle);  // seam names start alike: "panel 1 / panel 12"
     setColumnCount(ColumnCount);
     setHeaderLabels({tr("Seam end"), tr("At"), tr("Kink"), tr("Drawn")});
-    headerItem()->setToolTip(Name, tr("Ticked: the kink there is taken out"));
-    headerItem()->setToolTip(End, tr("Where the seam starts or where it ends"));
-    headerItem()->setToolTip(Kink, tr("By how much the two lines that meet at the seam's end miss "
-                                      "running on into each other, as flattened"));
-    headerItem()->setToolTip(Kept, tr("What is left of the kink as the lines are drawn"));
+    headerItem()->setToolTip(Name, tr("Select to remove the kink at this seam end"));
+    headerItem()->setToolTip(End, tr("Start or end of the seam"));
+    headerItem()->setToolTip(Kink, tr("Kink between the two lines at the seam end, as flattened"));
+    headerItem()->setToolTip(Kept, tr("Remaining kink in the drawn pattern"));
     for (const Column column : {Kink, Kept}) {
         headerItem()->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }

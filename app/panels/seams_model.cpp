@@ -206,12 +206,11 @@ QString SeamsModel::tip(int row, int column) const {
     const Seam& asked = seam(row);
     if (column != Ease || asked.kind == SeamKind::Free) {
         return column == Name && asked.stacked
-                   ? tr("%1: a third layer in a seam of two").arg(cell(row, column).text)
+                   ? tr("%1: a third layer in this seam").arg(cell(row, column).text)
                    : cell(row, column).text;
     }
-    return asked.ease
-               ? tr("Stated by you. Delete takes the ease from the 3D lengths again.")
-               : tr("From the 3D lengths. Double click or press F2 to state the ease you want.");
+    return asked.ease ? tr("Set by you. Press Delete to reset it to the 3D lengths.")
+                      : tr("From the 3D lengths. Double-click or press F2 to set your own ease.");
 }
 
 QString SeamsModel::summary() const {
@@ -222,25 +221,22 @@ std::vector<SeamsModel::Heading> SeamsModel::headings() const {
     return {
         {tr("No."), tr("Number of the seam in the garment")},
         {tr("Seam"), tr("The pieces sewn together; the left one is named first")},
-        {tr("Kind"), tr("Seam, dart, pleat, or a free edge that is sewn to nothing")},
-        {tr("3D %1").arg(lengthUnit()),
-         tr("Length on the garment; left / right where they differ")},
+        {tr("Kind"), tr("Seam, dart, pleat or free edge")},
+        {tr("3D %1").arg(lengthUnit()), tr("Length on the garment; left / right if they differ")},
         {tr("Flat left %1").arg(lengthUnit()),
          tr("Length of the left piece's edge in the pattern")},
         {tr("Flat right %1").arg(lengthUnit()),
          tr("Length of the right piece's edge in the pattern")},
         {tr("Difference %1").arg(lengthUnit()),
-         tr("Flat left less flat right: what must be eased in when sewing")},
-        {tr("Ease %"), tr("How much longer the left edge is meant to be. Grey: as on the garment; "
-                          "bold: stated by you. Double click or F2 to state it, Delete to take it "
-                          "from the garment")},
-        {tr("Drawn"), tr("Whether the longer edge is drawn that much longer in the pattern; for an "
-                         "ease that you have stated")},
+         tr("Flat left minus flat right: the length to ease in when sewing")},
+        {tr("Ease %"), tr("How much longer the left edge is. Grey: from the garment; bold: set by "
+                          "you. Double-click or F2: set, Delete: reset")},
+        {tr("Drawn"), tr("Whether the pattern draws the longer edge with your ease")},
         {tr("Changed by %1").arg(lengthUnit()),
-         tr("Why the seam has another length in the pattern than on the garment, and by how much")},
+         tr("Why and by how much the seam length differs from the garment")},
         {tr("Error %1").arg(lengthUnit()),
-         tr("What is left of the difference when the ease is taken out")},
-        {tr("Fit"), tr("Matches: up to %1; nearly: up to %2; does not match: more")
+         tr("Difference that remains after subtracting the ease")},
+        {tr("Fit"), tr("Matches: up to %1; nearly: up to %2; does not match: above")
                         .arg(fineLength(kMatchesMm) + ' ' + lengthUnit(),
                              fineLength(kNearlyMm) + ' ' + lengthUnit())},
     };

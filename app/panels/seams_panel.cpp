@@ -132,7 +132,7 @@ QWidget* SeamsPanel::makeHead(const ActionRegistry& actions) {
     row->setContentsMargins(8, 3, 8, 3);
     summary_->setObjectName("seamSummary");
     free_->setObjectName("showFreeEdges");
-    free_->setToolTip(tr("Also list hems, openings and other edges that are sewn to nothing"));
+    free_->setToolTip(tr("Also list hems, openings and other edges that are not sewn"));
     connect(free_, &QCheckBox::toggled, this, &SeamsPanel::showFreeEdges);
     auto* walk = new QToolButton(head);
     walk->setObjectName("walkSeam");
@@ -189,8 +189,8 @@ void SeamsPanel::updateHead() {
     const QString summary = model_->summary();
     summary_->setText(summary.isEmpty() ? tr("No seams") : summary);
     empty_->setText(
-        tr("No two edges of this garment lie on each other, so nothing is sewn. "
-           "“Show free edges” lists the edges there are."));
+        tr("No edges of this garment meet, so nothing is sewn. Use “Show free edges” to list the "
+           "edges."));
     pages_->setCurrentWidget(sorted_->rowCount() > 0 ? static_cast<QWidget*>(table_) : empty_);
 }
 

@@ -33,14 +33,13 @@ struct BesideSegment {
 };
 
 constexpr auto kBesideFields = [](auto& at, auto& beside) {
-    at.field(
-        Setting{.key = "facing",
-                .title = TR("Fa&cing"),
-                .name = TR("Facing of an edge"),
-                .help = TR("Copy a strip of this width along the segment as a piece of its "
-                           "own, a facing or a lining; neighbouring segments share one facing"),
-                .none = TR("none")},
-        beside.facing, kMinStrip, kMaxStrip);
+    at.field(Setting{.key = "facing",
+                     .title = TR("Fa&cing"),
+                     .name = TR("Facing of an edge"),
+                     .help = TR("Copy a strip of this width along the segment as a separate piece; "
+                                "neighbouring segments share one facing"),
+                     .none = TR("none")},
+             beside.facing, kMinStrip, kMaxStrip);
     at.field(Setting{"ease",
                      TR("&Ease"),
                      TR("Ease of a seam"),
@@ -83,13 +82,15 @@ SegmentForm::SegmentForm(Document& document, QWidget* parent)
       lengths_(makeNote("segmentLengths", this)),
       kinks_(makeNote("segmentKinks", this)),
       notches_(new QLabel(this)),
-      addPoint_(makeButton("addTurnPoint", tr("Add turn point"),
-                           tr("Let the line turn at the selected vertex: a segment ends there"),
-                           this)),
+      addPoint_(makeButton(
+          "addTurnPoint", tr("Add turn point"),
+          tr("Let the outline turn at the selected vertex, and end the segment there"), this)),
       removePoint_(makeButton("removeTurnPoint", tr("Remove turn point"),
-                              tr("Let the line run on smoothly at the selected vertex"), this)),
+                              tr("Let the outline continue smoothly at the selected vertex"),
+                              this)),
       addNotch_(makeButton("segmentNotchAdd", QStringLiteral("+"),
-                           tr("Add a notch in the middle of the longest part without one"), this)),
+                           tr("Add a notch in the middle of the longest part without notches"),
+                           this)),
       removeNotch_(makeButton("segmentNotchRemove", QStringLiteral("−"),
                               tr("Remove the notch nearest to the middle"), this)),
       bothSides_(new QCheckBox(tr("On both sides"), this)) {
@@ -97,15 +98,15 @@ SegmentForm::SegmentForm(Document& document, QWidget* parent)
     fields_.make<BesideSegment>(kBesideFields, "segment");
     cornerHelp_ = fields_.at("corner").toolTip();
     bothSides_->setObjectName("segmentBothSides");
-    bothSides_->setToolTip(tr("Set the allowance of the edge that is sewn to the segment, too"));
+    bothSides_->setToolTip(tr("Also set the allowance of the edge that is sewn to this one"));
     bothSides_->setChecked(true);
     lengths_->setWordWrap(true);
     kinks_->setWordWrap(true);
     kinks_->setToolTip(
-        tr("A kink is the angle that two lines sewn together lack to run into each other; at other "
-           "ends the angle by which the outline turns"));
-    addNotch_->setAccessibleName(tr("Add a notch"));
-    removeNotch_->setAccessibleName(tr("Remove a notch"));
+        tr("Kink: angle between the joined lines of a sewn seam end. Turn: angle of the outline at "
+           "other ends"));
+    addNotch_->setAccessibleName(tr("Add notch"));
+    removeNotch_->setAccessibleName(tr("Remove notch"));
     notches_->setObjectName("segmentNotches");
     makeLayout();
     connect(bothSides_, &QCheckBox::clicked, this, [this] { fields_.startGesture(); });
@@ -215,7 +216,7 @@ void SegmentForm::show(const LineFacts& facts) {
     const auto index = static_cast<std::size_t>(at->segment);
     fields_.at("corner").setToolTip(
         cornerHelp_ + ' ' +
-        tr("The segment before is %1.")
+        tr("The previous segment is %1.")
             .arg(segmentName(document_, around[(index + around.size() - 1) % around.size()])));
     showKinks(facts, *at);
     showTurnPoint(facts);
@@ -380,7 +381,7 @@ void SegmentForm::removeNotch() {
     if (nearest != notches.end()) {
         document_.setLines(withoutNotch(document_.state().lines, *document_.garment(), *nearest,
                                         document_.derived().symmetry.get()),
-                           tr("Removal of a notch"));
+                           tr("Delete notch"));
     }
 }
 
@@ -388,7 +389,7 @@ void SegmentForm::setTurnPoint(bool turns) {
     if (vertex_) {
         vertex_->turns = turns;
         document_.setLines(withTurnPoint(document_.state().lines, *vertex_),
-                           turns ? tr("Turn point") : tr("Removal of a turn point"));
+                           turns ? tr("Add turn point") : tr("Remove turn point"));
     }
 }
 

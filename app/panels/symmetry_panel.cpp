@@ -81,14 +81,12 @@ QWidget* SymmetryPanel::makeSettings() {
     mirror_->addItem(tr("equal: the mean of both"), static_cast<int>(Mirror::Mean));
     mirror_->addItem(tr("equal: one for both"), static_cast<int>(Mirror::First));
     mirror_->setToolTip(
-        tr("What becomes of pieces that are mirror images of each other, but for how the cloth "
-           "hangs. Pieces that become equal have a common length in seams that mirror each other"));
+        tr("How to draw mirrored pieces. Equal pieces get common lengths in mirrored seams"));
     mirror_->setFocusPolicy(Qt::StrongFocus);
     (new FieldGuard(this))->install(*mirror_);
     edits_->setObjectName("mirrorEdits");
     edits_->setToolTip(
-        tr("Cut on both sides of the garment at once, and turn the grain on both; where mirrored "
-           "pieces are equal"));
+        tr("Apply cuts and grain changes to both mirrored pieces if they are drawn equal"));
     for (QLabel* label : {plane_, drawn_}) {
         label->setWordWrap(true);
     }
@@ -111,11 +109,11 @@ QWidget* SymmetryPanel::makeSettings() {
 
 void SymmetryPanel::makeSeamList() {
     seams_->setObjectName("unmirroredSeamList");
-    seams_->setAccessibleName(tr("Seams without a counterpart"));
+    seams_->setAccessibleName(tr("Seams with no match on the other side"));
     seams_->setRootIsDecorated(false);
     dressList(*seams_);
     seams_->headerItem()->setToolTip(
-        0, tr("Seams and free edges that are no mirror image of another: they keep their length"));
+        0, tr("Seams and free edges without a mirror image keep their length"));
     const auto choose = [this](const QTreeWidgetItem* item) {
         if (!fills_ && item) {
             document_.setSeam(item->data(0, kSeamOfItem).toInt());
@@ -175,20 +173,19 @@ QString SymmetryPanel::planeText() const {
                  unbroken(lengthWithUnit(symmetry->plane.farthest)));
     }
     if (document_.state().lines.mirror == Mirror::None) {
-        return tr("Left and right are not compared. Choose what they are to have in common.");
+        return tr("Left and right are not compared. Choose how to draw mirrored pieces.");
     }
     return document_.isFlattened()
                ? tr("No mirror plane: left and right of this garment differ too much.")
-               : tr("The mirror plane is not known yet: it is found when the pieces are "
-                    "flattened.");
+               : tr("Flatten the pieces to find the mirror plane.");
 }
 
 QString SymmetryPanel::drawnText() const {
     if (facts_.equal == 0) {
         return {};
     }
-    return tr("%1 of %2 are drawn equal. Seams change by at most %3; the largest strain goes from "
-              "%4 to %5.")
+    return tr("%1 of %2 are drawn equal. Seams change by at most %3. The largest strain changes "
+              "from %4 to %5.")
         .arg(QString::number(facts_.equal), QString::number(facts_.pairs),
              unbroken(fineLength(facts_.lengthChange) + ' ' + lengthUnit()),
              unbroken(tr("%1 %").arg(percent(facts_.exactStrain))),
@@ -199,7 +196,7 @@ void SymmetryPanel::showSeams() {
     const QScopedValueRollback fills(fills_, true);
     seams_->clear();
     seams_->setVisible(!facts_.seams.empty());
-    seams_->setHeaderLabels({tr("Without a counterpart (%1)").arg(facts_.seams.size())});
+    seams_->setHeaderLabels({tr("No match on the other side (%1)").arg(facts_.seams.size())});
     for (const int seam : facts_.seams) {
         auto* item = new QTreeWidgetItem(seams_);
         item->setText(0, seamName(document_, seam));
@@ -211,8 +208,8 @@ void SymmetryPanel::showSeams() {
 void SymmetryPanel::setMirror(int choice) {
     LineSettings lines = document_.state().lines;
     lines.mirror = static_cast<Mirror>(mirror_->itemData(choice).toInt());
-    const QString text = lines.mirror == Mirror::None ? tr("Mirrored pieces as they are")
-                                                      : tr("Mirrored pieces equal");
+    const QString text = lines.mirror == Mirror::None ? tr("Keep mirrored pieces as in the file")
+                                                      : tr("Make mirrored pieces equal");
     document_.setLines(std::move(lines), text);
 }
 

@@ -150,21 +150,20 @@ WelcomePage::WelcomePage(Preferences& preferences, QWidget* parent)
     lines->addWidget(mark);
     lines->addSpacing(16);
     lines->addWidget(makeText(tr("From a 3D garment to a sewing pattern"), 1.7, true, false));
-    lines->addWidget(makeText(tr("Toile flattens every piece of a garment so that its seam lines "
-                                 "keep their length, and shows what the cloth has to do."),
+    lines->addWidget(makeText(tr("Toile flattens every piece of a garment, keeps the length of its "
+                                 "seam lines, and shows the strain of the cloth."),
                               1.05, false, true));
     lines->addSpacing(16);
     lines->addWidget(open_, 0, Qt::AlignHCenter);
-    advice_ =
-        makeText(tr("or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several "
-                    "meshes are taken as one garment"),
-                 0.95, false, true);
+    advice_ = makeText(tr("or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; "
+                          "several meshes form one garment"),
+                       0.95, false, true);
     lines->addWidget(advice_);
     lines->addWidget(makeOrigins(), 0, Qt::AlignHCenter);
     lines->addWidget(makeRecent());
     if (QWidget* samples = makeSamples()) {
         lines->addSpacing(22);
-        lines->addWidget(makeText(tr("Or begin with a sample"), 1.0, true, false));
+        lines->addWidget(makeText(tr("Or start with a sample"), 1.0, true, false));
         lines->addWidget(samples, 0, Qt::AlignHCenter);
     }
     auto* layout = new QVBoxLayout(this);
@@ -195,17 +194,16 @@ QWidget* WelcomePage::makeOrigins() {
         QString title, advice;
     } kOrigins[] = {
         {"originClo", tr("CLO, Marvelous Designer"),
-         tr("Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile takes the "
-            "panels "
-            "from the map.")},
+         tr("Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile gets the "
+            "panels from the map.")},
         {"originBlender", tr("Blender"),
-         tr("Export as Wavefront OBJ: the garment selected, modifiers applied, UV coordinates with "
-            "it. Where you have marked seams and unwrapped, divide by UV islands.")},
-        {"originGame", tr("Game or figure"),
-         tr("Export the garment alone as OBJ with its UV map. Say how tall it is when you are "
-            "asked; maps made for textures are often not cut as cloth is, and cuts can be drawn.")},
+         tr("Select the garment and export it as Wavefront OBJ, with modifiers applied and UV "
+            "coordinates. If you marked seams and unwrapped, split by UV islands.")},
+        {"originGame", tr("Game or character"),
+         tr("Export only the garment as OBJ with its UV map. Enter its height when Toile asks. If "
+            "the texture map is not split like cloth, draw cuts.")},
         {"originScan", tr("Scan"),
-         tr("Save the garment alone as PLY, STL or OBJ, cleaned and reduced to some 100,000 "
+         tr("Save only the garment as PLY, STL or OBJ, cleaned and reduced to about 100,000 "
             "triangles. A scan has no seams: draw them as cuts.")},
     };
     auto* box = new QWidget;
@@ -286,7 +284,7 @@ void WelcomePage::updateRecent() {
             continue;
         }
         if (shown == 0) {
-            recentRows_->addWidget(makeText(tr("Opened before"), 1.0, true, false));
+            recentRows_->addWidget(makeText(tr("Recent files"), 1.0, true, false));
             recentRows_->addSpacing(4);
         }
         auto* button = new RecentFileButton(files.front());

@@ -40,8 +40,8 @@ QString glProblem() {
     if (!hasScreen() || !context.create()) {
         return QCoreApplication::translate(
             "GlSupport",
-            "The views need OpenGL 3.3, but this computer offers none here. Flattening and export "
-            "work all the same; a newer graphics driver brings the views back.");
+            "The views need OpenGL 3.3, which is not available. Flattening and export still work. "
+            "Update the graphics driver to get the views.");
     }
     QOffscreenSurface surface;
     surface.setFormat(context.format());
@@ -50,8 +50,8 @@ QString glProblem() {
         const auto [major, minor] = context.format().version();
         return QCoreApplication::translate(
                    "GlSupport",
-                   "The views need OpenGL 3.3, but the graphics driver offers only %1.%2. "
-                   "Flattening and export work all the same; a newer driver brings the views back.")
+                   "The views need OpenGL 3.3, but the graphics driver only offers %1.%2. "
+                   "Flattening and export still work. Update the driver to get the views.")
             .arg(major)
             .arg(minor);
     }

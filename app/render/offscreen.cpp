@@ -102,9 +102,8 @@ std::unique_ptr<OffscreenContext> makeOffscreenContext(QString& problem) {
     if (!context || !hasGl()) {
         problem = QCoreApplication::translate(
             "OffscreenContext",
-            "pictures need OpenGL 3.3, and there is neither a display that offers it nor a driver "
-            "that does without one; xvfb-run lends a display, and the package libgl1-mesa-dri "
-            "has such a driver");
+            "pictures need OpenGL 3.3, but neither a display nor a driver without display offers "
+            "it; use xvfb-run, or install the package libgl1-mesa-dri");
         return nullptr;
     }
     return context;

@@ -81,8 +81,8 @@ QString SceneRenderer::initialize() {
         {glyph_, files.glyphs}};
     for (const auto& [program, names] : programs) {
         if (program = loadProgram(names, problem); !program) {
-            return QCoreApplication::translate(
-                       "SceneRenderer", "The graphics driver refused to draw this view (%1).")
+            return QCoreApplication::translate("SceneRenderer",
+                                               "The graphics driver cannot draw this view (%1).")
                 .arg(problem);
         }
     }

@@ -152,7 +152,8 @@ void CutProposals::ask(AdviceQuestion question) {
     awaited_ = 0;
     if (piece()->defect && !isOpenable(*piece())) {
         adviser_.cancel();
-        problem_ = tr("No cuts can be proposed here. %1").arg(errorText(*piece()->defect));
+        problem_ =
+            tr("No cuts can be proposed for this piece. %1").arg(errorText(*piece()->defect));
         take({});
         return;
     }
@@ -303,7 +304,7 @@ void CutProposals::makeTaken() {
     const int gesture = document_.newGesture();
     names_.await(piece()->id, advice_.nameOf, gesture);
     close();
-    workspace_.makeCuts(tr("Proposed cuts"), std::move(cuts), gesture);
+    workspace_.makeCuts(tr("Make proposed cuts"), std::move(cuts), gesture);
 }
 
 void CutProposals::make(std::size_t cut) {

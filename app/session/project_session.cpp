@@ -92,8 +92,7 @@ void ProjectSession::onOpened(const Path& file, const OpenedProject& opened, boo
         sentences << errorText(note);
     }
     if (const auto more = static_cast<int>(sentences.size()) - kMaxSentences; more > 0) {
-        sentences = sentences.mid(0, kMaxSentences)
-                    << tr("And %n more of this kind.", nullptr, more);
+        sentences = sentences.mid(0, kMaxSentences) << tr("And %n more like this.", nullptr, more);
     }
     if (!sentences.isEmpty()) {
         emit noticed(sentences.join('\n'));

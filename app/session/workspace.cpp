@@ -226,15 +226,15 @@ void Workspace::setOption(const QString& text, Value FlattenOptions::*field, Val
 }
 
 void Workspace::setMethod(Method method) {
-    setOption(tr("Method"), &FlattenOptions::method, method);
+    setOption(tr("Change method"), &FlattenOptions::method, method);
 }
 
 void Workspace::setQuality(Quality quality) {
-    setOption(tr("Quality"), &FlattenOptions::quality, quality);
+    setOption(tr("Change quality"), &FlattenOptions::quality, quality);
 }
 
 void Workspace::setBoundarySolver(BoundarySolver solver) {
-    setOption(tr("Boundary solver"), &FlattenOptions::boundarySolver, solver);
+    setOption(tr("Change boundary solver"), &FlattenOptions::boundarySolver, solver);
 }
 
 void Workspace::flattenAgain() {
@@ -277,7 +277,7 @@ void Workspace::reload() {
 }
 
 void Workspace::setLoading(LoadOptions loading) {
-    changeLoading({tr("Reading"),
+    changeLoading({tr("Change import options"),
                    [loading = std::move(loading)](LoadOptions& options) { options = loading; }});
 }
 
@@ -288,43 +288,43 @@ void Workspace::setLoadingField(const QString& text, Value LoadOptions::*field,
 }
 
 void Workspace::setUnit(std::optional<FileUnit> unit) {
-    setLoadingField(tr("Unit"), &LoadOptions::unit, unit);
+    setLoadingField(tr("Change unit"), &LoadOptions::unit, unit);
 }
 
 void Workspace::setUpAxis(std::optional<UpAxis> up) {
-    setLoadingField(tr("Up axis"), &LoadOptions::up, up);
+    setLoadingField(tr("Change up axis"), &LoadOptions::up, up);
 }
 
 void Workspace::setPreparing(Preparation preparing) {
-    setLoadingField(tr("Reading"), &LoadOptions::preparing, preparing);
+    setLoadingField(tr("Change import options"), &LoadOptions::preparing, preparing);
 }
 
 void Workspace::tryPreparing(Preparation preparing, int gesture) {
-    changeLoading({tr("Reading"),
+    changeLoading({tr("Change import options"),
                    [preparing](LoadOptions& options) { options.preparing = preparing; }, gesture});
 }
 
 void Workspace::setSplit(SplitMode split) {
-    setLoadingField(tr("Division"), &LoadOptions::split, split);
+    setLoadingField(tr("Change splitting into pieces"), &LoadOptions::split, split);
 }
 
 void Workspace::setAutoCut(bool on) {
-    setLoadingField(tr("Automatic cuts"), &LoadOptions::autoCut, on);
+    setLoadingField(tr("Change automatic cuts"), &LoadOptions::autoCut, on);
 }
 
 void Workspace::setCutStyle(CutStyle style) {
-    changeLoading({tr("Automatic cuts"), [style](LoadOptions& options) {
+    changeLoading({tr("Change automatic cuts"), [style](LoadOptions& options) {
                        options.cutStyle = style;
                        options.autoCut = options.autoCut || style != CutStyle::Topology;
                    }});
 }
 
 void Workspace::setWeld(bool on) {
-    setLoadingField(tr("Welding"), &LoadOptions::weld, on);
+    setLoadingField(tr("Change welding"), &LoadOptions::weld, on);
 }
 
 void Workspace::setCloseSlits(bool on) {
-    setLoadingField(tr("Closing slits"), &LoadOptions::closeSlits, on);
+    setLoadingField(tr("Change closing of slits"), &LoadOptions::closeSlits, on);
 }
 
 void Workspace::changeLoading(LoadingChange change) {
@@ -413,7 +413,7 @@ void Workspace::openReference(const std::filesystem::path& path) {
         DocumentState next = document_.state();
         next.reference = std::move(read);
         document_.setView(&ViewState::referencePanels, true);  // who opens it wants to see it
-        document_.edit(tr("Reference pattern"), std::move(next));
+        document_.edit(tr("Open reference pattern"), std::move(next));
         follow();
     }));
 }
@@ -421,7 +421,7 @@ void Workspace::openReference(const std::filesystem::path& path) {
 void Workspace::closeReference() {
     DocumentState next = document_.state();
     next.reference = {};
-    document_.edit(tr("No reference pattern"), std::move(next));
+    document_.edit(tr("Close reference pattern"), std::move(next));
 }
 
 }  // namespace toile::app

@@ -40,10 +40,10 @@ struct CutWords {
 CutWords wordsOf(UserCut::Kind kind) {
     switch (kind) {
         case UserCut::Kind::Dart:
-            return {Workspace::tr("Dart"), Workspace::tr("Dart in %1"),
+            return {Workspace::tr("Cut dart"), Workspace::tr("Cut dart in %1"),
                     Workspace::tr("dart").toStdString()};
         case UserCut::Kind::Loop:
-            return {Workspace::tr("Closed loop"), Workspace::tr("Closed loop in %1"),
+            return {Workspace::tr("Cut closed loop"), Workspace::tr("Cut closed loop in %1"),
                     Workspace::tr("loop").toStdString()};
         case UserCut::Kind::Path:
             break;
@@ -57,8 +57,8 @@ QString textOfRemoval(const SeamsFile& seams, const std::vector<CutId>& ids) {
         return std::ranges::find(ids, known.id) != ids.end();
     });
     return cut == seams.cuts.end()
-               ? Workspace::tr("Removal of a cut")
-               : Workspace::tr("Removal of %1").arg(QString::fromStdString(cut->name));
+               ? Workspace::tr("Remove cut")
+               : Workspace::tr("Remove %1").arg(QString::fromStdString(cut->name));
 }
 
 /// Fewer triangles, and cuts are found within some milliseconds.
@@ -111,8 +111,8 @@ std::optional<Error> Workspace::objectionTo(const Garment& garment, DocumentStat
 void Workspace::sayRefused(const Error& why) {
     QString sentence = errorText(why);
     if (std::exchange(isImageRefused_, false)) {
-        sentence += ' ' + tr("It was to be the mirror image of the one that you drew. Switch off "
-                             "Tools ▸ Mirror edits to cut one side alone.");
+        sentence += ' ' + tr("It is the mirror image of your cut. To cut one side only, switch off "
+                             "Tools ▸ Mirror edits.");
     }
     emit refused(sentence);
 }
@@ -134,7 +134,7 @@ Result<Problems> Workspace::readSeams(const std::filesystem::path& path) {
     if (!read) {
         return read.error();
     }
-    changeLoading({tr("Seams from a file"), [read = std::move(*read)](LoadOptions& options) {
+    changeLoading({tr("Load seams file"), [read = std::move(*read)](LoadOptions& options) {
                        options.seams = read;
                        options.seamSettings.clear();
                        giveIds(options.seams.cuts);
@@ -174,7 +174,7 @@ void Workspace::addCut(UserCut cut, std::optional<int> piece, const QString& tex
         return;
     }
     mirroring_.start(makeJob(
-        tr("Mirror image of a cut"),
+        tr("Finding the mirror image of a cut"),
         [drawn](Progress& progress) -> Result<std::optional<UserCut>> {
             return drawn.image(progress);
         },
@@ -186,9 +186,10 @@ void Workspace::makeCut(const DrawnCut& drawn, std::optional<UserCut> image) {
         return;
     }
     if (drawn.isMirrored && !image) {
-        emit noted(drawn.symmetry
-                       ? tr("Cut once: it has no mirror image of its own, or a seam runs there.")
-                       : tr("Cut on one side alone: no mirror plane is known."));
+        emit noted(
+            drawn.symmetry
+                ? tr("Cut on this side only: there is no mirror image, or a seam is there already.")
+                : tr("Cut on this side only: no mirror plane was found."));
     }
     const std::string stem = wordsOf(drawn.cut.kind).stem;
     std::vector<UserCut> named = loading().seams.cuts;
@@ -263,7 +264,7 @@ void Workspace::makeCuts(const QString& text, std::vector<UserCut> cuts, int ges
 
 void Workspace::sayOvertaken() {
     if (document_.garment()) {
-        emit refused(tr("The garment was changed before the cut was found. Cut once more."));
+        emit refused(tr("The garment changed before the cut was found. Cut again."));
     }
 }
 
@@ -296,7 +297,7 @@ void Workspace::cutOpen(const std::vector<int>& pieces) {
         }
         return all;
     };
-    findCuts(tr("Cut open"), triangles <= kQuickTriangles, find,
+    findCuts(tr("Finding cuts"), triangles <= kQuickTriangles, find,
              [this, garment](std::vector<UserCut> cuts) {
                  if (document_.garment() == garment && !opening_.isActive()) {
                      takeCuts(tr("Cut open"), std::move(cuts));
@@ -326,7 +327,7 @@ void Workspace::cutAround(int piece, const SurfacePoint& place) {
              placesAlong(of->mesh, *loop, isWhole ? kPlaces : kPlacesBesideCuts),
              false}};
     };
-    findCuts(tr("Closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
+    findCuts(tr("Finding a closed loop"), of->mesh.F.rows() <= kQuickTriangles, find,
              [this, garment](std::vector<UserCut> cuts) {
                  if (document_.garment() == garment) {
                      addCut(std::move(cuts.front()));
@@ -343,10 +344,10 @@ void Workspace::dartToSeam(int seam) {
     }
     if (auto cut = cutBeyondDart(*garment, document_.results(), seam)) {
         const int piece = garment->seams.seams[static_cast<std::size_t>(seam)].left.piece;
-        addCut(std::move(*cut), piece, tr("Dart in %1 to seam"));
+        addCut(std::move(*cut), piece, tr("Turn dart in %1 into seam"));
     } else {
         const Seam& dart = garment->seams.seams[static_cast<std::size_t>(seam)];
-        emit refused(tr("%1 points at no edge of its piece that a seam could lead to.")
+        emit refused(tr("%1 cannot become a seam: its tip points at no edge of its piece.")
                          .arg(QString::fromStdString(dart.name)));
     }
 }
@@ -363,7 +364,7 @@ bool Workspace::isSeamOfDart(int seam) const {
 void Workspace::seamToDart(int seam) {
     const auto cut = cutBeyond(seam);
     if (cut && !opening_.isActive()) {
-        changeSeams(tr("%1 to dart").arg(seamName(document_, seam)), removalOf({*cut}));
+        changeSeams(tr("Turn %1 into dart").arg(seamName(document_, seam)), removalOf({*cut}));
     }
 }
 
@@ -383,7 +384,7 @@ void Workspace::joinSeam(int seam) {
     }
     const Seam& chosen = garment->seams.seams[static_cast<std::size_t>(seam)];
     if (chosen.kind == SeamKind::Free) {
-        emit refused(tr("%1 is sewn to nothing: there is nothing to join.")
+        emit refused(tr("%1 is a free edge, so it cannot be joined.")
                          .arg(QString::fromStdString(chosen.name)));
         return;
     }
@@ -393,9 +394,8 @@ void Workspace::joinSeam(int seam) {
         }
         if (cut.author == CutAuthor::Automatic) {
             emit refused(
-                tr("%1 cannot be joined alone: Toile cut %2 open there because it could "
-                   "not lie flat. Switch off Garment ▸ Cut open automatically, or draw a "
-                   "cut of your own instead.")
+                tr("%1 cannot be joined: Toile cut %2 open there so that it lies flat. Switch off "
+                   "Garment ▸ Cut open automatically, or draw your own cut.")
                     .arg(QString::fromStdString(chosen.name), QString::fromStdString(cut.piece)));
             return;
         }
@@ -425,13 +425,12 @@ void Workspace::removeJoin(const std::string& name) {
     if (opening_.isActive()) {
         return;
     }
-    changeSeams(tr("Removal of join %1").arg(QString::fromStdString(name)),
-                [name](SeamsFile& seams) {
-                    const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
-                    if (join != seams.joins.end()) {
-                        seams.joins.erase(join);
-                    }
-                });
+    changeSeams(tr("Remove join %1").arg(QString::fromStdString(name)), [name](SeamsFile& seams) {
+        const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
+        if (join != seams.joins.end()) {
+            seams.joins.erase(join);
+        }
+    });
 }
 
 void Workspace::setEase(int seam, std::optional<double> ease) {

@@ -74,7 +74,7 @@ QString troubleText(const Error& trouble, const Piece& piece) {
         case ErrorCode::SeveralLoops:
             return tr("a tube with %1 openings").arg(loopLengths(piece).size());
         case ErrorCode::ClosedSurface:
-            return tr("closed all round");
+            return tr("a closed surface");
         default:
             return errorDescription({trouble.code});
     }
@@ -121,9 +121,8 @@ QString faultText(const std::exception_ptr& fault) {
     } catch (const std::bad_alloc&) {
         return errorText({ErrorCode::OutOfMemory});
     } catch (const std::exception& exception) {
-        return QCoreApplication::translate("toile",
-                                           "The program met an unexpected fault (%1). Please "
-                                           "report it with the garment file.")
+        return QCoreApplication::translate(
+                   "toile", "Unexpected error (%1). Please report it with the garment file.")
             .arg(QString::fromUtf8(exception.what()));
     }
 }

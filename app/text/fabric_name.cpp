@@ -17,7 +17,7 @@ class FabricWords {
 
 QString fabricName(const Fabric& fabric) {
     const std::pair<const char*, QString> names[] = {
-        {"unstated", FabricWords::tr("not stated")},
+        {"unstated", FabricWords::tr("not set")},
         {"woven", FabricWords::tr("woven")},
         {"denim", FabricWords::tr("denim")},
         {"canvas", FabricWords::tr("canvas")},

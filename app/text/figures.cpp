@@ -149,8 +149,8 @@ QString boundaryError(double fraction) {
 QString changeText(const std::vector<LengthChange>& changes) {
     const auto causeText = [](LengthCause cause) {
         return cause == LengthCause::Mirroring   ? tr("mirroring %1")
-               : cause == LengthCause::Length    ? tr("typed length %1")
-               : cause == LengthCause::Improving ? tr("improving %1")
+               : cause == LengthCause::Length    ? tr("set length %1")
+               : cause == LengthCause::Improving ? tr("improvement %1")
                                                  : tr("ease %1");
     };
     QStringList words;
@@ -205,13 +205,13 @@ OverlayWords overlayWords(Overlay overlay) {
                         : OverlayText::tr("squares of 1 cm on the flat cloth")};
         case Overlay::Area:
             return {OverlayText::tr("Area change"), OverlayText::tr("%"),
-                    OverlayText::tr("worn against flat: orange must stretch, blue has surplus")};
+                    OverlayText::tr("3D against flat: orange stretches, blue has surplus")};
         case Overlay::Angle:
             return {OverlayText::tr("Angle change"), OverlayText::tr("°"),
-                    OverlayText::tr("largest change of a corner, flat against worn")};
+                    OverlayText::tr("largest change of a triangle's corner angle")};
         case Overlay::Strain:
             return {OverlayText::tr("Edge strain"), OverlayText::tr("%"),
-                    OverlayText::tr("what the cloth must do: orange stretches, blue has surplus")};
+                    OverlayText::tr("mesh edges: orange stretches, blue has surplus")};
         case Overlay::Warp:
             return {OverlayText::tr("Strain along warp"), OverlayText::tr("%"),
                     OverlayText::tr("along the grain: orange stretches, blue has surplus")};
@@ -223,21 +223,20 @@ OverlayWords overlayWords(Overlay overlay) {
                     OverlayText::tr("at 45° to the grain, the worse of both diagonals")};
         case Overlay::Principal:
             return {OverlayText::tr("Principal strain"), OverlayText::tr("%"),
-                    OverlayText::tr("arrows outwards stretch, arrows inwards have surplus")};
+                    OverlayText::tr("outward arrows stretch, inward arrows have surplus")};
         case Overlay::Dirichlet:
-            return {
-                OverlayText::tr("Distortion energy"), OverlayText::tr("%"),
-                OverlayText::tr("symmetric Dirichlet, above that of cloth that keeps its shape")};
+            return {OverlayText::tr("Distortion energy"), OverlayText::tr("%"),
+                    OverlayText::tr("symmetric Dirichlet energy; 0 if the cloth keeps its shape")};
         case Overlay::Normal:
             return {OverlayText::tr("Surface normals"),
                     {},
-                    OverlayText::tr("where the worn cloth faces: one colour for each direction")};
+                    OverlayText::tr("direction of the 3D surface, one colour for each axis")};
         case Overlay::Gap:
             return {OverlayText::tr("Gap"), lengthUnit(),
-                    OverlayText::tr("sewn against designed: orange lies outside, blue inside")};
+                    OverlayText::tr("sewn cloth against design: orange outside, blue inside")};
         case Overlay::WornStrain:
             return {OverlayText::tr("Worn strain"), OverlayText::tr("%"),
-                    OverlayText::tr("of the cloth as sewn: orange pulls, blue is slack")};
+                    OverlayText::tr("sewn cloth: orange pulls, blue is slack")};
     }
     return {};
 }

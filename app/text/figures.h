@@ -78,17 +78,17 @@ constexpr const char* methodText(Method method) {
         case Method::Isometric:
             return TR("Least &distortion");
         case Method::Curvature:
-            return TR("Angles follow the c&urvature");
+            return TR("Angles from c&urvature");
         case Method::Wang2005:
-            return TR("Angles spread &evenly");
+            return TR("&Even angles (Wang 2005)");
         case Method::Stretch:
             return TR("Least &stretch on a circle");
         case Method::Natural:
             return TR("&Free outline");
         case Method::Lscm:
-            return TR("Free outline, leas&t squares");
+            return TR("LSCM (&texture style)");
         case Method::Abf:
-            return TR("Free outline, by an&gles");
+            return TR("A&BF (texture style)");
         case Method::Convex:
             return TR("On a ci&rcle");
     }

@@ -47,21 +47,18 @@ struct LimitWords {
 };
 
 constexpr LimitWords kLimitWords[] = {
-    {Overlay::Warp,
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric along the warp"),
-     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric along the warp")},
-    {Overlay::Weft,
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric along the weft"),
-     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric along the weft")},
-    {Overlay::Bias,
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the fabric on the bias"),
-     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the fabric on the bias")},
+    {Overlay::Warp, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the warp limits"),
+     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the warp limits")},
+    {Overlay::Weft, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the weft limits"),
+     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the weft limits")},
+    {Overlay::Bias, QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the bias limits"),
+     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the bias limits")},
     {Overlay::Strain,
      QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth has an edge beyond the tightest limit"),
      QT_TRANSLATE_NOOP("ColourBar", "no edge is beyond the tightest limit")},
     {Overlay::Principal,  // and the remaining limited ones
-     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth is beyond the tightest limit"),
-     QT_TRANSLATE_NOOP("ColourBar", "all of the cloth is within the tightest limit")},
+     QT_TRANSLATE_NOOP("ColourBar", "%1 of the cloth exceeds the tightest limit"),
+     QT_TRANSLATE_NOOP("ColourBar", "all cloth is within the tightest limit")},
 };
 
 const LimitWords& limitWords(Overlay overlay) {
@@ -87,18 +84,17 @@ QString ColourLegend::endLabel(bool high) const {
 
 QString ColourLegend::meaning() const {
     if (isMissing) {
-        return isOnItsWay
-                   ? LegendWords::tr("it is being sewn")
-                   : LegendWords::tr("not sewn yet, or since the last change: prove it by sewing");
+        return isOnItsWay ? LegendWords::tr("sewing in progress")
+                          : LegendWords::tr("no current proof; prove by sewing first");
     }
     QString meaning = overlayWords(overlay).meaning;
     switch (sewn) {
         case SewnPattern::Own:
             break;
         case SewnPattern::Designer:
-            return LegendWords::tr("of the designer's panels · %1").arg(meaning);
+            return LegendWords::tr("designer's panels · %1").arg(meaning);
         case SewnPattern::Reference:
-            return LegendWords::tr("of the reference pattern · %1").arg(meaning);
+            return LegendWords::tr("reference pattern · %1").arg(meaning);
     }
     return meaning;
 }
@@ -138,9 +134,9 @@ QString ColourLegend::shortShare() const {
         return {};
     }
     const double share = histogram->beyond();
-    return share > 0 ? LegendWords::tr("%1 beyond the fabric (hatched)")
+    return share > 0 ? LegendWords::tr("%1 beyond the limits (hatched)")
                            .arg(shareText(share, EndPercents(*histogram).all))
-                     : LegendWords::tr("all within the fabric");
+                     : LegendWords::tr("all within the limits");
 }
 
 QString ColourLegend::summary() const {

@@ -26,7 +26,7 @@ QString seamText(const Document& document, int index) {
             name, lengthWithUnit(measure ? measure->length2dLeft : seam.length3d[0]));
     }
     if (!measure) {
-        return tr("%1 · %2 / %3 on the garment")
+        return tr("%1 · %2 / %3 in 3D")
             .arg(name, lengthNumber(seam.length3d[0]), lengthWithUnit(seam.length3d[1]));
     }
     return tr("%1 · %2 / %3, Δ %4")
@@ -50,13 +50,13 @@ QString runText(const Document& document, const Feature& run) {
     const RunLengths lengths = runLengths(garment, document.results(), run);
     const QString name = nameOfRun(document, run);
     if (lengths.sewn == 0) {
-        return tr("%1 · %2 of its outline").arg(name, lengthWithUnit(lengths.free));
+        return tr("%1 · %2 of free edge").arg(name, lengthWithUnit(lengths.free));
     }
     const QString sewn =
         lengths.flat ? tr("%1, from corner to corner · %2 / %3, Δ %4")
                            .arg(name, lengthNumber(lengths.sewn), lengthWithUnit(lengths.partner),
                                 signedFineLength(lengths.sewn - lengths.partner))
-                     : tr("%1, from corner to corner · %2 / %3 on the garment")
+                     : tr("%1, from corner to corner · %2 / %3 in 3D")
                            .arg(name, lengthNumber(lengths.sewn), lengthWithUnit(lengths.partner));
     constexpr double kWorthTelling = 0.05;  // mm
     return lengths.free < kWorthTelling

@@ -79,9 +79,9 @@ QString emptyText(const Document& document) {
         return PatternWords::tr("The flat pieces appear here.");
     }
     if (std::ranges::find(document.results(), nullptr) != document.results().end()) {
-        return PatternWords::tr("The pieces have changed and wait to be flattened.");
+        return PatternWords::tr("The pieces have changed and are not flattened yet.");
     }
-    return PatternWords::tr("None of the pieces could be flattened. The list of pieces says why.");
+    return PatternWords::tr("No piece could be flattened. See the list of pieces for the reasons.");
 }
 
 /// Collects a piece's name, cloth outline and bounding box on the screen.

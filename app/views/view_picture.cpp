@@ -75,8 +75,7 @@ void PicturePainter::drawScene(QPainter& picture, const QRect& part, const Paint
     renderer.release();
     if (image.isNull()) {
         problem_ = PictureWords::tr(
-                       "the graphics driver has no room for a picture of %1 x %2 pixels; try a "
-                       "smaller one")
+                       "the graphics driver cannot draw %1 x %2 pixels; choose a smaller size")
                        .arg(part.width())
                        .arg(part.height());
         return;
@@ -143,7 +142,7 @@ void PicturePainter::drawPattern(QPainter& picture, const QRect& part) {
 QImage PicturePainter::draw() {
     QImage picture(options_.size, QImage::Format_RGB32);
     if (picture.isNull() || !document_.scene()) {
-        problem_ = PictureWords::tr("there is no memory for a picture of that size");
+        problem_ = PictureWords::tr("there is not enough memory for a picture of this size");
         return {};
     }
     picture.fill(options_.palette.color(QPalette::Window));

@@ -53,9 +53,9 @@ WalkBar::WalkBar(Document& document, PatternView& pattern, GarmentView& garment)
       pattern_(pattern),
       garment_(garment),
       reading_(makeLabel({})) {
-    slider().setAccessibleName(tr("Along the seam"));
-    slider().setToolTip(tr("Rolls one piece along the seam of the other"));
-    button().setToolTip(tr("Play the walk along the seam and back"));
+    slider().setAccessibleName(tr("Position along the seam"));
+    slider().setToolTip(tr("Roll one piece along the seam of the other"));
+    button().setToolTip(tr("Play the walk forwards and back"));
     reading_->setObjectName("walkReading");
     reading_->setAlignment(Qt::AlignCenter);
     auto* close = new QToolButton(this);

@@ -26,15 +26,14 @@ constexpr int kBarLeft = 92, kSewnFoot = 50;
 
 MorphBar::MorphBar(Document& document, GarmentView& view)
     : PlayBar(view, "morph", kMorphMilliseconds, {.left = kBarLeft}), document_(document) {
-    slider().setAccessibleName(tr("From the garment to the pattern"));
-    slider().setToolTip(
-        tr("Shows what flattening does: the garment on the left, flat on the right"));
-    button().setToolTip(tr("Play the way from the garment to the pattern and back"));
+    slider().setAccessibleName(tr("From garment to pattern"));
+    slider().setToolTip(tr("Go from the 3D garment (left) to the flat pattern (right)"));
+    button().setToolTip(tr("Play from garment to pattern and back"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 10, 2);
     row->setSpacing(6);
     row->addWidget(&button());
-    row->addWidget(makeLabel(tr("Worn")));
+    row->addWidget(makeLabel(tr("3D")));
     row->addWidget(&slider(), 1);
     row->addWidget(makeLabel(tr("Flat")));
 
@@ -60,10 +59,9 @@ SewnBar::SewnBar(Document& document, GarmentView& view, MorphBar& morph)
     : PlayBar(view, "sewn", kSewnMilliseconds, {.left = kBarLeft, .foot = kSewnFoot}),
       document_(document),
       morph_(morph) {
-    slider().setAccessibleName(tr("From the design to the pattern as sewn"));
-    slider().setToolTip(
-        tr("Shows what sewing the pattern comes to: the design on the left, sewn on the right"));
-    button().setToolTip(tr("Play the way from the design to the pattern as sewn and back"));
+    slider().setAccessibleName(tr("From design to sewn pattern"));
+    slider().setToolTip(tr("Go from the design (left) to the sewn pattern (right)"));
+    button().setToolTip(tr("Play from design to sewn pattern and back"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(4, 2, 10, 2);
     row->setSpacing(6);

@@ -51,10 +51,10 @@ RecoveryCard::RecoveryCard(QWidget* parent) : SentenceBar(parent) {
     setBackgroundRole(QPalette::AlternateBase);
     auto* restore = new QPushButton(tr("&Restore"), this);
     restore->setObjectName("restoreRecovery");
-    restore->setToolTip(tr("Open the garment as it was when it was last kept"));
+    restore->setToolTip(tr("Open the garment from the last backup"));
     auto* discard = new QPushButton(tr("&Discard"), this);
     discard->setObjectName("discardRecovery");
-    discard->setToolTip(tr("Remove what was kept: it cannot be brought back"));
+    discard->setToolTip(tr("Delete the backup permanently"));
     connect(restore, &QPushButton::clicked, this, &RecoveryCard::restoreWanted);
     connect(discard, &QPushButton::clicked, this, &RecoveryCard::discardWanted);
     row_->setContentsMargins(14, 6, 10, 6);

@@ -190,12 +190,13 @@ void CommandPalette::updateList() {
 void CommandPalette::updateTip() {
     const int row = list_->currentRow();
     if (row < 0 || row >= static_cast<int>(found_.size())) {
-        tip_->setText(tr("Nothing is called that."));
+        tip_->setText(tr("No matches"));
         return;
     }
     const auto at = static_cast<std::size_t>(found_[static_cast<std::size_t>(row)].command);
     const Command& command = commands_[at];
-    const QString tip = command.enabled ? command.tip : tr("Not possible now: %1").arg(command.tip);
+    const QString tip =
+        command.enabled ? command.tip : tr("Not available now: %1").arg(command.tip);
     tip_->setText(tip_->fontMetrics().elidedText(tip, Qt::ElideRight, kWidth - 4 * kMargin));
 }
 

@@ -19,9 +19,9 @@ GarmentCard::GarmentCard(QWidget* parent) : QFrame(parent) {
     up_ = makeRow("upQuestion");
     division_ = makeRow("divisionQuestion");
     symmetry_ = makeRow("symmetryQuestion");
-    keep_ = new QPushButton(tr("&Keep"), this);
+    keep_ = new QPushButton(tr("&Close"), this);
     keep_->setObjectName("keepGuess");
-    keep_->setToolTip(tr("The guess is right: do not ask again about this garment"));
+    keep_->setToolTip(tr("Confirm these guesses and stop asking about this garment"));
     connect(keep_, &QPushButton::clicked, this, &GarmentCard::keep);
 
     auto* rows = new QVBoxLayout;

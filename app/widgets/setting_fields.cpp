@@ -185,7 +185,7 @@ void SettingFields::add(const SettingField& of, const QString& prefix) {
     if (of.kind == FieldKind::Number && of.isOptional && !setting.unit && !setting.none &&
         *setting.unset) {
         row.reset = makeButton(qPrintable(objectName + "Reset"), app::tr(setting.unset),
-                               tr("Remove the value that you have set"), &form_);
+                               tr("Remove your value"), &form_);
         connect(row.reset, &QToolButton::clicked, this, [this, &row] {
             startGesture();
             take(row, {}, true);

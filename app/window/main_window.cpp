@@ -74,7 +74,7 @@ OutdatedBar::OutdatedBar(Workspace& workspace, const ActionRegistry& actions, QW
     auto* label = new QLabel(tr("The pattern is out of date"), this);
     auto* button = new QPushButton(tr("Flatten now"), this);
     button->setObjectName("flattenNow");
-    button->setToolTip(tr("Flatten what edits have changed"));
+    button->setToolTip(tr("Flatten the pieces that edits have changed"));
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(kBarAir, kBarAir / 2, kBarAir / 2, kBarAir / 2);
     row->addWidget(label);
@@ -90,7 +90,7 @@ void OutdatedBar::follow(PatternAge age) {
     const bool isOutdated = age != PatternAge::UpToDate && !workspace_.document().results().empty();
     // The status bar shows running jobs, so this shows waiting ones only.
     const bool isWaiting = isOutdated && age == PatternAge::OutOfDate;
-    const QString why = tr("The pattern is out of date: flatten it first");
+    const QString why = tr("The pattern is out of date. Flatten it first");
     actions_[ActionId::ExportPattern].setToolTip(isOutdated ? why : exportTip_);
     actions_[ActionId::PrintPattern].setToolTip(isOutdated ? why : printTip_);
     setVisible(isWaiting);
@@ -183,7 +183,7 @@ void MainWindow::connectParts() {
             proposeDart(spot->piece, spot->flat);
         } else {
             centre_->banner().showSentence(
-                tr("Point at the place with the right button, or mark the worst spots first."));
+                tr("Right-click the place for the dart, or mark the worst spots first."));
         }
     });
     connect(&card(), &GarmentCard::kept, this, [this] { checker().setGuessesKept(true); });
@@ -253,7 +253,7 @@ void MainWindow::adaptToWeight() {
     workspace_.setAutoFlatten(light);
     actions_[ActionId::AutoFlatten].setChecked(light);
     if (!light) {
-        status_->say(tr("A heavy garment: edits are flattened when you ask for it, %1")
+        status_->say(tr("Large garment: press %1 to flatten your edits")
                          .arg(actions_[ActionId::FlattenAgain].shortcut().toString(
                              QKeySequence::NativeText)));
     }
@@ -284,7 +284,7 @@ Recovery& MainWindow::keepRecoveryFiles(const QString& folder,
                                    folder, times ? times : autosaveTimes(choices.autosaveMinutes));
     Autosave& autosave = recovery_->autosave();
     connect(&autosave, &Autosave::failed, this, [this](const QString& sentence) {
-        status_->say(tr("Unsaved changes are not kept: %1").arg(sentence));
+        status_->say(tr("Unsaved changes are not backed up: %1").arg(sentence));
     });
     if (!times) {
         connect(&preferences_, &Preferences::choicesChanged, &autosave,

@@ -38,7 +38,7 @@ void Recovery::offerNext() {
     const RecoveryFile& file = offered_.front();
     const QLocale locale;
     card_.showSentence(
-        tr("Toile ended without saving your changes to %1. They were last kept on %2 at %3.")
+        tr("Toile closed before you saved your changes to %1. The last backup is from %2 at %3.")
             .arg(QFileInfo(file.project).fileName(),
                  locale.toString(file.time.date(), QLocale::ShortFormat),
                  locale.toString(file.time.time(), QLocale::ShortFormat)));

@@ -151,8 +151,8 @@ void WindowDialogs::showPage(const QString& name) {
     if (path.isEmpty()) {
         auto* box = new QMessageBox(
             QMessageBox::Information, tr("Documentation"),
-            tr("The documentation is not installed beside the program. Help > Keyboard and mouse "
-               "is always there, and every control says what it does under the pointer."),
+            tr("The documentation is not installed with the program. See Help > Keyboard and "
+               "mouse, or hold the pointer over a control for its tool tip."),
             QMessageBox::Ok, &window_);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
@@ -181,8 +181,8 @@ void WindowDialogs::reportProblem() {
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setWindowTitle(tr("Report a problem"));
     box->setText(
-        tr("Say what you did, what you expected and what came instead, and add these "
-           "lines and, if you may, the garment's file."));
+        tr("Describe what you did, what you expected and what happened instead. Add these lines "
+           "and, if you can, the garment's file."));
     box->setInformativeText(facts);
     box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* copy = box->addButton(tr("&Copy"), QMessageBox::AcceptRole);
@@ -199,9 +199,9 @@ void WindowDialogs::showAbout() {
     box->setIconPixmap(QIcon(":/icons/toile.svg").pixmap(64, 64));
     box->setText(QString("<h3>Toile %1</h3>").arg(QString::fromUtf8(version())));
     box->setInformativeText(
-        tr("Sewing patterns from 3D garments, every seam line at its true length: the "
-           "length-preserved natural boundary of Wang (2005).\n\nFree software under the GNU "
-           "General Public License, version 3 or later."));
+        tr("Sewing patterns from 3D garments, with every seam line at its true length. Method: "
+           "length-preserved natural boundary, Wang (2005).\n\nFree software under the GNU General "
+           "Public License, version 3 or later."));
     box->open();
 }
 

@@ -85,7 +85,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workspace& workspace, const Action
       properties_(new SelectionPanel(document_, actions)),
       fabric_(new FabricPanel(document_)) {
     history_->setObjectName("historyList");
-    history_->setEmptyLabel(tr("As opened"));
+    history_->setEmptyLabel(tr("Opened"));
     add(Panel::Pieces, tr("Pieces"), "piecesDock", pieces_, pieces_->table(), ActionId::GoToPieces);
     add(Panel::Seams, tr("Seams"), "seamsDock", seams_, seams_->table(), ActionId::GoToSeams);
     add(Panel::ProblemList, tr("Problems"), "problemsDock", problems_, problems_->table(),

@@ -135,7 +135,7 @@ OverlayButtons::OverlayButtons(QToolBar& bar, const ActionRegistry& actions)
     choice_->setObjectName("overlayChoice");
     choice_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     choice_->setPopupMode(QToolButton::InstantPopup);
-    choice_->setToolTip(tr("What is painted on the cloth, in both views"));
+    choice_->setToolTip(tr("Colours shown on the cloth in both views"));
     choice_->setAccessibleName(tr("Overlay"));
     auto* menu = new QMenu(choice_);
     for (const ActionSpec& spec : actionTable()) {

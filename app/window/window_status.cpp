@@ -77,7 +77,7 @@ void WindowStatus::updateSummary() {
     const QString summary = garmentSummary(workspace_.document());
     summary_->setText(summary);
     summary_->setVisible(!summary.isEmpty());
-    summary_->setToolTip(tr("%1\n\nClick to choose the unit or to say how tall the garment is")
+    summary_->setToolTip(tr("%1\n\nClick to choose the unit or to enter the garment's height")
                              .arg(garmentReasons(workspace_.document())));
 }
 

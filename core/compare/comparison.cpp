@@ -188,7 +188,7 @@ namespace {
 
 constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
     {Criterion::Seconds, FigureFormat::Seconds, Aggregate::Sum, false, "seconds", "time ms",
-     translatable("Time, ms"), translatable("Time that the last solve of this piece took")},
+     translatable("Time, ms"), translatable("Time of the last solve of this piece")},
     {Criterion::PiTheta, FigureFormat::Ratio, Aggregate::Mean, false, "pi_theta", "Pi_theta",
      nullptr, nullptr},
     {Criterion::PiE, FigureFormat::Ratio, Aggregate::Mean, false, "pi_e", "Pi_E", nullptr, nullptr},
@@ -203,7 +203,7 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable("Largest change in length of an outline edge")},
     {Criterion::FlippedTriangles, FigureFormat::Count, Aggregate::Sum, false, "flipped_triangles",
      "flips", translatable("Flipped triangles"),
-     translatable("Triangles that are turned over in the pattern, which cloth cannot be")},
+     translatable("Triangles whose orientation is reversed in the pattern; cloth cannot do that")},
     {Criterion::OutlineCrossings, FigureFormat::Count, Aggregate::Sum, false, "outline_crossings",
      "crossings", translatable("Outline crossings"),
      translatable("Number of places where the outline crosses itself")},
@@ -212,7 +212,7 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable(
          "Largest difference between the two flat sides of a seam of this piece, beyond the ease")},
     {Criterion::ReferenceRms, FigureFormat::Millimetres, Aggregate::KnownByArea, true,
-     "reference_rms_mm", "rms mm", translatable("To the reference panel, %1"),
+     "reference_rms_mm", "rms mm", translatable("Distance to reference panel, %1"),
      translatable("Root mean square distance to the panel in the file, after the best fit")},
     {Criterion::SewnGap, FigureFormat::Millimetres, Aggregate::KnownByArea, true, "sewn_gap_mm",
      "sewn gap mm", nullptr, nullptr},
@@ -220,10 +220,10 @@ constexpr std::array<CriterionTraits, kCriterionCount> kCriteria = {{
      translatable("Mean strain, %"),
      translatable("Stretch or surplus of the cloth, averaged over all mesh edges")},
     {Criterion::StrainMax, FigureFormat::SignedRatio, Aggregate::PieceOnly, false, "", "",
-     translatable("Most stretch, %"),
+     translatable("Max. stretch, %"),
      translatable("Largest stretch of a mesh edge from the pattern to the garment")},
     {Criterion::StrainMin, FigureFormat::SignedRatio, Aggregate::PieceOnly, false, "", "",
-     translatable("Most surplus, %"),
+     translatable("Max. surplus, %"),
      translatable("Largest surplus of a mesh edge from the pattern to the garment")},
 }};
 

@@ -25,7 +25,7 @@ inline constexpr double kMaxMarkerTurn = 6.283185307179586;
 inline constexpr int kWorstGrade = 1000;
 inline constexpr int kMaxGarments = 200;  ///< same limit as in the window
 
-inline constexpr const char* kTurnRuleNames[] = {TR("Either way up"), TR("One way"), TR("Freely")};
+inline constexpr const char* kTurnRuleNames[] = {TR("Both ways"), TR("One way"), TR("Free")};
 inline constexpr Word<TurnRule> kTurnRuleWords[] = {
     {TurnRule::HalfTurns, "halfTurns"}, {TurnRule::OneWay, "oneWay"}, {TurnRule::Free, "free"}};
 
@@ -128,7 +128,7 @@ void gradeList(Fields& at, Grades& grades) {
 
 inline constexpr auto kMarkerSettingsFields = [](auto& at, auto& settings) {
     at.field(Setting{"width", TR("&Width"), TR("Width of the marker"),
-                     TR("From selvedge to selvedge; by default that of the fabric"), ""},
+                     TR("From selvedge to selvedge; default: width of the fabric"), ""},
              settings.width, 0, kMaxClothWidth);
     at.point("sheet", settings.sheet);
     if constexpr (std::decay_t<decltype(at)>::kReads) {
@@ -143,17 +143,17 @@ inline constexpr auto kMarkerSettingsFields = [](auto& at, auto& settings) {
                      TR("Smallest distance between two pieces")},
              settings.gap, 0, kMaxOfCloth);
     at.field(Setting{"border", TR("&Border"), TR("Border of the marker"),
-                     TR("Smallest distance between the pieces and all edges of the cloth")},
+                     TR("Smallest distance to the edges of the cloth")},
              settings.border, 0, kMaxOfCloth);
-    at.word(Setting{"turns", TR("&Turned"), TR("Turning of pieces"),
-                    TR("With the grain along the warp either way up, all one way for nap and "
-                       "directional prints, or freely on cloth without a grain"),
+    at.word(Setting{"turns", TR("Direc&tion"), TR("Direction of pieces"),
+                    TR("Both ways along the warp, one way for nap and directional prints, or free "
+                       "on cloth without a grain"),
                     nullptr, kTurnRuleNames},
             settings.turns, kTurnRuleWords);
     at.field(Setting{.key = "tolerance",
                      .title = TR("Grain tol&erance"),
                      .name = TR("Grain tolerance"),
-                     .help = TR("How far a piece may be turned in addition, to both sides"),
+                     .help = TR("Maximum rotation of a piece off the grain, to both sides"),
                      .quantity = Quantity::Angle},
              settings.tolerance, 0, kMaxMarkerTurn);
     at.field(Setting{"isFolded", TR("F&olded lengthwise"), TR("Folded cloth"),
@@ -168,7 +168,7 @@ inline constexpr auto kMarkerSettingsFields = [](auto& at, auto& settings) {
     at.field(Setting{.key = "garments",
                      .title = TR("&Garments"),
                      .name = TR("Garments of the marker"),
-                     .help = TR("Number of garments that are cut at once"),
+                     .help = TR("Number of garments in the marker"),
                      .quantity = Quantity::Count},
              settings.garments, 1, kMaxGarments);
 };

@@ -16,10 +16,10 @@ inline constexpr const char* kDartLayNames[] = {TR("Over the first leg"),
                                                 TR("Over the second leg")};
 inline constexpr const char* kCornerRuleNames[] = {TR("Mitred"),
                                                    TR("Square"),
-                                                   TR("Right angle to the one before"),
-                                                   TR("Right angle to this one"),
-                                                   TR("Mirrored, the one before"),
-                                                   TR("Mirrored, this one"),
+                                                   TR("Right angle to previous"),
+                                                   TR("Right angle to this"),
+                                                   TR("Mirrored on previous"),
+                                                   TR("Mirrored on this"),
                                                    TR("Stepped")};
 
 inline constexpr auto kStretchFields = [](auto& at, auto& stretch) {
@@ -31,7 +31,7 @@ inline constexpr auto kStretchFields = [](auto& at, auto& stretch) {
 
 inline constexpr auto kFairingFields = [](auto& at, auto& fairing) {
     at.field(Setting{"tolerance", TR("&Tolerance"), TR("Tolerance of fair lines"),
-                     TR("How far a line may be from the exact outline")},
+                     TR("Maximum distance of a line from the exact outline")},
              fairing.tolerance, kMinFairTolerance, kMaxFairTolerance);
     at.field(Setting{"smoothing", TR("Smoot&hing length"), TR("Smoothing length"),
                      TR("Larger values smooth longer waves")},
@@ -45,24 +45,22 @@ inline constexpr auto kSegmentFields = [](auto& at, auto& chosen) {
     at.field(Setting{"length", TR("Len&gth"), TR("Length of a segment"),
                      TR("Length in the pattern, on both sides of a seam"), TR("3D length")},
              chosen.length, kMinSegmentLength, kMaxSegmentLength);
-    at.field(
-        Setting{
-            "tolerance", TR("T&olerance"), TR("Tolerance of a segment"),
-            TR("How far the line of this segment may be from the exact outline; makes lines fair"),
-            TR("Default")},
-        chosen.tolerance, kMinFairTolerance, kMaxFairTolerance);
+    at.field(Setting{"tolerance", TR("T&olerance"), TR("Tolerance of a segment"),
+                     TR("Maximum distance of this segment's line from the exact outline; switches "
+                        "on fair lines"),
+                     TR("Default")},
+             chosen.tolerance, kMinFairTolerance, kMaxFairTolerance);
     at.field(Setting{"straight", TR("Straight"), TR("Straight segment"),
-                     TR("Draw the segment as one straight line; makes lines fair")},
+                     TR("Draw the segment as a straight line; switches on fair lines")},
              chosen.straight);
     at.field(Setting{"allowance", TR("Allo&wance"), TR("Allowance of a segment"),
                      TR("Width of the cloth beyond the line"), TR("Default")},
              chosen.allowance, 0, kMaxAllowance);
-    at.word(
-        Setting{
-            "corner", TR("Corner at its &start"), TR("Corner of an allowance"),
-            TR("How the allowances meet where the segment starts, anti-clockwise round the piece"),
-            TR("Automatic"), kCornerRuleNames},
-        chosen.corner, kCornerRuleWords);
+    at.word(Setting{"corner", TR("Corner at its &start"), TR("Corner of an allowance"),
+                    TR("How the allowances meet at the start of the segment, anti-clockwise around "
+                       "the piece"),
+                    TR("Automatic"), kCornerRuleNames},
+            chosen.corner, kCornerRuleWords);
     at.field(
         Setting{
             .key = "extension",
@@ -94,7 +92,7 @@ inline constexpr auto kSeamEndFields = [](auto& at, auto& chosen) {
 
 inline constexpr auto kAllowanceFields = [](auto& at, auto& widths) {
     at.field(Setting{"seam", TR("Seams"), TR("Width of seam allowances"),
-                     TR("Allowance along edges that are sewn to others")},
+                     TR("Allowance along sewn edges")},
              widths.seam, 0, kMaxAllowance);
     at.field(Setting{"hem", TR("Hems"), TR("Width of hems"), TR("Allowance along free edges")},
              widths.hem, 0, kMaxAllowance);
@@ -114,10 +112,10 @@ inline constexpr auto kNotchRuleFields = [](auto& at, auto& rules) {
     at.word(Setting{"form", TR("Form"), TR("Form of notches"), TR("How a notch is cut or drawn"),
                     nullptr, kNotchFormNames},
             rules.form, kNotchFormWords);
-    at.field(
-        Setting{"depth", TR("Depth"), TR("Depth of notches"),
-                TR("From the cutting line inwards; at most half the allowance, if there is one")},
-        rules.depth, kMinNotchDepth, kMaxNotchDepth);
+    at.field(Setting{"depth", TR("Depth"), TR("Depth of notches"),
+                     TR("Measured inwards from the cutting line; at most half the allowance, if "
+                        "there is one")},
+             rules.depth, kMinNotchDepth, kMaxNotchDepth);
     at.list("notches", rules.notches, kNotchFields);
 };
 
@@ -126,17 +124,16 @@ inline constexpr auto kDartFields = [](auto& at, auto& chosen) {
     at.object("left", chosen.seam.left, kStretchFields);
     at.object("right", chosen.seam.right, kStretchFields);
     at.field(
-        Setting{"intake", TR("&Intake"), TR("Intake of a dart"),
-                TR("Distance of the legs at the mouth, in the pattern; the legs keep their length"),
-                TR("As flattened")},
-        chosen.intake, kMinIntake, kMaxIntake);
-    at.word(
         Setting{
-            "lay", TR("Fol&d"), TR("Fold of a dart"),
-            TR("Over which leg the closed dart is laid. The first leg comes first, anti-clockwise "
-               "round the piece; by convention it is laid towards the centre, or downwards"),
-            TR("By convention"), kDartLayNames},
-        chosen.lay, kDartLayWords);
+            "intake", TR("&Intake"), TR("Intake of a dart"),
+            TR("Width between the legs at the edge, in the pattern; the legs keep their length"),
+            TR("As flattened")},
+        chosen.intake, kMinIntake, kMaxIntake);
+    at.word(Setting{"lay", TR("Fol&d"), TR("Fold of a dart"),
+                    TR("Leg over which the closed dart is folded, counted anti-clockwise around "
+                       "the piece. By convention: towards the centre, or downwards"),
+                    TR("By convention"), kDartLayNames},
+            chosen.lay, kDartLayWords);
 };
 
 inline constexpr auto kFacingFields = [](auto& at, auto& facing) {
@@ -158,10 +155,10 @@ inline constexpr auto kInternalLineFields = [](auto& at, auto& line) {
 
 inline constexpr auto kLabelFields = [](auto& at, auto& label) {
     at.text(Setting{"size", TR("Si&ze"), TR("Size on labels"),
-                    TR("The size on the labels of all pieces")},
+                    TR("Size printed on the labels of all pieces")},
             label.size);
     at.text(Setting{"date", TR("&Date"), TR("Date on labels"),
-                    TR("The date on the labels of all pieces, as it is printed")},
+                    TR("Date printed on the labels of all pieces")},
             label.date);
 };
 
@@ -170,23 +167,24 @@ inline constexpr auto kLineFields = [](auto& at, auto& lines) {
         Setting{"fairing", TR("&Fair lines"), TR("Fair lines"),
                 TR("Draw every line as a smooth curve of the same length, near the exact outline")},
         lines.fairing, kFairingFields);
-    at.field(Setting{.key = "trueBelow",
-                     .title = TR("S&mooth corners up to"),
-                     .name = TR("Smooth corners at seams"),
-                     .help = TR("Turn the lines at the ends of seams so that they run into each "
-                                "other once sewn, if they miss that by no more than this angle"),
-                     .quantity = Quantity::Angle,
-                     .hasSwitch = true},
-             lines.trueBelow, 0, kMaxKink);
+    at.field(
+        Setting{.key = "trueBelow",
+                .title = TR("S&mooth corners up to"),
+                .name = TR("Smooth corners at seams"),
+                .help = TR(
+                    "Remove kinks of up to this angle where lines meet at the end of a sewn seam"),
+                .quantity = Quantity::Angle,
+                .hasSwitch = true},
+        lines.trueBelow, 0, kMaxKink);
     at.word("mirror", lines.mirror, kMirrorWords);
     at.list("segments", lines.segments, kSegmentFields);
     at.list("turnPoints", lines.turnPoints, kTurnPointFields);
     at.list("seamEnds", lines.seamEnds, kSeamEndFields);
     at.object(Setting{"allowance", TR("Seam &allowance"), TR("Seam allowance"),
-                      TR("Leave cloth beyond the seam lines, and cut along the line around it")},
+                      TR("Add cloth beyond the seam lines, and a cutting line around it")},
               lines.allowance, kAllowanceFields);
     at.object(Setting{"notches", TR("&Notches"), TR("Notches"),
-                      TR("Mark places of the seams that meet when they are sewn")},
+                      TR("Mark points of seams to align when sewing")},
               lines.notches, kNotchRuleFields);
     at.word("grain", lines.grain, kGrainRuleWords);
     const auto list = [&at](const char* name, auto& things, const auto& describe) {

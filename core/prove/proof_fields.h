@@ -13,11 +13,11 @@ inline constexpr const char* kSewnPatternNames[] = {TR("This pattern"), TR("The 
                                                     TR("The reference pattern")};
 
 inline constexpr auto kStiffnessFields = [](auto& at, auto& stated) {
-    constexpr const char *kAsFabric = TR("As the fabric"), *kPerMetre = TR("N/m");
+    constexpr const char *kAsFabric = TR("From fabric"), *kPerMetre = TR("N/m");
     at.field(Setting{"warp",
                      TR("Stretch, warp"),
                      TR("Stretch stiffness along the warp"),
-                     TR("Force per strain of a strip, 1 m wide, that is stretched along the warp"),
+                     TR("Force per strain of a strip 1 m wide, stretched along the warp"),
                      kAsFabric,
                      {},
                      Quantity::Other,
@@ -27,7 +27,7 @@ inline constexpr auto kStiffnessFields = [](auto& at, auto& stated) {
     at.field(Setting{"weft",
                      TR("Stretch, weft"),
                      TR("Stretch stiffness along the weft"),
-                     TR("Force per strain of a strip, 1 m wide, that is stretched along the weft"),
+                     TR("Force per strain of a strip 1 m wide, stretched along the weft"),
                      kAsFabric,
                      {},
                      Quantity::Other,
@@ -58,7 +58,7 @@ inline constexpr auto kStiffnessFields = [](auto& at, auto& stated) {
     at.field(Setting{"weight",
                      TR("Weight"),
                      TR("Weight of the cloth"),
-                     TR("Only counts with gravity"),
+                     TR("Only used with gravity"),
                      kAsFabric,
                      {},
                      Quantity::Other,
@@ -78,25 +78,25 @@ inline constexpr auto kProofFields = [](auto& at, auto& plan) {
         }
     };
     if (at.kReads || plan.sewn != usual.sewn) {
-        at.word(Setting{"sewn", TR("Pattern to test"), TR("Pattern of the proof"),
-                        TR("The pattern as it is written to a file and read back, or another one "
-                           "to compare with"),
-                        nullptr, kSewnPatternNames},
-                plan.sewn, kSewnPatternWords);
+        at.word(
+            Setting{"sewn", TR("Pattern to test"), TR("Pattern of the proof"),
+                    TR("The pattern as written to a file and read back, or another one to compare"),
+                    nullptr, kSewnPatternNames},
+            plan.sewn, kSewnPatternWords);
     }
     at.field("bodyUnit", plan.bodyUnit);
     field(Setting{.key = "edge",
                   .title = TR("Triangles"),
                   .name = TR("Triangles of the proof"),
-                  .help = TR("Length of the edges of the triangles that are sewn; shorter ones are "
-                             "finer and take longer. 0: as in the garment"),
+                  .help = TR("Edge length of the sewn triangles; shorter edges are finer and "
+                             "slower. 0: as in the garment"),
                   .none = TR("As in the garment")},
           settings.edge, usual.settings.edge, kMinProofEdge, kMaxProofEdge);
     field(Setting{"pressure",
                   TR("Pressure"),
                   TR("Pressure of the proof"),
-                  TR("Presses the cloth onto the dress form; below 0 it is filled like a cushion. "
-                     "10 Pa are 1 g on 10 cm²"),
+                  TR("Presses the cloth onto the dress form; negative values inflate it. 10 Pa are "
+                     "1 g on 10 cm²"),
                   nullptr,
                   {},
                   Quantity::Other,
@@ -104,11 +104,10 @@ inline constexpr auto kProofFields = [](auto& at, auto& plan) {
                   TR("Pa")},
           settings.pressure, usual.settings.pressure, -kMaxPressure, kMaxPressure);
     field(Setting{"gravity", TR("Gravity"), TR("Proof with gravity"),
-                  TR("Let the cloth hang by its weight")},
+                  TR("Let the cloth hang under its weight")},
           settings.hasGravity, usual.settings.hasGravity);
     field(Setting{"selfContact", TR("Cloth touches itself"), TR("Proof with layers that touch"),
-                  TR("Keep layers of cloth apart, which takes longer; otherwise cloth passes "
-                     "through cloth")},
+                  TR("Keep layers of cloth apart (slower); otherwise cloth passes through cloth")},
           settings.touchesItself, usual.settings.touchesItself);
     field(Setting{"thickness", TR("Thickness"), TR("Thickness of the cloth"),
                   TR("Distance between layers of cloth")},

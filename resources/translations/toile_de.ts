@@ -47,68 +47,68 @@
         <translation>%1; %2</translation>
     </message>
     <message>
-        <source>%1 of the cloth is beyond the fabric along the warp</source>
-        <translation>%1 des Stoffes liegen in Kettrichtung jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the fabric along the weft</source>
-        <translation>%1 des Stoffes liegen in Schussrichtung jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the fabric on the bias</source>
-        <translation>%1 des Stoffes liegen im schrägen Fadenlauf jenseits dessen, was das Material zulässt</translation>
-    </message>
-    <message>
         <source>%1 of the cloth has an edge beyond the tightest limit</source>
         <translation>%1 des Stoffes haben eine Kante jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>%1 of the cloth is beyond the tightest limit</source>
-        <translation>%1 des Stoffes liegen jenseits der engsten Grenze</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric along the warp</source>
-        <translation>aller Stoff bleibt in Kettrichtung in dem, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric along the weft</source>
-        <translation>aller Stoff bleibt in Schussrichtung in dem, was das Material zulässt</translation>
-    </message>
-    <message>
-        <source>all of the cloth is within the fabric on the bias</source>
-        <translation>aller Stoff bleibt im schrägen Fadenlauf in dem, was das Material zulässt</translation>
     </message>
     <message>
         <source>no edge is beyond the tightest limit</source>
         <translation>keine Kante liegt jenseits der engsten Grenze</translation>
     </message>
     <message>
-        <source>all of the cloth is within the tightest limit</source>
-        <translation>aller Stoff bleibt in der engsten Grenze</translation>
+        <source>%1 of the cloth exceeds the warp limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen der Kette</translation>
     </message>
     <message>
-        <source>%1 beyond the fabric (hatched)</source>
-        <translation>%1 mehr, als der Stoff hergibt (schraffiert)</translation>
+        <source>all cloth is within the warp limits</source>
+        <translation>aller Stoff liegt in den Grenzen der Kette</translation>
     </message>
     <message>
-        <source>all within the fabric</source>
-        <translation>alles innerhalb des Stoffs</translation>
+        <source>%1 of the cloth exceeds the weft limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen des Schusses</translation>
     </message>
     <message>
-        <source>not sewn yet, or since the last change: prove it by sewing</source>
-        <translation>noch nicht oder nicht seit der letzten Änderung genäht: durch Nähen prüfen</translation>
+        <source>all cloth is within the weft limits</source>
+        <translation>aller Stoff liegt in den Grenzen des Schusses</translation>
     </message>
     <message>
-        <source>it is being sewn</source>
+        <source>%1 of the cloth exceeds the bias limits</source>
+        <translation>%1 des Stoffes liegen außerhalb der Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>all cloth is within the bias limits</source>
+        <translation>aller Stoff liegt in den Grenzen im schrägen Fadenlauf</translation>
+    </message>
+    <message>
+        <source>%1 of the cloth exceeds the tightest limit</source>
+        <translation>%1 des Stoffes liegen außerhalb der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>all cloth is within the tightest limit</source>
+        <translation>aller Stoff liegt in der engsten Grenze</translation>
+    </message>
+    <message>
+        <source>sewing in progress</source>
         <translation>wird gerade genäht</translation>
     </message>
     <message>
-        <source>of the designer&apos;s panels · %1</source>
-        <translation>der Teile des Entwerfers · %1</translation>
+        <source>no current proof; prove by sewing first</source>
+        <translation>keine aktuelle Prüfung; zuerst durch Nähen prüfen</translation>
     </message>
     <message>
-        <source>of the reference pattern · %1</source>
-        <translation>des Vergleichsschnitts · %1</translation>
+        <source>designer&apos;s panels · %1</source>
+        <translation>Teile des Entwerfers · %1</translation>
+    </message>
+    <message>
+        <source>reference pattern · %1</source>
+        <translation>Referenzschnitt · %1</translation>
+    </message>
+    <message>
+        <source>%1 beyond the limits (hatched)</source>
+        <translation>%1 außerhalb der Grenzen (schraffiert)</translation>
+    </message>
+    <message>
+        <source>all within the limits</source>
+        <translation>alles in den Grenzen</translation>
     </message>
 </context>
 <context>
@@ -124,10 +124,6 @@
 </context>
 <context>
     <name>FabricName</name>
-    <message>
-        <source>not stated</source>
-        <translation>nicht angegeben</translation>
-    </message>
     <message>
         <source>woven</source>
         <translation>Webstoff</translation>
@@ -168,6 +164,10 @@
         <source>custom</source>
         <translation>eigenes</translation>
     </message>
+    <message>
+        <source>not set</source>
+        <translation>nicht festgelegt</translation>
+    </message>
 </context>
 <context>
     <name>FileDialogs</name>
@@ -180,20 +180,12 @@
         <translation>3D-Kleidungsstücke (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Read cuts and ease</source>
-        <translation>Einschnitte und Einhalteweiten lesen</translation>
-    </message>
-    <message>
         <source>Seams files (*.json);;All files (*)</source>
         <translation>Nahtdateien (*.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Export the pattern</source>
         <translation>Schnittmuster exportieren</translation>
-    </message>
-    <message>
-        <source>Without saving, what you have done since the last time is lost.</source>
-        <translation>Ohne Speichern geht verloren, was Sie seit dem letzten Mal getan haben.</translation>
     </message>
     <message>
         <source>Garments and projects (%1);;All files (*)</source>
@@ -214,18 +206,6 @@
     <message>
         <source>Replace the file?</source>
         <translation>Datei ersetzen?</translation>
-    </message>
-    <message>
-        <source>There is a file %1 already. Replace it?</source>
-        <translation>Es gibt schon eine Datei %1. Soll sie ersetzt werden?</translation>
-    </message>
-    <message>
-        <source>%1 was changed by another program since it was opened. Save anyway?</source>
-        <translation>%1 wurde seit dem Öffnen von einem anderen Programm geändert. Trotzdem speichern?</translation>
-    </message>
-    <message>
-        <source>Saving anyway loses what the other program has put there.</source>
-        <translation>Dabei geht verloren, was das andere Programm dort gespeichert hat.</translation>
     </message>
     <message>
         <source>Save anyway</source>
@@ -252,10 +232,6 @@
         <translation>Den Schnitt aus %1 als Projekt speichern?</translation>
     </message>
     <message>
-        <source>The garment&apos;s file stays as it is. Without saving, what you have done is lost.</source>
-        <translation>Die Datei des Kleidungsstücks bleibt, wie sie ist. Ohne Speichern geht verloren, was Sie getan haben.</translation>
-    </message>
-    <message>
         <source>Open hides</source>
         <translation>Häute öffnen</translation>
     </message>
@@ -275,6 +251,30 @@
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
     </message>
+    <message>
+        <source>Your changes since the last save are lost if you do not save them.</source>
+        <translation>Ohne Speichern gehen Ihre Änderungen seit dem letzten Speichern verloren.</translation>
+    </message>
+    <message>
+        <source>Your work is lost if you do not save it. The garment&apos;s file is never changed.</source>
+        <translation>Ohne Speichern geht Ihre Arbeit verloren. Die Datei des Kleidungsstücks bleibt unverändert.</translation>
+    </message>
+    <message>
+        <source>Another program has changed %1 since you opened it. Save anyway?</source>
+        <translation>Ein anderes Programm hat %1 geändert, seit Sie es geöffnet haben. Trotzdem speichern?</translation>
+    </message>
+    <message>
+        <source>If you save, the other program&apos;s changes are lost.</source>
+        <translation>Wenn Sie speichern, gehen die Änderungen des anderen Programms verloren.</translation>
+    </message>
+    <message>
+        <source>The file %1 already exists. Replace it?</source>
+        <translation>Die Datei %1 gibt es schon. Soll sie ersetzt werden?</translation>
+    </message>
+    <message>
+        <source>Load cuts and ease</source>
+        <translation>Einschnitte und Einhalteweiten laden</translation>
+    </message>
 </context>
 <context>
     <name>GarmentView</name>
@@ -290,12 +290,12 @@
 <context>
     <name>GlSupport</name>
     <message>
-        <source>The views need OpenGL 3.3, but this computer offers none here. Flattening and export work all the same; a newer graphics driver brings the views back.</source>
-        <translation>Die Ansichten brauchen OpenGL 3.3, das dieser Rechner hier nicht bietet. Abwickeln und Exportieren gehen trotzdem; ein neuerer Grafiktreiber bringt die Ansichten zurück.</translation>
+        <source>The views need OpenGL 3.3, which is not available. Flattening and export still work. Update the graphics driver to get the views.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, das nicht verfügbar ist. Abwickeln und Exportieren gehen trotzdem. Aktualisieren Sie den Grafiktreiber, um die Ansichten zu sehen.</translation>
     </message>
     <message>
-        <source>The views need OpenGL 3.3, but the graphics driver offers only %1.%2. Flattening and export work all the same; a newer driver brings the views back.</source>
-        <translation>Die Ansichten brauchen OpenGL 3.3, der Grafiktreiber bietet aber nur %1.%2. Abwickeln und Exportieren gehen trotzdem; ein neuerer Treiber bringt die Ansichten zurück.</translation>
+        <source>The views need OpenGL 3.3, but the graphics driver only offers %1.%2. Flattening and export still work. Update the driver to get the views.</source>
+        <translation>Die Ansichten brauchen OpenGL 3.3, aber der Grafiktreiber bietet nur %1.%2. Abwickeln und Exportieren gehen trotzdem. Aktualisieren Sie den Treiber, um die Ansichten zu sehen.</translation>
     </message>
 </context>
 <context>
@@ -326,8 +326,8 @@
 <context>
     <name>OffscreenContext</name>
     <message>
-        <source>pictures need OpenGL 3.3, and there is neither a display that offers it nor a driver that does without one; xvfb-run lends a display, and the package libgl1-mesa-dri has such a driver</source>
-        <translation>Bilder brauchen OpenGL 3.3, und es gibt weder einen Bildschirm, der es bietet, noch einen Treiber, der ohne auskommt; xvfb-run leiht einen Bildschirm, und das Paket libgl1-mesa-dri hat einen solchen Treiber</translation>
+        <source>pictures need OpenGL 3.3, but neither a display nor a driver without display offers it; use xvfb-run, or install the package libgl1-mesa-dri</source>
+        <translation>Bilder brauchen OpenGL 3.3, aber weder ein Bildschirm noch ein Treiber ohne Bildschirm bietet es; benutzen Sie xvfb-run oder installieren Sie das Paket libgl1-mesa-dri</translation>
     </message>
 </context>
 <context>
@@ -374,16 +374,8 @@ veraltet</translation>
         <translation>°</translation>
     </message>
     <message>
-        <source>largest change of a corner, flat against worn</source>
-        <translation>größte Änderung einer Ecke, flach gegen getragen</translation>
-    </message>
-    <message>
         <source>Edge strain</source>
         <translation>Dehnung</translation>
-    </message>
-    <message>
-        <source>what the cloth must do: orange stretches, blue has surplus</source>
-        <translation>was der Stoff tun muss: Orange dehnt sich, Blau hat zu viel</translation>
     </message>
     <message>
         <source>Strain along warp</source>
@@ -414,28 +406,12 @@ veraltet</translation>
         <translation>Hauptdehnung</translation>
     </message>
     <message>
-        <source>arrows outwards stretch, arrows inwards have surplus</source>
-        <translation>Pfeile nach außen dehnen sich, Pfeile nach innen haben zu viel</translation>
-    </message>
-    <message>
         <source>Distortion energy</source>
         <translation>Verzerrungsenergie</translation>
     </message>
     <message>
-        <source>symmetric Dirichlet, above that of cloth that keeps its shape</source>
-        <translation>symmetrische Dirichlet-Energie, über der von Stoff, der seine Form behält</translation>
-    </message>
-    <message>
-        <source>worn against flat: orange must stretch, blue has surplus</source>
-        <translation>getragen gegen flach: Orange muss sich dehnen, Blau hat zu viel</translation>
-    </message>
-    <message>
         <source>Surface normals</source>
         <translation>Flächennormalen</translation>
-    </message>
-    <message>
-        <source>where the worn cloth faces: one colour for each direction</source>
-        <translation>wohin der getragene Stoff weist: eine Farbe für jede Richtung</translation>
     </message>
     <message>
         <source>squares of 1/2 in on the flat cloth</source>
@@ -446,16 +422,40 @@ veraltet</translation>
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>sewn against designed: orange lies outside, blue inside</source>
-        <translation>genäht gegen Entwurf: Orange liegt außen, Blau innen</translation>
-    </message>
-    <message>
         <source>Worn strain</source>
         <translation>Dehnung genäht</translation>
     </message>
     <message>
-        <source>of the cloth as sewn: orange pulls, blue is slack</source>
-        <translation>des genähten Stoffs: Orange spannt, Blau ist lose</translation>
+        <source>3D against flat: orange stretches, blue has surplus</source>
+        <translation>3D gegen flach: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>largest change of a triangle&apos;s corner angle</source>
+        <translation>größte Änderung eines Winkels im Dreieck</translation>
+    </message>
+    <message>
+        <source>mesh edges: orange stretches, blue has surplus</source>
+        <translation>Netzkanten: Orange dehnt sich, Blau hat zu viel</translation>
+    </message>
+    <message>
+        <source>outward arrows stretch, inward arrows have surplus</source>
+        <translation>Pfeile nach außen: Dehnung, Pfeile nach innen: zu viel</translation>
+    </message>
+    <message>
+        <source>symmetric Dirichlet energy; 0 if the cloth keeps its shape</source>
+        <translation>symmetrische Dirichlet-Energie; 0, wenn der Stoff seine Form behält</translation>
+    </message>
+    <message>
+        <source>direction of the 3D surface, one colour for each axis</source>
+        <translation>Richtung der 3D-Oberfläche, eine Farbe je Achse</translation>
+    </message>
+    <message>
+        <source>sewn cloth against design: orange outside, blue inside</source>
+        <translation>genähter Stoff gegen Entwurf: Orange außen, Blau innen</translation>
+    </message>
+    <message>
+        <source>sewn cloth: orange pulls, blue is slack</source>
+        <translation>genähter Stoff: Orange spannt, Blau ist lose</translation>
     </message>
 </context>
 <context>
@@ -463,10 +463,6 @@ veraltet</translation>
     <message>
         <source>The flat pieces appear here.</source>
         <translation>Hier erscheinen die flachen Schnittteile.</translation>
-    </message>
-    <message>
-        <source>None of the pieces could be flattened. The list of pieces says why.</source>
-        <translation>Keines der Schnittteile ließ sich abwickeln. Die Liste der Schnittteile sagt, warum.</translation>
     </message>
     <message>
         <source>%1 · wrong side up</source>
@@ -493,19 +489,23 @@ veraltet</translation>
         <translation>rechte Stoffseite oben, Schnitt- und Nahtlinien</translation>
     </message>
     <message>
-        <source>The pieces have changed and wait to be flattened.</source>
-        <translation>Die Schnittteile haben sich geändert und sind noch nicht wieder abgewickelt.</translation>
+        <source>The pieces have changed and are not flattened yet.</source>
+        <translation>Die Schnittteile haben sich geändert und sind noch nicht abgewickelt.</translation>
+    </message>
+    <message>
+        <source>No piece could be flattened. See the list of pieces for the reasons.</source>
+        <translation>Kein Schnittteil ließ sich abwickeln. Die Gründe stehen in der Liste der Schnittteile.</translation>
     </message>
 </context>
 <context>
     <name>PlatformChoice</name>
     <message>
-        <source>there is no display to open the window on; &quot;toile flatten&quot; and &quot;toile render&quot; need none, and xvfb-run lends one</source>
-        <translation>es gibt keinen Bildschirm für das Fenster; „toile flatten“ und „toile render“ brauchen keinen, und xvfb-run leiht einen</translation>
+        <source>there is no display for the window; use xvfb-run, or &quot;toile flatten&quot; and &quot;toile render&quot;, which need none</source>
+        <translation>es gibt keinen Bildschirm für das Fenster; benutzen Sie xvfb-run, oder „toile flatten“ und „toile render“, die keinen brauchen</translation>
     </message>
     <message>
-        <source>there is no display to draw on, and Qt&apos;s part for drawing without one is not installed; xvfb-run lends a display</source>
-        <translation>es gibt keinen Bildschirm zum Zeichnen, und der Teil von Qt, der ohne einen zeichnet, ist nicht eingerichtet; xvfb-run leiht einen Bildschirm</translation>
+        <source>there is no display, and Qt&apos;s offscreen plugin is not installed; use xvfb-run</source>
+        <translation>es gibt keinen Bildschirm, und das Offscreen-Plugin von Qt ist nicht installiert; benutzen Sie xvfb-run</translation>
     </message>
 </context>
 <context>
@@ -694,18 +694,6 @@ veraltet</translation>
         <translation>Jetzt abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what is out of date</source>
-        <translation>Abwickeln, was veraltet ist</translation>
-    </message>
-    <message>
-        <source>Divide by UV</source>
-        <translation>Nach UV teilen</translation>
-    </message>
-    <message>
-        <source>Make each island of the file&apos;s UV map one piece; undo brings these back</source>
-        <translation>Jede Insel der UV-Karte der Datei zu einem Schnittteil machen; Rückgängig bringt die bisherigen zurück</translation>
-    </message>
-    <message>
         <source>Cut open</source>
         <translation>Aufschneiden</translation>
     </message>
@@ -726,56 +714,16 @@ veraltet</translation>
         <translation>Wenden</translation>
     </message>
     <message>
-        <source>Turn all faces of the garment over</source>
-        <translation>Alle Flächen des Kleidungsstücks wenden</translation>
-    </message>
-    <message>
-        <source>State ease…</source>
-        <translation>Einhalteweite angeben…</translation>
-    </message>
-    <message>
-        <source>Type how much longer one side of the seam is meant to be</source>
-        <translation>Eingeben, um wie viel länger eine Seite der Naht sein soll</translation>
-    </message>
-    <message>
         <source>Best grain</source>
         <translation>Bester Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Let the grain run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
-        <translation>Den Fadenlauf am Kleidungsstück nach oben legen, oder um 90 oder 45 Grad dazu gedreht, wo der Stoff dann viel weniger gedehnt wird</translation>
-    </message>
-    <message>
-        <source>Put a dart</source>
-        <translation>Abnäher setzen</translation>
-    </message>
-    <message>
-        <source>Propose a dart from the nearest edge to the worst place: Enter cuts it, Escape throws it away</source>
-        <translation>Einen Abnäher von der nächsten Kante zur schlimmsten Stelle vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
     </message>
     <message>
         <source>Lay out again</source>
         <translation>Neu auslegen</translation>
     </message>
     <message>
-        <source>Put all pieces in rows side by side</source>
-        <translation>Alle Schnittteile in Reihen nebeneinander legen</translation>
-    </message>
-    <message>
-        <source>Cut this piece open along short seams, which are yours to take back</source>
-        <translation>Dieses Schnittteil entlang kurzer Nähte aufschneiden; die Einschnitte gehören dann Ihnen und lassen sich zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Choose the unit of the file&apos;s numbers, or type how tall the garment is</source>
-        <translation>Die Einheit der Zahlen in der Datei wählen oder eingeben, wie groß das Kleidungsstück ist</translation>
-    </message>
-    <message>
         <source>Propose cuts…</source>
         <translation>Schnitte vorschlagen …</translation>
-    </message>
-    <message>
-        <source>Show where a tailor would cut this piece open, with what each cut does to strain</source>
-        <translation>Zeigen, wo ein Schneider dieses Schnittteil aufschneiden würde, und was jeder Schnitt an der Dehnung ändert</translation>
     </message>
     <message>
         <source>Show strain</source>
@@ -784,6 +732,58 @@ veraltet</translation>
     <message>
         <source>Colour the pieces by strain</source>
         <translation>Die Schnittteile nach ihrer Dehnung einfärben</translation>
+    </message>
+    <message>
+        <source>Flatten the pieces that are out of date</source>
+        <translation>Die veralteten Schnittteile abwickeln</translation>
+    </message>
+    <message>
+        <source>Split by UV</source>
+        <translation>Nach UV teilen</translation>
+    </message>
+    <message>
+        <source>Make each UV island of the file one piece; you can undo this</source>
+        <translation>Jede UV-Insel der Datei zu einem Schnittteil machen; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Cut this piece open along short seams; you can undo this</source>
+        <translation>Dieses Schnittteil entlang kurzer Nähte aufschneiden; lässt sich rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Show where a tailor would cut this piece, and the effect on strain</source>
+        <translation>Zeigen, wo ein Schneider dieses Schnittteil einschneiden würde, und die Wirkung auf die Dehnung</translation>
+    </message>
+    <message>
+        <source>Choose the unit of the file, or enter the garment&apos;s height</source>
+        <translation>Die Einheit der Datei wählen oder die Höhe des Kleidungsstücks eingeben</translation>
+    </message>
+    <message>
+        <source>Flip all faces of the garment</source>
+        <translation>Alle Flächen des Kleidungsstücks wenden</translation>
+    </message>
+    <message>
+        <source>Set ease…</source>
+        <translation>Einhalteweite setzen…</translation>
+    </message>
+    <message>
+        <source>Set how much longer one side of the seam is</source>
+        <translation>Festlegen, wie viel länger eine Seite der Naht ist</translation>
+    </message>
+    <message>
+        <source>Run the grain upwards, or turn it 45° or 90° if that strains much less</source>
+        <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
+    </message>
+    <message>
+        <source>Add dart</source>
+        <translation>Abnäher setzen</translation>
+    </message>
+    <message>
+        <source>Propose a dart to the worst place: Enter cuts it, Esc discards it</source>
+        <translation>Einen Abnäher zur schlimmsten Stelle vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Arrange all pieces in rows</source>
+        <translation>Alle Schnittteile in Reihen anordnen</translation>
     </message>
 </context>
 <context>
@@ -833,7 +833,7 @@ veraltet</translation>
         <translation>Diese Ansicht braucht OpenGL 3.3, das der Grafiktreiber nicht bietet.</translation>
     </message>
     <message>
-        <source>The graphics driver refused to draw this view (%1).</source>
+        <source>The graphics driver cannot draw this view (%1).</source>
         <translation>Der Grafiktreiber kann diese Ansicht nicht zeichnen (%1).</translation>
     </message>
 </context>
@@ -855,11 +855,11 @@ veraltet</translation>
 <context>
     <name>ViewPicture</name>
     <message>
-        <source>the graphics driver has no room for a picture of %1 x %2 pixels; try a smaller one</source>
-        <translation>der Grafiktreiber hat keinen Platz für ein Bild von %1 x %2 Bildpunkten; versuchen Sie ein kleineres</translation>
+        <source>the graphics driver cannot draw %1 x %2 pixels; choose a smaller size</source>
+        <translation>der Grafiktreiber kann %1 x %2 Bildpunkte nicht zeichnen; wählen Sie eine kleinere Größe</translation>
     </message>
     <message>
-        <source>there is no memory for a picture of that size</source>
+        <source>there is not enough memory for a picture of this size</source>
         <translation>für ein Bild dieser Größe reicht der Speicher nicht</translation>
     </message>
 </context>
@@ -1124,10 +1124,6 @@ veraltet</translation>
         <translation>Meldungen</translation>
     </message>
     <message>
-        <source>The program met an unexpected fault (%1). Please report it with the garment file.</source>
-        <translation>Im Programm ist ein unerwarteter Fehler aufgetreten (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
-    </message>
-    <message>
         <source>seam line, no allowance</source>
         <translation>Nahtlinie, ohne Zugabe</translation>
     </message>
@@ -1170,10 +1166,6 @@ veraltet</translation>
     <message>
         <source>seam allowance included</source>
         <translation>Nahtzugabe enthalten</translation>
-    </message>
-    <message>
-        <source>the project needs it, it is not there</source>
-        <translation>das Projekt braucht sie, sie ist nicht da</translation>
     </message>
     <message>
         <source>another program has changed it</source>
@@ -1556,14 +1548,6 @@ veraltet</translation>
         <translation>Mittlere Dehnung, %</translation>
     </message>
     <message>
-        <source>Most stretch, %</source>
-        <translation>Größte Dehnung, %</translation>
-    </message>
-    <message>
-        <source>Most surplus, %</source>
-        <translation>Größtes Zuviel, %</translation>
-    </message>
-    <message>
         <source>Seam Δ, %1</source>
         <translation>Naht-Δ, %1</translation>
     </message>
@@ -1586,10 +1570,6 @@ veraltet</translation>
     <message>
         <source>Time, ms</source>
         <translation>Zeit, ms</translation>
-    </message>
-    <message>
-        <source>To the reference panel, %1</source>
-        <translation>Zum Referenzteil, %1</translation>
     </message>
     <message>
         <source>up to %1 mm from the exact outline, not %2 mm</source>
@@ -1712,18 +1692,6 @@ veraltet</translation>
         <translation>Gruppen nach Teil</translation>
     </message>
     <message>
-        <source>Stays text</source>
-        <translation>Bleibt Text</translation>
-    </message>
-    <message>
-        <source>Outlines of letters</source>
-        <translation>Umrisse der Buchstaben</translation>
-    </message>
-    <message>
-        <source>As drawn</source>
-        <translation>Wie gezeichnet</translation>
-    </message>
-    <message>
         <source>Exact outlines</source>
         <translation>Genaue Umrisse</translation>
     </message>
@@ -1748,14 +1716,6 @@ veraltet</translation>
         <translation>Laserschneider</translation>
     </message>
     <message>
-        <source>For</source>
-        <translation>Für</translation>
-    </message>
-    <message>
-        <source>The program that is to open the DXF file: profile and unit as it expects them</source>
-        <translation>Das Programm, das die DXF-Datei öffnen soll: Profil und Einheit, wie es sie erwartet</translation>
-    </message>
-    <message>
         <source>Profile</source>
         <translation>Profil</translation>
     </message>
@@ -1768,68 +1728,32 @@ veraltet</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>Unit of the DXF file&apos;s numbers</source>
-        <translation>Einheit der Zahlen in der DXF-Datei</translation>
-    </message>
-    <message>
         <source>Rule table</source>
         <translation>Sprungwerttabelle</translation>
-    </message>
-    <message>
-        <source>Write a rule table of one size (.rul) beside the DXF file</source>
-        <translation>Neben die DXF-Datei eine Sprungwerttabelle mit einer Größe (.rul) schreiben</translation>
     </message>
     <message>
         <source>Control piece</source>
         <translation>Kontrollteil</translation>
     </message>
     <message>
-        <source>A square of 100 mm as a piece of its own, to measure in the other program</source>
-        <translation>Ein Quadrat von 100 mm als eigenes Teil, zum Nachmessen im anderen Programm</translation>
-    </message>
-    <message>
         <source>Paper</source>
         <translation>Papier</translation>
-    </message>
-    <message>
-        <source>What the PDF file is printed on: tiles of a4, letter or tile, which fits both; one page of a0, arch-d or arch-e; a roll; or projector</source>
-        <translation>Worauf die PDF-Datei gedruckt wird: Blätter in a4, letter oder tile, das auf beide passt; ein Bogen a0, arch-d oder arch-e; eine Rolle; oder projector</translation>
     </message>
     <message>
         <source>Overlap</source>
         <translation>Überlappung</translation>
     </message>
     <message>
-        <source>By how much the tiles of a PDF file overlap, mm</source>
-        <translation>Um wie viel die Blätter einer PDF-Datei überlappen, mm</translation>
-    </message>
-    <message>
-        <source>The program or machine that is to open the SVG file</source>
-        <translation>Das Programm oder die Maschine, die die SVG-Datei öffnen soll</translation>
-    </message>
-    <message>
         <source>Groups</source>
         <translation>Gruppen</translation>
-    </message>
-    <message>
-        <source>Layers of one kind of line each, or a group for each piece</source>
-        <translation>Ebenen mit je einer Art von Linien, oder eine Gruppe je Teil</translation>
     </message>
     <message>
         <source>Text</source>
         <translation>Text</translation>
     </message>
     <message>
-        <source>Text that stays text, or the outlines of its letters</source>
-        <translation>Text, der Text bleibt, oder die Umrisse seiner Buchstaben</translation>
-    </message>
-    <message>
         <source>Turned</source>
         <translation>Gedreht</translation>
-    </message>
-    <message>
-        <source>Turn the plot by a quarter</source>
-        <translation>Den Plot um ein Viertel drehen</translation>
     </message>
     <message>
         <source>Dots per inch</source>
@@ -1844,16 +1768,8 @@ veraltet</translation>
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Texture coordinates of OBJ, USD and GLB files: the pattern as it is drawn, or with exact outlines</source>
-        <translation>Texturkoordinaten von OBJ-, USD- und GLB-Dateien: der Schnitt wie gezeichnet, oder mit genauen Umrissen</translation>
-    </message>
-    <message>
         <source>A file for each piece</source>
         <translation>Eine Datei je Teil</translation>
-    </message>
-    <message>
-        <source>Write each piece as an OBJ file of its own too</source>
-        <translation>Auch jedes Teil als eigene OBJ-Datei schreiben</translation>
     </message>
     <message>
         <source>%1 mm x %2 mm; a page can be %3 mm long</source>
@@ -1942,10 +1858,6 @@ veraltet</translation>
     <message>
         <source>PNG picture</source>
         <translation>PNG-Bild</translation>
-    </message>
-    <message>
-        <source>mails and web pages, at a stated resolution</source>
-        <translation>Nachrichten und Webseiten, mit angegebener Auflösung</translation>
     </message>
     <message>
         <source>OBJ with UV map</source>
@@ -2716,20 +2628,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>die Simulation ist nicht zur Ruhe gekommen, daher ist der Abstand nicht verlässlich</translation>
     </message>
     <message>
-        <source>Time that the last solve of this piece took</source>
-        <translation>Zeit, die der Löser zuletzt für dieses Schnittteil brauchte</translation>
-    </message>
-    <message>
         <source>Share of the area that moved to other triangles; 0 if each keeps its share of the garment</source>
         <translation>Anteil der Fläche, der zu anderen Dreiecken gewandert ist; 0, wenn jedes seinen Anteil behält</translation>
     </message>
     <message>
         <source>Largest change in length of an outline edge</source>
         <translation>Größte Längenänderung einer Umrisskante</translation>
-    </message>
-    <message>
-        <source>Triangles that are turned over in the pattern, which cloth cannot be</source>
-        <translation>Dreiecke, die im Schnittmuster umgeklappt sind; Stoff kann das nicht</translation>
     </message>
     <message>
         <source>Number of places where the outline crosses itself</source>
@@ -3504,16 +3408,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>die Teilung nach „%1“ ergibt %2 Schnittteile, mehr als die Grenze von %3; teilen Sie sie nach etwas anderem, oder verbinden Sie ihre Teile im Modellierprogramm</translation>
     </message>
     <message>
-        <source>Either way up</source>
-        <translation>In beide Richtungen</translation>
-    </message>
-    <message>
         <source>One way</source>
         <translation>In einer Richtung</translation>
-    </message>
-    <message>
-        <source>Freely</source>
-        <translation>Frei</translation>
     </message>
     <message>
         <source>Repeat a&amp;long</source>
@@ -3548,10 +3444,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite des Schnittbilds</translation>
     </message>
     <message>
-        <source>From selvedge to selvedge; by default that of the fabric</source>
-        <translation>Von Webkante zu Webkante; zunächst die des Stoffs</translation>
-    </message>
-    <message>
         <source>Ga&amp;p</source>
         <translation>&amp;Abstand</translation>
     </message>
@@ -3572,32 +3464,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rand des Schnittbilds</translation>
     </message>
     <message>
-        <source>Smallest distance between the pieces and all edges of the cloth</source>
-        <translation>Kleinster Abstand zwischen den Teilen und allen Kanten des Stoffs</translation>
-    </message>
-    <message>
-        <source>&amp;Turned</source>
-        <translation>Ge&amp;dreht</translation>
-    </message>
-    <message>
-        <source>Turning of pieces</source>
-        <translation>Drehen der Teile</translation>
-    </message>
-    <message>
-        <source>With the grain along the warp either way up, all one way for nap and directional prints, or freely on cloth without a grain</source>
-        <translation>Mit dem Fadenlauf längs der Kette in beide Richtungen, alle in einer Richtung bei Strich und gerichteten Mustern, oder frei auf Stoff ohne Fadenlauf</translation>
-    </message>
-    <message>
         <source>Grain tol&amp;erance</source>
         <translation>Fad&amp;enlauf-Toleranz</translation>
     </message>
     <message>
         <source>Grain tolerance</source>
         <translation>Fadenlauf-Toleranz</translation>
-    </message>
-    <message>
-        <source>How far a piece may be turned in addition, to both sides</source>
-        <translation>Wie weit ein Teil zusätzlich gedreht werden darf, nach beiden Seiten</translation>
     </message>
     <message>
         <source>F&amp;olded lengthwise</source>
@@ -3618,10 +3490,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Garments of the marker</source>
         <translation>Kleidungsstücke des Schnittbilds</translation>
-    </message>
-    <message>
-        <source>Number of garments that are cut at once</source>
-        <translation>Anzahl der Kleidungsstücke, die auf einmal zugeschnitten werden</translation>
     </message>
     <message>
         <source>Slit</source>
@@ -3656,22 +3524,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stumpf</translation>
     </message>
     <message>
-        <source>Right angle to the one before</source>
-        <translation>Im rechten Winkel zum vorigen</translation>
-    </message>
-    <message>
-        <source>Right angle to this one</source>
-        <translation>Im rechten Winkel zu diesem</translation>
-    </message>
-    <message>
-        <source>Mirrored, the one before</source>
-        <translation>Gespiegelt, der vorige</translation>
-    </message>
-    <message>
-        <source>Mirrored, this one</source>
-        <translation>Gespiegelt, dieser</translation>
-    </message>
-    <message>
         <source>Stepped</source>
         <translation>Abgestuft</translation>
     </message>
@@ -3682,10 +3534,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Tolerance of fair lines</source>
         <translation>Toleranz der ausgeglichenen Linien</translation>
-    </message>
-    <message>
-        <source>How far a line may be from the exact outline</source>
-        <translation>Wie weit eine Linie vom genauen Umriss entfernt sein darf</translation>
     </message>
     <message>
         <source>Smoot&amp;hing length</source>
@@ -3724,10 +3572,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Toleranz eines Abschnitts</translation>
     </message>
     <message>
-        <source>How far the line of this segment may be from the exact outline; makes lines fair</source>
-        <translation>Wie weit die Linie dieses Abschnitts vom genauen Umriss entfernt sein darf; Linien werden dafür ausgeglichen</translation>
-    </message>
-    <message>
         <source>Default</source>
         <translation>Standard</translation>
     </message>
@@ -3738,10 +3582,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Straight segment</source>
         <translation>Abschnitt als gerade Linie</translation>
-    </message>
-    <message>
-        <source>Draw the segment as one straight line; makes lines fair</source>
-        <translation>Den Abschnitt als eine gerade Linie zeichnen; Linien werden dafür ausgeglichen</translation>
     </message>
     <message>
         <source>Allo&amp;wance</source>
@@ -3762,10 +3602,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Corner of an allowance</source>
         <translation>Ecke einer Zugabe</translation>
-    </message>
-    <message>
-        <source>How the allowances meet where the segment starts, anti-clockwise round the piece</source>
-        <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
     </message>
     <message>
         <source>Automatic</source>
@@ -3794,10 +3630,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Width of seam allowances</source>
         <translation>Breite der Nahtzugaben</translation>
-    </message>
-    <message>
-        <source>Allowance along edges that are sewn to others</source>
-        <translation>Zugabe entlang von Kanten, die an andere genäht werden</translation>
     </message>
     <message>
         <source>Hems</source>
@@ -3832,20 +3664,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Tiefe der Knipse</translation>
     </message>
     <message>
-        <source>From the cutting line inwards; at most half the allowance, if there is one</source>
-        <translation>Von der Schnittlinie nach innen; höchstens die halbe Zugabe, falls es eine gibt</translation>
-    </message>
-    <message>
         <source>&amp;Intake</source>
         <translation>&amp;Inhalt</translation>
     </message>
     <message>
         <source>Intake of a dart</source>
         <translation>Abnäherinhalt</translation>
-    </message>
-    <message>
-        <source>Distance of the legs at the mouth, in the pattern; the legs keep their length</source>
-        <translation>Abstand der Schenkel an der Öffnung, im Schnittmuster; die Schenkel behalten ihre Länge</translation>
     </message>
     <message>
         <source>As flattened</source>
@@ -3860,10 +3684,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Lage eines Abnähers</translation>
     </message>
     <message>
-        <source>Over which leg the closed dart is laid. The first leg comes first, anti-clockwise round the piece; by convention it is laid towards the centre, or downwards</source>
-        <translation>Über welchen Schenkel der geschlossene Abnäher gelegt wird. Der erste kommt gegen den Uhrzeigersinn um das Schnittteil zuerst; üblich ist zur Mitte oder nach unten</translation>
-    </message>
-    <message>
         <source>By convention</source>
         <translation>Wie üblich</translation>
     </message>
@@ -3876,20 +3696,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Größe auf den Schnittteilen</translation>
     </message>
     <message>
-        <source>The size on the labels of all pieces</source>
-        <translation>Die Größe auf den Beschriftungen aller Schnittteile</translation>
-    </message>
-    <message>
         <source>&amp;Date</source>
         <translation>&amp;Datum</translation>
     </message>
     <message>
         <source>Date on labels</source>
         <translation>Datum auf den Schnittteilen</translation>
-    </message>
-    <message>
-        <source>The date on the labels of all pieces, as it is printed</source>
-        <translation>Das Datum auf den Beschriftungen aller Schnittteile, so wie es gedruckt wird</translation>
     </message>
     <message>
         <source>&amp;Fair lines</source>
@@ -3912,20 +3724,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knicke an Nahtenden ausgleichen</translation>
     </message>
     <message>
-        <source>Turn the lines at the ends of seams so that they run into each other once sewn, if they miss that by no more than this angle</source>
-        <translation>Die Linien an Nahtenden so drehen, dass sie genäht ineinander übergehen, falls dazu nicht mehr als dieser Winkel fehlt</translation>
-    </message>
-    <message>
         <source>Seam &amp;allowance</source>
         <translation>N&amp;ahtzugabe</translation>
     </message>
     <message>
         <source>Seam allowance</source>
         <translation>Nahtzugabe</translation>
-    </message>
-    <message>
-        <source>Leave cloth beyond the seam lines, and cut along the line around it</source>
-        <translation>Außerhalb der Nahtlinien Stoff zugeben und an der Linie darum zuschneiden</translation>
     </message>
     <message>
         <source>&amp;Notches</source>
@@ -3936,20 +3740,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knipse</translation>
     </message>
     <message>
-        <source>Mark places of the seams that meet when they are sewn</source>
-        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
-    </message>
-    <message>
         <source>Drop &amp;debris</source>
         <translation>&amp;Bruchstücke entfernen</translation>
     </message>
     <message>
         <source>Drop debris</source>
         <translation>Bruchstücke entfernen</translation>
-    </message>
-    <message>
-        <source>Leave out fragments that are too small for a piece, but not several of one kind, such as buttons</source>
-        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind, außer mehreren gleichen, etwa Knöpfen</translation>
     </message>
     <message>
         <source>Close &amp;holes with a perimeter up to</source>
@@ -3960,10 +3756,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Löcher schließen</translation>
     </message>
     <message>
-        <source>Patches continue the cloth around them; neck, sleeves and hem stay open, however short they are</source>
-        <translation>Flicken setzen den Stoff ringsum fort; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
-    </message>
-    <message>
         <source>&amp;Smooth noise by at most</source>
         <translation>&amp;Rauschen glätten um höchstens</translation>
     </message>
@@ -3972,20 +3764,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rauschen glätten</translation>
     </message>
     <message>
-        <source>No point moves farther; folds and hems stay</source>
-        <translation>Kein Punkt bewegt sich weiter; Falten und Säume bleiben</translation>
-    </message>
-    <message>
         <source>&amp;Remesh with edges of</source>
         <translation>&amp;Dreiecke neu bilden mit Kanten von</translation>
     </message>
     <message>
         <source>Edge length of the mesh</source>
         <translation>Kantenlänge des Netzes</translation>
-    </message>
-    <message>
-        <source>Replace the triangles by ones of about equal size; the names and the UV map of the file are lost</source>
-        <translation>Die Dreiecke durch etwa gleich große ersetzen; Namen und UV-Karte der Datei gehen verloren</translation>
     </message>
     <message>
         <source>This pattern</source>
@@ -4000,10 +3784,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Der Vergleichsschnitt</translation>
     </message>
     <message>
-        <source>As the fabric</source>
-        <translation>Wie der Stoff</translation>
-    </message>
-    <message>
         <source>N/m</source>
         <translation>N/m</translation>
     </message>
@@ -4016,20 +3796,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zugsteifigkeit längs der Kette</translation>
     </message>
     <message>
-        <source>Force per strain of a strip, 1 m wide, that is stretched along the warp</source>
-        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Kettrichtung</translation>
-    </message>
-    <message>
         <source>Stretch, weft</source>
         <translation>Zug, Schuss</translation>
     </message>
     <message>
         <source>Stretch stiffness along the weft</source>
         <translation>Zugsteifigkeit längs des Schusses</translation>
-    </message>
-    <message>
-        <source>Force per strain of a strip, 1 m wide, that is stretched along the weft</source>
-        <translation>Kraft durch Dehnung eines 1 m breiten Streifens bei Zug in Schussrichtung</translation>
     </message>
     <message>
         <source>Shear</source>
@@ -4068,10 +3840,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gewicht des Stoffs</translation>
     </message>
     <message>
-        <source>Only counts with gravity</source>
-        <translation>Zählt nur mit Schwerkraft</translation>
-    </message>
-    <message>
         <source>g/m²</source>
         <translation>g/m²</translation>
     </message>
@@ -4084,20 +3852,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnitt der Nähprobe</translation>
     </message>
     <message>
-        <source>The pattern as it is written to a file and read back, or another one to compare with</source>
-        <translation>Der Schnitt, wie er in eine Datei geschrieben und wieder gelesen wird, oder ein anderer zum Vergleich</translation>
-    </message>
-    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Triangles of the proof</source>
         <translation>Dreiecke der Nähprobe</translation>
-    </message>
-    <message>
-        <source>Length of the edges of the triangles that are sewn; shorter ones are finer and take longer. 0: as in the garment</source>
-        <translation>Kantenlänge der Dreiecke, die genäht werden; kürzere sind feiner und dauern länger. 0: wie im Kleidungsstück</translation>
     </message>
     <message>
         <source>As in the garment</source>
@@ -4112,10 +3872,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Druck der Nähprobe</translation>
     </message>
     <message>
-        <source>Presses the cloth onto the dress form; below 0 it is filled like a cushion. 10 Pa are 1 g on 10 cm²</source>
-        <translation>Drückt den Stoff auf den Körper; unter 0 wird er gefüllt wie ein Kissen. 10 Pa sind 1 g auf 10 cm²</translation>
-    </message>
-    <message>
         <source>Pa</source>
         <translation>Pa</translation>
     </message>
@@ -4128,20 +3884,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nähprobe mit Schwerkraft</translation>
     </message>
     <message>
-        <source>Let the cloth hang by its weight</source>
-        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
-    </message>
-    <message>
         <source>Cloth touches itself</source>
         <translation>Stoff berührt sich selbst</translation>
     </message>
     <message>
         <source>Proof with layers that touch</source>
         <translation>Nähprobe mit Lagen, die sich berühren</translation>
-    </message>
-    <message>
-        <source>Keep layers of cloth apart, which takes longer; otherwise cloth passes through cloth</source>
-        <translation>Lagen von Stoff auseinanderhalten, was länger dauert; sonst geht Stoff durch Stoff hindurch</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -4159,16 +3907,260 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Garment&apos;s fabric</source>
         <translation>Stoff des Kleidungsstücks</translation>
     </message>
+    <message>
+        <source>Unexpected error (%1). Please report it with the garment file.</source>
+        <translation>Unerwarteter Fehler (%1). Bitte melden Sie ihn mit der Datei des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Time of the last solve of this piece</source>
+        <translation>Rechenzeit der letzten Abwicklung dieses Schnittteils</translation>
+    </message>
+    <message>
+        <source>Triangles whose orientation is reversed in the pattern; cloth cannot do that</source>
+        <translation>Dreiecke, die im Schnittmuster umgeklappt sind; Stoff kann das nicht</translation>
+    </message>
+    <message>
+        <source>Distance to reference panel, %1</source>
+        <translation>Abstand zum Referenzteil, %1</translation>
+    </message>
+    <message>
+        <source>Max. stretch, %</source>
+        <translation>Größte Dehnung, %</translation>
+    </message>
+    <message>
+        <source>Max. surplus, %</source>
+        <translation>Größter Überschuss, %</translation>
+    </message>
+    <message>
+        <source>Outlines</source>
+        <translation>Umrisse</translation>
+    </message>
+    <message>
+        <source>Drawn pattern</source>
+        <translation>Gezeichneter Schnitt</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>Program that opens the DXF file; sets profile and unit</source>
+        <translation>Programm, das die DXF-Datei öffnet; legt Profil und Einheit fest</translation>
+    </message>
+    <message>
+        <source>Unit of the numbers in the DXF file</source>
+        <translation>Einheit der Zahlen in der DXF-Datei</translation>
+    </message>
+    <message>
+        <source>Also write a rule table of one size (.rul)</source>
+        <translation>Auch eine Sprungwerttabelle mit einer Größe (.rul) schreiben</translation>
+    </message>
+    <message>
+        <source>Add a square of 100 mm as an extra piece, to check the scale</source>
+        <translation>Ein Quadrat von 100 mm als zusätzliches Teil, um den Maßstab zu prüfen</translation>
+    </message>
+    <message>
+        <source>Paper of the PDF file: tiles of a4, letter or tile, which fits both; one page of a0, arch-d or arch-e; a roll; or projector</source>
+        <translation>Papier der PDF-Datei: Blätter in a4, letter oder tile, das auf beide passt; ein Bogen a0, arch-d oder arch-e; eine Rolle; oder projector</translation>
+    </message>
+    <message>
+        <source>Overlap of the tiles of a PDF file, mm</source>
+        <translation>Überlappung der Blätter einer PDF-Datei, mm</translation>
+    </message>
+    <message>
+        <source>Program or machine that opens the SVG file</source>
+        <translation>Programm oder Maschine, die die SVG-Datei öffnet</translation>
+    </message>
+    <message>
+        <source>A layer for each kind of line, or a group for each piece</source>
+        <translation>Eine Ebene je Linienart oder eine Gruppe je Schnittteil</translation>
+    </message>
+    <message>
+        <source>Write text as text, or as outlines of its letters</source>
+        <translation>Text als Text schreiben oder als Umrisse seiner Buchstaben</translation>
+    </message>
+    <message>
+        <source>Turn the plot by 90°</source>
+        <translation>Den Plot um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Texture coordinates of OBJ, USD and GLB files: the drawn pattern, or exact outlines</source>
+        <translation>Texturkoordinaten von OBJ-, USD- und GLB-Dateien: der gezeichnete Schnitt oder genaue Umrisse</translation>
+    </message>
+    <message>
+        <source>Also write each piece to its own OBJ file</source>
+        <translation>Auch jedes Schnittteil in eine eigene OBJ-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>e-mail and web pages, at a chosen resolution</source>
+        <translation>E-Mails und Webseiten, mit gewählter Auflösung</translation>
+    </message>
+    <message>
+        <source>Both ways</source>
+        <translation>Beide Richtungen</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Frei</translation>
+    </message>
+    <message>
+        <source>From selvedge to selvedge; default: width of the fabric</source>
+        <translation>Von Webkante zu Webkante; Vorgabe: Breite des Stoffs</translation>
+    </message>
+    <message>
+        <source>Smallest distance to the edges of the cloth</source>
+        <translation>Kleinster Abstand zu den Kanten des Stoffs</translation>
+    </message>
+    <message>
+        <source>Direc&amp;tion</source>
+        <translation>Ri&amp;chtung</translation>
+    </message>
+    <message>
+        <source>Direction of pieces</source>
+        <translation>Richtung der Teile</translation>
+    </message>
+    <message>
+        <source>Both ways along the warp, one way for nap and directional prints, or free on cloth without a grain</source>
+        <translation>In beiden Richtungen längs der Kette, in einer Richtung bei Strich und gerichteten Mustern, oder frei auf Stoff ohne Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Maximum rotation of a piece off the grain, to both sides</source>
+        <translation>Größte Drehung eines Teils gegen den Fadenlauf, nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Number of garments in the marker</source>
+        <translation>Anzahl der Kleidungsstücke im Schnittbild</translation>
+    </message>
+    <message>
+        <source>Right angle to previous</source>
+        <translation>Rechter Winkel zum vorigen</translation>
+    </message>
+    <message>
+        <source>Right angle to this</source>
+        <translation>Rechter Winkel zu diesem</translation>
+    </message>
+    <message>
+        <source>Mirrored on previous</source>
+        <translation>Gespiegelt am vorigen</translation>
+    </message>
+    <message>
+        <source>Mirrored on this</source>
+        <translation>Gespiegelt an diesem</translation>
+    </message>
+    <message>
+        <source>Maximum distance of a line from the exact outline</source>
+        <translation>Größter Abstand einer Linie vom genauen Umriss</translation>
+    </message>
+    <message>
+        <source>Maximum distance of this segment&apos;s line from the exact outline; switches on fair lines</source>
+        <translation>Größter Abstand der Linie dieses Abschnitts vom genauen Umriss; schaltet ausgeglichene Linien ein</translation>
+    </message>
+    <message>
+        <source>How the allowances meet at the start of the segment, anti-clockwise around the piece</source>
+        <translation>Wie die Zugaben am Anfang des Abschnitts zusammentreffen, gegen den Uhrzeigersinn um das Schnittteil</translation>
+    </message>
+    <message>
+        <source>Allowance along sewn edges</source>
+        <translation>Zugabe entlang genähter Kanten</translation>
+    </message>
+    <message>
+        <source>Measured inwards from the cutting line; at most half the allowance, if there is one</source>
+        <translation>Von der Schnittlinie nach innen gemessen; höchstens die halbe Zugabe, falls es eine gibt</translation>
+    </message>
+    <message>
+        <source>Width between the legs at the edge, in the pattern; the legs keep their length</source>
+        <translation>Abstand der Schenkel an der Kante, im Schnittmuster; die Schenkel behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Leg over which the closed dart is folded, counted anti-clockwise around the piece. By convention: towards the centre, or downwards</source>
+        <translation>Schenkel, über den der geschlossene Abnäher gelegt wird, gezählt gegen den Uhrzeigersinn um das Schnittteil. Üblich: zur Mitte oder nach unten</translation>
+    </message>
+    <message>
+        <source>Size printed on the labels of all pieces</source>
+        <translation>Größe auf den Beschriftungen aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>Date printed on the labels of all pieces</source>
+        <translation>Datum auf den Beschriftungen aller Schnittteile</translation>
+    </message>
+    <message>
+        <source>Remove kinks of up to this angle where lines meet at the end of a sewn seam</source>
+        <translation>Knicke bis zu diesem Winkel entfernen, wo Linien am Ende einer genähten Naht zusammentreffen</translation>
+    </message>
+    <message>
+        <source>Add cloth beyond the seam lines, and a cutting line around it</source>
+        <translation>Stoff außerhalb der Nahtlinien zugeben, mit einer Schnittlinie darum</translation>
+    </message>
+    <message>
+        <source>Mark points of seams to align when sewing</source>
+        <translation>Stellen der Nähte markieren, die beim Nähen aufeinandertreffen</translation>
+    </message>
+    <message>
+        <source>Leave out fragments too small for a piece; groups of one kind, such as buttons, stay</source>
+        <translation>Bruchstücke weglassen, die für ein Schnittteil zu klein sind; mehrere gleiche, etwa Knöpfe, bleiben</translation>
+    </message>
+    <message>
+        <source>Fill holes with cloth; neck, sleeves and hem stay open, however short they are</source>
+        <translation>Löcher mit Stoff füllen; Hals, Ärmel und Saum bleiben offen, wie kurz sie auch sind</translation>
+    </message>
+    <message>
+        <source>Largest movement of a point; folds and hems stay</source>
+        <translation>Größte Bewegung eines Punktes; Falten und Säume bleiben</translation>
+    </message>
+    <message>
+        <source>Replace the mesh by triangles of about equal size; names and UV map are lost</source>
+        <translation>Das Netz durch etwa gleich große Dreiecke ersetzen; Namen und UV-Karte gehen verloren</translation>
+    </message>
+    <message>
+        <source>From fabric</source>
+        <translation>Vom Stoff</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip 1 m wide, stretched along the warp</source>
+        <translation>Kraft je Dehnung eines 1 m breiten Streifens bei Zug in Kettrichtung</translation>
+    </message>
+    <message>
+        <source>Force per strain of a strip 1 m wide, stretched along the weft</source>
+        <translation>Kraft je Dehnung eines 1 m breiten Streifens bei Zug in Schussrichtung</translation>
+    </message>
+    <message>
+        <source>Only used with gravity</source>
+        <translation>Zählt nur mit Schwerkraft</translation>
+    </message>
+    <message>
+        <source>The pattern as written to a file and read back, or another one to compare</source>
+        <translation>Der Schnitt, in eine Datei geschrieben und zurückgelesen, oder ein anderer zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Edge length of the sewn triangles; shorter edges are finer and slower. 0: as in the garment</source>
+        <translation>Kantenlänge der genähten Dreiecke; kürzere sind feiner und langsamer. 0: wie im Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Presses the cloth onto the dress form; negative values inflate it. 10 Pa are 1 g on 10 cm²</source>
+        <translation>Drückt den Stoff auf den Körper; negative Werte blasen ihn auf. 10 Pa sind 1 g auf 10 cm²</translation>
+    </message>
+    <message>
+        <source>Let the cloth hang under its weight</source>
+        <translation>Den Stoff durch sein Gewicht hängen lassen</translation>
+    </message>
+    <message>
+        <source>Keep layers of cloth apart (slower); otherwise cloth passes through cloth</source>
+        <translation>Stofflagen auseinanderhalten (langsamer); sonst geht Stoff durch Stoff hindurch</translation>
+    </message>
+    <message>
+        <source>Draw the segment as a straight line; switches on fair lines</source>
+        <translation>Den Abschnitt als gerade Linie zeichnen; schaltet ausgeglichene Linien ein</translation>
+    </message>
+    <message>
+        <source>the project needs this file, but it is missing</source>
+        <translation>das Projekt braucht diese Datei, sie fehlt</translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
     <message>
         <source>&amp;Open…</source>
         <translation>Ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>Open a project or a garment: one file, or several that belong together</source>
-        <translation>Ein Projekt oder ein Kleidungsstück öffnen: eine Datei, oder mehrere, die zusammengehören</translation>
     </message>
     <message>
         <source>Open</source>
@@ -4179,10 +4171,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save everything done with this garment in its project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in seiner Projektdatei speichern</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -4191,16 +4179,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
-        <source>Save everything done with this garment in another project file</source>
-        <translation>Alles, was mit diesem Kleidungsstück getan wurde, in einer anderen Projektdatei speichern</translation>
-    </message>
-    <message>
         <source>Read&amp;y to cut?</source>
-        <translation>&amp;Bereit zum Zuschneiden?</translation>
-    </message>
-    <message>
-        <source>Show whether the pattern can be cut as it is, and every fault with its place</source>
-        <translation>Zeigen, ob das Schnittmuster so zugeschnitten werden kann, und jeden Fehler mit seiner Stelle</translation>
+        <translation>Bereit zu&amp;m Zuschneiden?</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -4215,20 +4195,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take the last step back</source>
-        <translation>Den letzten Schritt zurücknehmen</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Do again what was taken back</source>
-        <translation>Noch einmal tun, was zurückgenommen wurde</translation>
     </message>
     <message>
         <source>Redo</source>
@@ -4255,20 +4227,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ein&amp;passen</translation>
     </message>
     <message>
-        <source>Show the selected pieces or seam, or everything where none is selected</source>
-        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht ganz zeigen; ohne Auswahl alles</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>Einpassen</translation>
     </message>
     <message>
         <source>Piece &amp;colours</source>
         <translation>Teile&amp;farben</translation>
-    </message>
-    <message>
-        <source>Every piece in its own colour</source>
-        <translation>Jedes Schnittteil in seiner eigenen Farbe</translation>
     </message>
     <message>
         <source>Check&amp;erboard</source>
@@ -4283,20 +4247,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Fl&amp;ächenänderung</translation>
     </message>
     <message>
-        <source>How much area the cloth must gain by stretching, or has too much</source>
-        <translation>Wie viel Fläche der Stoff durch Dehnen gewinnen muss oder zu viel hat</translation>
-    </message>
-    <message>
         <source>Area</source>
         <translation>Fläche</translation>
     </message>
     <message>
         <source>An&amp;gle change</source>
         <translation>&amp;Winkeländerung</translation>
-    </message>
-    <message>
-        <source>How much the corners of the cloth have turned</source>
-        <translation>Wie weit sich die Ecken des Stoffes verdreht haben</translation>
     </message>
     <message>
         <source>Angle</source>
@@ -4307,20 +4263,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Dehnung</translation>
     </message>
     <message>
-        <source>How far the cloth must stretch or gather to take its shape</source>
-        <translation>Wie weit sich der Stoff dehnen oder stauchen muss, um die Form anzunehmen</translation>
-    </message>
-    <message>
         <source>Strain</source>
         <translation>Dehnung</translation>
     </message>
     <message>
         <source>Strain along war&amp;p</source>
-        <translation>Dehnung längs der &amp;Kette</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather along the grain</source>
-        <translation>Wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
+        <translation>Dehnung längs der Ke&amp;tte</translation>
     </message>
     <message>
         <source>Warp</source>
@@ -4331,20 +4279,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Dehnung längs des Sch&amp;usses</translation>
     </message>
     <message>
-        <source>How far the cloth must stretch or gather across the grain</source>
-        <translation>Wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
-    </message>
-    <message>
         <source>Weft</source>
         <translation>Schuss</translation>
     </message>
     <message>
         <source>Strain on the &amp;bias</source>
         <translation>Dehnung im Sch&amp;rägen</translation>
-    </message>
-    <message>
-        <source>How far the cloth must stretch or gather at 45° to the grain, the worse of both diagonals</source>
-        <translation>Wie weit sich der Stoff unter 45° zum Fadenlauf dehnen oder stauchen muss, auf der schlechteren der beiden Diagonalen</translation>
     </message>
     <message>
         <source>Bias</source>
@@ -4355,20 +4295,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Hauptdehnung</translation>
     </message>
     <message>
-        <source>Crosses show in which directions the cloth stretches and gathers most, and how far</source>
-        <translation>Kreuze zeigen, in welchen Richtungen sich der Stoff am meisten dehnt und staucht, und wie weit</translation>
-    </message>
-    <message>
         <source>Principal</source>
         <translation>Hauptdehnung</translation>
     </message>
     <message>
         <source>&amp;Distortion energy</source>
         <translation>&amp;Verzerrungsenergie</translation>
-    </message>
-    <message>
-        <source>Symmetric Dirichlet energy: one number for stretch and surplus in all directions</source>
-        <translation>Symmetrische Dirichlet-Energie: eine Zahl für Dehnung und Zuviel in allen Richtungen</translation>
     </message>
     <message>
         <source>Energy</source>
@@ -4379,20 +4311,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Werte &amp;je Dreieck</translation>
     </message>
     <message>
-        <source>Paint every triangle in the colour of its own value, without smoothing</source>
-        <translation>Jedes Dreieck in der Farbe seines eigenen Wertes malen, ohne zu glätten</translation>
-    </message>
-    <message>
         <source>Per triangle</source>
         <translation>Je Dreieck</translation>
-    </message>
-    <message>
-        <source>Mark the w&amp;orst spots</source>
-        <translation>&amp;Schlimmste Stellen markieren</translation>
-    </message>
-    <message>
-        <source>Mark the places with the worst values with a number</source>
-        <translation>Die Stellen mit den schlimmsten Werten mit einer Zahl markieren</translation>
     </message>
     <message>
         <source>Worst spots</source>
@@ -4403,148 +4323,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Gitternetz zeigen</translation>
     </message>
     <message>
-        <source>Draw the triangles of the cloth</source>
-        <translation>Die Dreiecke des Stoffes zeichnen</translation>
-    </message>
-    <message>
         <source>Wireframe</source>
         <translation>Gitternetz</translation>
     </message>
     <message>
-        <source>Referen&amp;ce panels</source>
+        <source>Re&amp;ference panels</source>
         <translation>R&amp;eferenzteile</translation>
-    </message>
-    <message>
-        <source>Draw the seam lines, both sides of a seam in one colour</source>
-        <translation>Die Nahtlinien zeichnen, beide Seiten einer Naht in einer Farbe</translation>
     </message>
     <message>
         <source>&amp;X-ray</source>
         <translation>&amp;Röntgenblick</translation>
     </message>
     <message>
-        <source>See through the cloth of the garment to what lies behind it</source>
-        <translation>Durch den Stoff des Kleidungsstücks auf das sehen, was dahinter liegt</translation>
-    </message>
-    <message>
-        <source>Light and s&amp;hade</source>
-        <translation>&amp;Licht und Schatten</translation>
-    </message>
-    <message>
-        <source>Let light fall on the garment; without it colours are as flat as in the pattern</source>
-        <translation>Licht auf das Kleidungsstück fallen lassen; ohne es sind die Farben so gleichmäßig wie im Schnittmuster</translation>
-    </message>
-    <message>
-        <source>Pieces &amp;in colour</source>
-        <translation>Schnittteile in &amp;Farbe</translation>
-    </message>
-    <message>
-        <source>Give every piece a colour of its own; else all cloth is plain cotton</source>
-        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst ist aller Stoff schlichte Baumwolle</translation>
-    </message>
-    <message>
-        <source>From the &amp;front</source>
-        <translation>Von &amp;vorn</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s front (1 on the number pad)</source>
-        <translation>Das Kleidungsstück von vorn ansehen (1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;back</source>
-        <translation>Von &amp;hinten</translation>
-    </message>
-    <message>
-        <source>Look at the garment&apos;s back (Ctrl+1 on the number pad)</source>
-        <translation>Das Kleidungsstück von hinten ansehen (Strg+1 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;right</source>
-        <translation>Von &amp;rechts</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the right of the picture (3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der rechten Seite des Bildes ansehen (3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From the &amp;left</source>
-        <translation>Von &amp;links</translation>
-    </message>
-    <message>
-        <source>Look at the garment from the left of the picture (Ctrl+3 on the number pad)</source>
-        <translation>Das Kleidungsstück von der linken Seite des Bildes ansehen (Strg+3 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From &amp;above</source>
-        <translation>Von &amp;oben</translation>
-    </message>
-    <message>
-        <source>Look down at the garment (7 on the number pad)</source>
-        <translation>Auf das Kleidungsstück hinabsehen (7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>From b&amp;elow</source>
-        <translation>Von &amp;unten</translation>
-    </message>
-    <message>
-        <source>Look up at the garment (Ctrl+7 on the number pad)</source>
-        <translation>Zum Kleidungsstück hinaufsehen (Strg+7 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Without &amp;perspective</source>
-        <translation>Ohne &amp;Perspektive</translation>
-    </message>
-    <message>
-        <source>Draw the garment so that parallel lines stay parallel (5 on the number pad)</source>
-        <translation>Das Kleidungsstück so zeichnen, dass parallele Linien parallel bleiben (5 auf dem Ziffernblock)</translation>
-    </message>
-    <message>
-        <source>Play from garment to pa&amp;ttern</source>
-        <translation>Vom Kleidungsstück zum Schnittmuster &amp;abspielen</translation>
-    </message>
-    <message>
-        <source>Watch the garment flatten, or the pattern close to the garment again</source>
-        <translation>Zusehen, wie sich das Kleidungsstück abwickelt oder das Schnittmuster wieder zum Kleidungsstück schließt</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the cloth between them stretches as little as that allows, and no triangle is flipped</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Stoff dazwischen dehnt sich so wenig, wie das erlaubt, und kein Dreieck wird umgeklappt</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length; the outline turns where the garment is curved</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
-    </message>
-    <message>
         <source>&amp;Draft</source>
         <translation>&amp;Entwurf</translation>
-    </message>
-    <message>
-        <source>Quick: within some percent of the least distortion</source>
-        <translation>Schnell: auf einige Prozent an der kleinsten Verzerrung</translation>
     </message>
     <message>
         <source>&amp;Standard</source>
         <translation>&amp;Standard</translation>
     </message>
     <message>
-        <source>Within about a thousandth of the least distortion</source>
-        <translation>Auf etwa ein Tausendstel an der kleinsten Verzerrung</translation>
-    </message>
-    <message>
         <source>&amp;Fine</source>
         <translation>&amp;Fein</translation>
     </message>
     <message>
-        <source>To the last digits: takes its time</source>
-        <translation>Bis auf die letzten Stellen: braucht seine Zeit</translation>
-    </message>
-    <message>
         <source>C&amp;ompare methods…</source>
         <translation>Verfahren &amp;vergleichen…</translation>
-    </message>
-    <message>
-        <source>See one piece flattened by up to four methods side by side, with a table of figures</source>
-        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander sehen, mit einer Tabelle der Zahlen</translation>
     </message>
     <message>
         <source>&amp;Select</source>
@@ -4563,20 +4367,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Einschneiden</translation>
     </message>
     <message>
-        <source>Cut a piece along the shortest path through points on it</source>
-        <translation>Ein Schnittteil auf dem kürzesten Weg durch Punkte darauf einschneiden</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Einschneiden</translation>
     </message>
     <message>
         <source>Closed &amp;loop</source>
         <translation>&amp;Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut a part out along a closed line through points on it</source>
-        <translation>Einen Teil entlang einer geschlossenen Linie durch Punkte darauf ausschneiden</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -4599,20 +4395,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Verbinden</translation>
     </message>
     <message>
-        <source>Join the cloth on both sides of a seam, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten einer Naht verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
         <source>Join</source>
         <translation>Verbinden</translation>
     </message>
     <message>
         <source>&amp;Measure</source>
         <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>Measure on the garment and in the pattern, straight and along edges</source>
-        <translation>Am Kleidungsstück und im Schnittmuster messen, gerade und entlang von Kanten</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -4635,32 +4423,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach jeder Än&amp;derung abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what an edit has changed at once; switch it off for heavy meshes</source>
-        <translation>Was eine Änderung betrifft, sofort abwickeln; bei schweren Netzen besser ausschalten</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
-    </message>
-    <message>
-        <source>Stop what is running</source>
-        <translation>Anhalten, was gerade läuft</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
         <translation>Neu &amp;laden</translation>
     </message>
     <message>
-        <source>Read the garment&apos;s files again as they are now</source>
-        <translation>Die Dateien des Kleidungsstücks noch einmal lesen, wie sie jetzt sind</translation>
-    </message>
-    <message>
         <source>&amp;Automatic</source>
         <translation>&amp;Automatisch</translation>
-    </message>
-    <message>
-        <source>Choose the unit that gives a garment of human size</source>
-        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
     </message>
     <message>
         <source>&amp;Millimetres</source>
@@ -4695,128 +4467,48 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Zahlen der Datei als Zoll lesen</translation>
     </message>
     <message>
-        <source>Choose the axis along which a garment would stand upright</source>
-        <translation>Die Achse wählen, an der das Kleidungsstück aufrecht stünde</translation>
-    </message>
-    <message>
         <source>&amp;Y points up</source>
         <translation>&amp;Y zeigt nach oben</translation>
-    </message>
-    <message>
-        <source>The garment stands along the file&apos;s y axis</source>
-        <translation>Das Kleidungsstück steht an der y-Achse der Datei</translation>
     </message>
     <message>
         <source>&amp;Z points up</source>
         <translation>&amp;Z zeigt nach oben</translation>
     </message>
     <message>
-        <source>The garment stands along the file&apos;s z axis</source>
-        <translation>Das Kleidungsstück steht an der z-Achse der Datei</translation>
-    </message>
-    <message>
-        <source>Divide the garment into pieces by what the file has</source>
-        <translation>Das Kleidungsstück nach dem teilen, was die Datei enthält</translation>
-    </message>
-    <message>
-        <source>Whatever hangs together is one piece</source>
-        <translation>Was zusammenhängt, ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Objects</source>
         <translation>&amp;Objekten</translation>
-    </message>
-    <message>
-        <source>Each object of the file is one piece</source>
-        <translation>Jedes Objekt der Datei ist ein Schnittteil</translation>
     </message>
     <message>
         <source>&amp;Groups</source>
         <translation>&amp;Gruppen</translation>
     </message>
     <message>
-        <source>Each group of the file is one piece</source>
-        <translation>Jede Gruppe der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Materials</source>
         <translation>&amp;Materialien</translation>
-    </message>
-    <message>
-        <source>Each material of the file is one piece</source>
-        <translation>Jedes Material der Datei ist ein Schnittteil</translation>
     </message>
     <message>
         <source>&amp;UV islands</source>
         <translation>&amp;UV-Inseln</translation>
     </message>
     <message>
-        <source>Each island of the file&apos;s UV map is one piece</source>
-        <translation>Jede Insel der UV-Karte der Datei ist ein Schnittteil</translation>
-    </message>
-    <message>
         <source>&amp;Cuts only</source>
         <translation>Nur &amp;Einschnitten</translation>
-    </message>
-    <message>
-        <source>One piece until a cut of the seams file parts it</source>
-        <translation>Ein Schnittteil, bis ein Einschnitt der Nahtdatei es trennt</translation>
     </message>
     <message>
         <source>&amp;Cut open automatically</source>
         <translation>Von selbst &amp;aufschneiden</translation>
     </message>
     <message>
-        <source>Cut open every piece that cannot lie flat as it is</source>
-        <translation>Jedes Schnittteil aufschneiden, das so nicht flach liegen kann</translation>
-    </message>
-    <message>
         <source>&amp;Weld vertices</source>
         <translation>Punkte &amp;verschmelzen</translation>
-    </message>
-    <message>
-        <source>Join vertices of an object that lie on each other</source>
-        <translation>Punkte eines Objekts verbinden, die aufeinander liegen</translation>
-    </message>
-    <message>
-        <source>&amp;Seams from file…</source>
-        <translation>&amp;Nähte aus Datei…</translation>
-    </message>
-    <message>
-        <source>Take cuts and ease from a seams file (JSON)</source>
-        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) übernehmen</translation>
     </message>
     <message>
         <source>Save sea&amp;ms file…</source>
         <translation>Naht&amp;datei speichern…</translation>
     </message>
     <message>
-        <source>Write the cuts and the ease that were stated to a seams file (JSON)</source>
-        <translation>Die angegebenen Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
-    </message>
-    <message>
-        <source>State the &amp;ease…</source>
-        <translation>&amp;Einhalteweite angeben…</translation>
-    </message>
-    <message>
-        <source>Say how much longer the left edge of the selected seam is meant to be</source>
-        <translation>Angeben, wie viel länger die linke Kante der ausgewählten Naht sein soll</translation>
-    </message>
-    <message>
-        <source>Ease fro&amp;m the garment</source>
-        <translation>Einhalteweite aus dem &amp;Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Take the ease of the selected seam from its 3D lengths again</source>
-        <translation>Die Einhalteweite der ausgewählten Naht wieder aus ihren 3D-Längen nehmen</translation>
-    </message>
-    <message>
         <source>&amp;Grain</source>
         <translation>&amp;Fadenlauf</translation>
-    </message>
-    <message>
-        <source>Turn the grain of a piece by its arrow in the pattern view</source>
-        <translation>Den Fadenlauf eines Schnittteils an seinem Pfeil in der Schnittansicht drehen</translation>
     </message>
     <message>
         <source>Grain</source>
@@ -4827,112 +4519,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nach &amp;links drehen</translation>
     </message>
     <message>
-        <source>Turn the selected pieces anti-clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel gegen den Uhrzeigersinn drehen</translation>
-    </message>
-    <message>
         <source>Turn &amp;right</source>
         <translation>Nach &amp;rechts drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces clockwise by a right angle</source>
-        <translation>Die ausgewählten Schnittteile um einen rechten Winkel im Uhrzeigersinn drehen</translation>
     </message>
     <message>
         <source>&amp;Mirror left to right</source>
         <translation>&amp;Seitlich spiegeln</translation>
     </message>
     <message>
-        <source>Turn the selected pieces over from left to right: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile seitlich umwenden: dann liegt ihre linke Stoffseite oben</translation>
-    </message>
-    <message>
         <source>Mirror &amp;upside down</source>
         <translation>Nach &amp;oben spiegeln</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces over from top to bottom: their wrong side faces you then</source>
-        <translation>Die ausgewählten Schnittteile von oben nach unten umwenden: dann liegt ihre linke Stoffseite oben</translation>
     </message>
     <message>
         <source>&amp;Left edges</source>
         <translation>&amp;Linke Kanten</translation>
     </message>
     <message>
-        <source>Line the selected pieces up along their left edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
-    </message>
-    <message>
         <source>&amp;Right edges</source>
         <translation>&amp;Rechte Kanten</translation>
-    </message>
-    <message>
-        <source>Line the selected pieces up along their right edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
     </message>
     <message>
         <source>&amp;Upper edges</source>
         <translation>&amp;Obere Kanten</translation>
     </message>
     <message>
-        <source>Line the selected pieces up along their upper edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
-    </message>
-    <message>
         <source>Lo&amp;wer edges</source>
         <translation>&amp;Untere Kanten</translation>
     </message>
     <message>
-        <source>Line the selected pieces up along their lower edges</source>
-        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
-    </message>
-    <message>
-        <source>&amp;Middles, one above the other</source>
-        <translation>&amp;Mitten übereinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one upright line</source>
-        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Middles, si&amp;de by side</source>
-        <translation>Mitten &amp;nebeneinander</translation>
-    </message>
-    <message>
-        <source>Centre the selected pieces on one level line</source>
-        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
-    </message>
-    <message>
-        <source>Same gaps &amp;across</source>
-        <translation>Gleiche Abstände &amp;quer</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the leftmost and the rightmost until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem linken und dem rechten verschieben, bis ihre Abstände gleich sind</translation>
-    </message>
-    <message>
-        <source>Same gaps u&amp;pwards</source>
-        <translation>Gleiche Abstände &amp;hoch</translation>
-    </message>
-    <message>
-        <source>Move the selected pieces between the lowest and the highest until their gaps are the same</source>
-        <translation>Die ausgewählten Schnittteile zwischen dem untersten und dem obersten verschieben, bis ihre Abstände gleich sind</translation>
-    </message>
-    <message>
         <source>Lay &amp;out again</source>
-        <translation>Neu aus&amp;legen</translation>
-    </message>
-    <message>
-        <source>Put the selected pieces, or all where none is selected, in rows side by side</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, in Reihen nebeneinander legen</translation>
+        <translation>Ne&amp;u auslegen</translation>
     </message>
     <message>
         <source>Turn &amp;grain upwards</source>
         <translation>&amp;Fadenlauf nach oben drehen</translation>
-    </message>
-    <message>
-        <source>Turn the selected pieces, or all where none is selected, so that their grain runs upwards</source>
-        <translation>Die ausgewählten Schnittteile, ohne Auswahl alle, so drehen, dass ihr Fadenlauf nach oben zeigt</translation>
     </message>
     <message>
         <source>&amp;Best grain</source>
@@ -4941,14 +4561,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Best</source>
         <translation>Bester</translation>
-    </message>
-    <message>
-        <source>R&amp;eset the grain</source>
-        <translation>Fadenlauf &amp;zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Leave it open how the grain of the selected pieces, or of all, runs</source>
-        <translation>Offen lassen, wie der Fadenlauf der ausgewählten Schnittteile, sonst aller, liegt</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -4967,104 +4579,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Raster</translation>
     </message>
     <message>
-        <source>Show a grid on the sheet of the pattern</source>
-        <translation>Ein Raster auf dem Bogen des Schnittmusters zeigen</translation>
-    </message>
-    <message>
-        <source>Sna&amp;pping</source>
+        <source>S&amp;napping</source>
         <translation>&amp;Einrasten</translation>
-    </message>
-    <message>
-        <source>Let pieces catch at the grid and at each other while they are moved; Alt turns it the other way round</source>
-        <translation>Schnittteile beim Verschieben am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
-    </message>
-    <message>
-        <source>&amp;Place…</source>
-        <translation>&amp;Lage…</translation>
-    </message>
-    <message>
-        <source>Type where the selected pieces lie, how far they are turned and how the grain runs</source>
-        <translation>Eingeben, wo die ausgewählten Schnittteile liegen, wie weit sie gedreht sind und wie der Fadenlauf liegt</translation>
     </message>
     <message>
         <source>Fa&amp;bric…</source>
         <translation>&amp;Material…</translation>
     </message>
     <message>
-        <source>Choose what the garment is cut from, and type how far it gives way</source>
-        <translation>Wählen, woraus das Kleidungsstück geschnitten wird, und eingeben, wie weit es nachgibt</translation>
-    </message>
-    <message>
         <source>Go to &amp;pieces</source>
         <translation>Zu den &amp;Schnittteilen</translation>
-    </message>
-    <message>
-        <source>Show the list of pieces and move the keyboard there</source>
-        <translation>Die Liste der Schnittteile zeigen und mit der Tastatur dorthin gehen</translation>
     </message>
     <message>
         <source>Go &amp;to seams</source>
         <translation>Zu den &amp;Nähten</translation>
     </message>
     <message>
-        <source>Show the list of seams and move the keyboard there</source>
-        <translation>Die Liste der Nähte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
         <source>Go to proble&amp;ms</source>
         <translation>Zu den &amp;Problemen</translation>
-    </message>
-    <message>
-        <source>Show what stands against cutting and move the keyboard there</source>
-        <translation>Zeigen, was gegen das Zuschneiden spricht, und mit der Tastatur dorthin gehen</translation>
     </message>
     <message>
         <source>Go to &amp;history</source>
         <translation>Zum &amp;Verlauf</translation>
     </message>
     <message>
-        <source>Show the steps done so far and move the keyboard there</source>
-        <translation>Die bisherigen Schritte zeigen und mit der Tastatur dorthin gehen</translation>
-    </message>
-    <message>
         <source>Reset &amp;window layout</source>
         <translation>Fenster&amp;aufteilung zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Put every list back below the views and every panel beside them, as at the first start</source>
-        <translation>Alle Listen wieder unter die Ansichten und alle Felder neben sie legen, wie beim ersten Start</translation>
     </message>
     <message>
         <source>&amp;Preferences…</source>
         <translation>E&amp;instellungen…</translation>
     </message>
     <message>
-        <source>Choose units, colours, language and how the mouse moves the view</source>
-        <translation>Einheiten, Farben, Sprache und die Bewegung mit der Maus wählen</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command…</source>
-        <translation>&amp;Befehl suchen…</translation>
-    </message>
-    <message>
-        <source>Type a few letters to run a command or to find a piece or a seam</source>
-        <translation>Einige Buchstaben tippen, um einen Befehl auszuführen oder ein Schnittteil oder eine Naht zu finden</translation>
-    </message>
-    <message>
         <source>&amp;Keyboard and mouse</source>
         <translation>&amp;Tastatur und Maus</translation>
     </message>
     <message>
-        <source>What every key and every movement of the mouse does</source>
-        <translation>Was jede Taste und jede Bewegung der Maus bewirkt</translation>
-    </message>
-    <message>
         <source>&amp;About Toile</source>
         <translation>&amp;Über Toile</translation>
-    </message>
-    <message>
-        <source>Version, licence, and what Toile does</source>
-        <translation>Version, Lizenz und was Toile tut</translation>
     </message>
     <message>
         <source>Piece: %1</source>
@@ -5093,10 +4645,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>In the garment view</source>
         <translation>In der Ansicht des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>In the garment view, as Preferences choose</source>
-        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
     </message>
     <message>
         <source>In the pattern view</source>
@@ -5143,10 +4691,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ziehen</translation>
     </message>
     <message>
-        <source>Turn the garment, where the tool does not take the drag</source>
-        <translation>Das Kleidungsstück drehen, wo das Werkzeug das Ziehen nicht braucht</translation>
-    </message>
-    <message>
         <source>Shift+drag</source>
         <translation>Umschalt+Ziehen</translation>
     </message>
@@ -5157,10 +4701,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Number pad 1, 3, 7</source>
         <translation>Ziffernblock 1, 3, 7</translation>
-    </message>
-    <message>
-        <source>Show the front, the right side, the top; with Ctrl the side opposite to it</source>
-        <translation>Vorderseite, rechte Seite, Oberseite zeigen; mit Strg die Seite gegenüber</translation>
     </message>
     <message>
         <source>Number pad 9</source>
@@ -5181,10 +4721,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Number pad 5</source>
         <translation>Ziffernblock 5</translation>
-    </message>
-    <message>
-        <source>Show it with perspective or without</source>
-        <translation>Es mit oder ohne Perspektive zeigen</translation>
     </message>
     <message>
         <source>Click on the axis cross</source>
@@ -5247,24 +4783,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Klick</translation>
     </message>
     <message>
-        <source>Select the piece, the seam or, from near by, the vertex; beside all: select nothing</source>
-        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; neben allem: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Ctrl+click, Shift+click</source>
         <translation>Strg+Klick, Umschalt+Klick</translation>
     </message>
     <message>
-        <source>Add the piece to the selection, or take it out</source>
-        <translation>Das Schnittteil zur Auswahl nehmen oder aus ihr lösen</translation>
-    </message>
-    <message>
         <source>Double click</source>
         <translation>Doppelklick</translation>
-    </message>
-    <message>
-        <source>Frame the piece; on an edge: select it from corner to corner; beside all pieces: frame everything</source>
-        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; neben allen: alles einpassen</translation>
     </message>
     <message>
         <source>Drag a piece in the pattern view</source>
@@ -5279,10 +4803,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Bogen ziehen</translation>
     </message>
     <message>
-        <source>Select what a box touches; with Ctrl or Shift: besides what is selected</source>
-        <translation>Auswählen, was ein Rahmen berührt; mit Strg oder Umschalt: zusätzlich</translation>
-    </message>
-    <message>
         <source>Drag the handle above the selection</source>
         <translation>Am Griff über der Auswahl ziehen</translation>
     </message>
@@ -5295,10 +4815,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Alt beim Ziehen</translation>
     </message>
     <message>
-        <source>Snap where snapping is off, and the other way round</source>
-        <translation>Einrasten, wo es ausgeschaltet ist, und umgekehrt</translation>
-    </message>
-    <message>
         <source>Arrow keys</source>
         <translation>Pfeiltasten</translation>
     </message>
@@ -5307,28 +4823,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Esc beim Ziehen</translation>
     </message>
     <message>
-        <source>Take the drag back</source>
-        <translation>Das Ziehen zurücknehmen</translation>
-    </message>
-    <message>
         <source>Esc</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>Select nothing; while something runs: stop it</source>
-        <translation>Nichts auswählen; während etwas läuft: es anhalten</translation>
-    </message>
-    <message>
-        <source>Set the next point; begin on an edge to open the piece there</source>
-        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
-    </message>
-    <message>
         <source>Ctrl+click</source>
         <translation>Strg+Klick</translation>
-    </message>
-    <message>
-        <source>Go there along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten dorthin gehen</translation>
     </message>
     <message>
         <source>Double click, Enter</source>
@@ -5339,88 +4839,28 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rücktaste</translation>
     </message>
     <message>
-        <source>Take the last point back</source>
-        <translation>Den letzten Punkt zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Throw the cut away; without one: back to selecting</source>
-        <translation>Den Einschnitt verwerfen; ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Set the next point, of three or more</source>
-        <translation>Den nächsten Punkt setzen, von dreien oder mehr</translation>
-    </message>
-    <message>
         <source>Click on the first point, double click, Enter</source>
         <translation>Klick auf den ersten Punkt, Doppelklick, Eingabe</translation>
-    </message>
-    <message>
-        <source>Cut the part out</source>
-        <translation>Den Teil ausschneiden</translation>
     </message>
     <message>
         <source>Drag from an edge</source>
         <translation>Von einer Kante ziehen</translation>
     </message>
     <message>
-        <source>Cut a dart to where the drag ends</source>
-        <translation>Einen Abnäher bis dorthin schneiden, wo das Ziehen endet</translation>
-    </message>
-    <message>
         <source>Click an edge, then the tip</source>
         <translation>Kante anklicken, dann die Spitze</translation>
-    </message>
-    <message>
-        <source>The same, by two clicks</source>
-        <translation>Dasselbe mit zwei Klicks</translation>
-    </message>
-    <message>
-        <source>Cut along the edges of the mesh</source>
-        <translation>Entlang der Netzkanten schneiden</translation>
     </message>
     <message>
         <source>Backspace, Esc</source>
         <translation>Rücktaste, Esc</translation>
     </message>
     <message>
-        <source>Throw the dart away; Esc without one: back to selecting</source>
-        <translation>Den Abnäher verwerfen; Esc ohne einen: zurück zum Auswählen</translation>
-    </message>
-    <message>
         <source>Click a seam</source>
         <translation>Naht anklicken</translation>
     </message>
     <message>
-        <source>Join the cloth on both sides of it, so that it becomes one</source>
-        <translation>Den Stoff auf beiden Seiten verbinden, sodass er eins wird</translation>
-    </message>
-    <message>
-        <source>Back to selecting</source>
-        <translation>Zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Measure from here, and on to the next place</source>
-        <translation>Von hier messen und weiter zur nächsten Stelle</translation>
-    </message>
-    <message>
-        <source>End here</source>
-        <translation>Hier enden</translation>
-    </message>
-    <message>
-        <source>Take the last place back</source>
-        <translation>Die letzte Stelle zurücknehmen</translation>
-    </message>
-    <message>
         <source>Ctrl+C</source>
         <translation>Strg+C</translation>
-    </message>
-    <message>
-        <source>Copy what is measured</source>
-        <translation>Das Gemessene kopieren</translation>
-    </message>
-    <message>
-        <source>Clear the measure; without one: back to selecting</source>
-        <translation>Das Maß löschen; ohne eines: zurück zum Auswählen</translation>
     </message>
     <message>
         <source>Drag on a piece in the pattern view</source>
@@ -5433,10 +4873,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Select the piece</source>
         <translation>Das Schnittteil auswählen</translation>
-    </message>
-    <message>
-        <source>Take the drag back; without one: back to selecting</source>
-        <translation>Das Ziehen zurücknehmen; ohne eines: zurück zum Auswählen</translation>
     </message>
     <message>
         <source>Select the piece or the seam in both views</source>
@@ -5483,24 +4919,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ü&amp;berlagerung</translation>
     </message>
     <message>
-        <source>Loo&amp;k</source>
-        <translation>&amp;Blick</translation>
-    </message>
-    <message>
-        <source>Sh&amp;ow</source>
-        <translation>&amp;Zeigen</translation>
-    </message>
-    <message>
         <source>&amp;Tools</source>
         <translation>&amp;Werkzeuge</translation>
     </message>
     <message>
         <source>La&amp;yout</source>
         <translation>Aus&amp;legen</translation>
-    </message>
-    <message>
-        <source>&amp;Line up</source>
-        <translation>Aus&amp;richten</translation>
     </message>
     <message>
         <source>&amp;Garment</source>
@@ -5515,12 +4939,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Achse nach &amp;oben</translation>
     </message>
     <message>
-        <source>&amp;Divide by</source>
-        <translation>Teilen &amp;nach</translation>
-    </message>
-    <message>
         <source>F&amp;latten</source>
-        <translation>Ab&amp;wickeln</translation>
+        <translation>Abwi&amp;ckeln</translation>
     </message>
     <message>
         <source>&amp;Quality</source>
@@ -5536,18 +4956,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
             <numerusform>%n Schnittteil</numerusform>
             <numerusform>%n Schnittteile</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Quantity of %1: %2</source>
-        <translation>Anzahl von %1: %2</translation>
-    </message>
-    <message>
-        <source>Mirrored pair: %1</source>
-        <translation>Gespiegeltes Paar: %1</translation>
-    </message>
-    <message>
-        <source>No mirrored pair: %1</source>
-        <translation>Kein gespiegeltes Paar: %1</translation>
     </message>
     <message>
         <source>millimetres</source>
@@ -5586,18 +4994,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 m</translation>
     </message>
     <message>
-        <source>The garment measures %1 in height, read as %2 (largest extent %3). Is that right?</source>
-        <translation>Das Kleidungsstück ist %1 hoch, in %2 gelesen (größte Ausdehnung %3). Stimmt das?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along y, but it may stand along z. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der y-Achse stehend gelesen, könnte aber an der z-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
-        <source>The garment was read as standing along z, but it may stand along y. Which axis points up?</source>
-        <translation>Das Kleidungsstück wurde an der z-Achse stehend gelesen, könnte aber an der y-Achse stehen. Welche Achse zeigt nach oben?</translation>
-    </message>
-    <message>
         <source>y up</source>
         <translation>y oben</translation>
     </message>
@@ -5634,48 +5030,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>%1, as stated</source>
-        <translation>%1, wie angegeben</translation>
-    </message>
-    <message>
         <source>Up axis</source>
         <translation>Achse nach oben</translation>
     </message>
     <message>
-        <source>y, as stated</source>
-        <translation>y, wie angegeben</translation>
-    </message>
-    <message>
-        <source>z, as stated</source>
-        <translation>z, wie angegeben</translation>
-    </message>
-    <message>
         <source> %</source>
         <translation> %</translation>
-    </message>
-    <message>
-        <source>no faults</source>
-        <translation>keine Fehler</translation>
-    </message>
-    <message>
-        <source>1 fault</source>
-        <translation>1 Fehler</translation>
-    </message>
-    <message>
-        <source>%1 faults</source>
-        <translation>%1 Fehler</translation>
-    </message>
-    <message>
-        <source>no doubts</source>
-        <translation>keine Zweifel</translation>
-    </message>
-    <message>
-        <source>1 doubt</source>
-        <translation>1 Zweifel</translation>
-    </message>
-    <message>
-        <source>%1 doubts</source>
-        <translation>%1 Zweifel</translation>
     </message>
     <message>
         <source>no notes</source>
@@ -5708,10 +5068,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Least &amp;distortion</source>
         <translation>Kleinste &amp;Verzerrung</translation>
-    </message>
-    <message>
-        <source>Angles follow the c&amp;urvature</source>
-        <translation>Winkel folgen der &amp;Krümmung</translation>
     </message>
     <message>
         <source>1 seam</source>
@@ -5754,24 +5110,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 · %2</translation>
     </message>
     <message>
-        <source>%1 · %2 / %3 on the garment</source>
-        <translation>%1 · %2 / %3 am Kleidungsstück</translation>
-    </message>
-    <message>
         <source>%1 · %2 / %3, Δ %4</source>
         <translation>%1 · %2 / %3, Δ %4</translation>
     </message>
     <message>
-        <source>%1 · %2 of its outline</source>
-        <translation>%1 · %2 seines Umrisses</translation>
-    </message>
-    <message>
         <source>%1, from corner to corner · %2 / %3, Δ %4</source>
         <translation>%1, von Ecke zu Ecke · %2 / %3, Δ %4</translation>
-    </message>
-    <message>
-        <source>%1, from corner to corner · %2 / %3 on the garment</source>
-        <translation>%1, von Ecke zu Ecke · %2 / %3 am Kleidungsstück</translation>
     </message>
     <message>
         <source>%1 · %2 not sewn</source>
@@ -5818,100 +5162,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Genauer &amp;Umriss</translation>
     </message>
     <message>
-        <source>Draw the outline as it was solved, dashed, where a fair line is drawn in its place</source>
-        <translation>Den Umriss, wie er berechnet wurde, gestrichelt zeichnen, wo eine ausgeglichene Linie an seiner Stelle steht</translation>
-    </message>
-    <message>
         <source>Go to &amp;lines</source>
         <translation>Zu den &amp;Linien</translation>
-    </message>
-    <message>
-        <source>Show how the lines of the pattern are drawn and move the keyboard there</source>
-        <translation>Zeigen, wie die Linien des Schnittmusters gezeichnet werden, und die Tastatur dorthin bringen</translation>
-    </message>
-    <message>
-        <source>Grain as it &amp;hangs</source>
-        <translation>Fadenlauf, wie es &amp;hängt</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the garment</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen</translation>
-    </message>
-    <message>
-        <source>Hanging</source>
-        <translation>Hängend</translation>
-    </message>
-    <message>
-        <source>Grain of the reference &amp;panels</source>
-        <translation>Fadenlauf der &amp;Referenzteile</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the designer&apos;s panels; as it hangs where a piece has none</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, in den Referenzteilen aufwärts legen; wie es hängt, wo ein Teil keine hat</translation>
-    </message>
-    <message>
-        <source>Let the grain of the selected pieces, or of all, run up the garment, or at 90 or 45 degrees to that where the fabric is strained much less</source>
-        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück aufwärts legen oder um 90 oder 45 Grad gedreht, wo das den Stoff viel weniger dehnt</translation>
     </message>
     <message>
         <source>Mirror &amp;edits</source>
         <translation>Änderungen s&amp;piegeln</translation>
     </message>
     <message>
-        <source>Cut on both sides of the garment at once, and turn the grain on both, where mirrored pieces are drawn equal</source>
-        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen, wo gespiegelte Schnittteile gleich gezeichnet werden</translation>
-    </message>
-    <message>
         <source>Go to s&amp;ymmetry</source>
         <translation>Zur S&amp;ymmetrie</translation>
-    </message>
-    <message>
-        <source>Show which pieces mirror each other and move the keyboard there</source>
-        <translation>Zeigen, welche Schnittteile einander spiegeln, und die Tastatur dorthin bringen</translation>
-    </message>
-    <message>
-        <source>Half only: %1</source>
-        <translation>Nur halb: %1</translation>
-    </message>
-    <message>
-        <source>As a whole: %1</source>
-        <translation>Ganz: %1</translation>
     </message>
     <message>
         <source>&amp;Cutting line</source>
         <translation>S&amp;chnittlinie</translation>
     </message>
     <message>
-        <source>Draw the line that pieces with a seam allowance are cut along</source>
-        <translation>Die Linie zeichnen, an der Schnittteile mit Nahtzugabe zugeschnitten werden</translation>
-    </message>
-    <message>
         <source>&amp;Notches</source>
         <translation>&amp;Knipse</translation>
-    </message>
-    <message>
-        <source>Draw the notches of the pattern, where it has some</source>
-        <translation>Die Knipse des Schnittmusters zeichnen, wo es welche hat</translation>
-    </message>
-    <message>
-        <source>Draw the grain of each piece in the pattern view</source>
-        <translation>Den Fadenlauf jedes Schnittteils in der Schnittansicht zeichnen</translation>
     </message>
     <message>
         <source>&amp;Labels</source>
         <translation>&amp;Beschriftung</translation>
     </message>
     <message>
-        <source>Write the names of the pieces in the pattern view</source>
-        <translation>Die Namen der Schnittteile in die Schnittansicht schreiben</translation>
-    </message>
-    <message>
         <source>&amp;Notch</source>
         <translation>&amp;Knips</translation>
-    </message>
-    <message>
-        <source>Add notches to seams, on both sides at once, move them and take them away</source>
-        <translation>Knipse an Nähten setzen, auf beiden Seiten zugleich, sie verschieben und entfernen</translation>
     </message>
     <message>
         <source>Notch</source>
@@ -5930,10 +5206,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einen Knips ziehen</translation>
     </message>
     <message>
-        <source>Move it along its seam, on both sides</source>
-        <translation>Ihn entlang seiner Naht verschieben, auf beiden Seiten</translation>
-    </message>
-    <message>
         <source>Click a notch</source>
         <translation>Einen Knips anklicken</translation>
     </message>
@@ -5944,10 +5216,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Ctrl+click a notch, Del</source>
         <translation>Strg+Klick auf einen Knips, Entf</translation>
-    </message>
-    <message>
-        <source>Take the notch away</source>
-        <translation>Den Knips entfernen</translation>
     </message>
     <message>
         <source>La&amp;yers</source>
@@ -5962,10 +5230,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Naht ablau&amp;fen</translation>
     </message>
     <message>
-        <source>Roll one piece along the selected seam of the other, and see whether both sides and their notches meet</source>
-        <translation>Ein Schnittteil an der ausgewählten Naht des anderen abrollen und sehen, ob beide Seiten und ihre Knipse zusammentreffen</translation>
-    </message>
-    <message>
         <source>Shell</source>
         <translation>Oberstoff</translation>
     </message>
@@ -5978,44 +5242,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einlage</translation>
     </message>
     <message>
-        <source>Material of %1: as the garment</source>
-        <translation>Stoffart von %1: wie das Kleidungsstück</translation>
-    </message>
-    <message>
-        <source>Material of %1: %2</source>
-        <translation>Stoffart von %1: %2</translation>
-    </message>
-    <message>
-        <source>D&amp;art to seam</source>
-        <translation>Abnäher zur &amp;Naht</translation>
-    </message>
-    <message>
-        <source>Let the selected dart go on from its tip to the edge, so that it becomes a seam</source>
-        <translation>Den ausgewählten Abnäher von seiner Spitze bis zur Kante fortsetzen, sodass er eine Naht wird</translation>
-    </message>
-    <message>
-        <source>Seam t&amp;o dart</source>
-        <translation>Naht zum Abnähe&amp;r</translation>
-    </message>
-    <message>
-        <source>Take back the cut by which the selected seam was made of a dart</source>
-        <translation>Den Schnitt zurücknehmen, durch den die ausgewählte Naht aus einem Abnäher wurde</translation>
-    </message>
-    <message>
         <source>&amp;Internal lines</source>
         <translation>&amp;Innenlinien</translation>
     </message>
     <message>
-        <source>Draw internal lines and drill points, and in the pattern the marks of darts</source>
-        <translation>Innenlinien und Bohrpunkte zeichnen, im Schnittmuster auch die Zeichen der Abnäher</translation>
-    </message>
-    <message>
         <source>&amp;Internal line</source>
         <translation>&amp;Innenlinie</translation>
-    </message>
-    <message>
-        <source>Draw lines and drill points within the cloth, and change them</source>
-        <translation>Linien und Bohrpunkte im Stoff zeichnen und ändern</translation>
     </message>
     <message>
         <source>Internal line</source>
@@ -6038,10 +5270,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Die Linie schließen</translation>
     </message>
     <message>
-        <source>End the line; of one point: make it a drill point</source>
-        <translation>Die Linie beenden; ein einzelner Punkt wird ein Bohrpunkt</translation>
-    </message>
-    <message>
         <source>Click a line</source>
         <translation>Klick auf eine Linie</translation>
     </message>
@@ -6058,52 +5286,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Entf</translation>
     </message>
     <message>
-        <source>Take the selected line away</source>
-        <translation>Die ausgewählte Linie entfernen</translation>
-    </message>
-    <message>
-        <source>Throw the line away, take the drag back; without either: back to selecting</source>
-        <translation>Die Linie verwerfen, das Ziehen zurücknehmen; ohne beides: zurück zum Auswählen</translation>
-    </message>
-    <message>
         <source>&amp;Export pattern…</source>
         <translation>Schnitt &amp;exportieren…</translation>
-    </message>
-    <message>
-        <source>Write the pattern to a file: for printing, cutting, pattern and 3D programs</source>
-        <translation>Den Schnitt in eine Datei schreiben: zum Drucken, zum Schneiden, für Schnitt- und 3D-Programme</translation>
     </message>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>%1 x %2 dots; at most %3 dpi fit</source>
-        <translation>%1 x %2 Punkte; höchstens %3 dpi passen</translation>
-    </message>
-    <message>
         <source>read back: %1, largest difference %2 mm</source>
         <translation>zurückgelesen: %1, größter Unterschied %2 mm</translation>
     </message>
     <message>
-        <source>Open reference &amp;pattern…</source>
+        <source>Open reference pa&amp;ttern…</source>
         <translation>&amp;Referenzschnitt öffnen…</translation>
-    </message>
-    <message>
-        <source>Lay a pattern over the flat pieces, to compare: DXF, SVG or GarmentCode</source>
-        <translation>Einen Schnitt zum Vergleich über die flachen Schnittteile legen: DXF, SVG oder GarmentCode</translation>
     </message>
     <message>
         <source>&amp;Close reference pattern</source>
         <translation>Referenzs&amp;chnitt schließen</translation>
-    </message>
-    <message>
-        <source>Compare with no pattern any more</source>
-        <translation>Mit keinem Schnitt mehr vergleichen</translation>
-    </message>
-    <message>
-        <source>Draw the reference panels, the designer&apos;s own, over the flat pieces, where the file has them, or the reference pattern that is open</source>
-        <translation>Die Referenzteile, die des Entwerfers, über die flachen legen, wo die Datei sie enthält, oder den geöffneten Referenzschnitt</translation>
     </message>
     <message>
         <source>&amp;Print pattern…</source>
@@ -6130,24 +5330,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Erste Schritte</translation>
     </message>
     <message>
-        <source>From a garment to a pattern on the table, in five minutes</source>
-        <translation>Vom Kleidungsstück zum Schnitt auf dem Tisch, in fünf Minuten</translation>
-    </message>
-    <message>
         <source>&amp;Documentation</source>
         <translation>&amp;Dokumentation</translation>
     </message>
     <message>
-        <source>All that is written about Toile</source>
-        <translation>Alles, was über Toile geschrieben steht</translation>
-    </message>
-    <message>
         <source>&amp;Report a problem…</source>
         <translation>&amp;Problem melden …</translation>
-    </message>
-    <message>
-        <source>What to say when something goes wrong, with what is known of this computer</source>
-        <translation>Was zu sagen ist, wenn etwas schiefgeht, mit dem, was über diesen Rechner bekannt ist</translation>
     </message>
     <message>
         <source>1 = %1 mm</source>
@@ -6186,124 +5374,36 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Welche Achse der Datei zeigt nach oben?</translation>
     </message>
     <message>
-        <source>Divide by objects</source>
-        <translation>Nach Objekten teilen</translation>
-    </message>
-    <message>
-        <source>Divide by groups</source>
-        <translation>Nach Gruppen teilen</translation>
-    </message>
-    <message>
-        <source>Divide by materials</source>
-        <translation>Nach Materialien teilen</translation>
-    </message>
-    <message>
-        <source>Divide by UV islands</source>
-        <translation>Nach UV-Inseln teilen</translation>
-    </message>
-    <message>
-        <source>Divided %1, %2 of %3 pieces can lie flat; %4 it would be %5 of %6.</source>
-        <translation>Bei der Teilung %1 können %2 von %3 Teilen flach liegen; %4 wären es %5 von %6.</translation>
-    </message>
-    <message>
         <source>&amp;Rename…</source>
         <translation>&amp;Umbenennen…</translation>
-    </message>
-    <message>
-        <source>Type what the selected piece is called, on the screen and in files</source>
-        <translation>Eingeben, wie das ausgewählte Schnittteil heißt, am Bildschirm und in Dateien</translation>
     </message>
     <message>
         <source>&amp;Quantity…</source>
         <translation>An&amp;zahl…</translation>
     </message>
     <message>
-        <source>Type how many of the selected pieces are cut</source>
-        <translation>Eingeben, wie oft die ausgewählten Schnittteile zugeschnitten werden</translation>
-    </message>
-    <message>
         <source>&amp;Hide</source>
         <translation>Aus&amp;blenden</translation>
-    </message>
-    <message>
-        <source>Draw the selected pieces in neither view; files and checks have them nevertheless</source>
-        <translation>Die ausgewählten Schnittteile in keiner Ansicht zeichnen; Dateien und Prüfungen enthalten sie trotzdem</translation>
-    </message>
-    <message>
-        <source>Show &amp;only these</source>
-        <translation>&amp;Nur diese zeigen</translation>
-    </message>
-    <message>
-        <source>Hide all pieces but the selected ones; files and checks have them nevertheless</source>
-        <translation>Alle Schnittteile außer den ausgewählten ausblenden; Dateien und Prüfungen enthalten sie trotzdem</translation>
     </message>
     <message>
         <source>Show &amp;all</source>
         <translation>&amp;Alle zeigen</translation>
     </message>
     <message>
-        <source>Draw the hidden pieces again</source>
-        <translation>Die ausgeblendeten Schnittteile wieder zeichnen</translation>
-    </message>
-    <message>
-        <source>&amp;Export only these…</source>
-        <translation>Nur diese &amp;exportieren…</translation>
-    </message>
-    <message>
-        <source>Write the selected pieces alone to a file</source>
-        <translation>Nur die ausgewählten Schnittteile in eine Datei schreiben</translation>
-    </message>
-    <message>
         <source>&amp;Leave out</source>
-        <translation>Aus&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>Take the selected pieces out of the pattern, as buttons and zips are: they are not flattened, and in no file, check or figure</source>
-        <translation>Die ausgewählten Schnittteile aus dem Schnitt nehmen, wie Knöpfe und Reißverschlüsse: Sie werden nicht abgewickelt und stehen in keiner Datei, Prüfung oder Zahl</translation>
-    </message>
-    <message>
-        <source>&amp;Take in</source>
-        <translation>&amp;Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Put the selected pieces that are left out back into the pattern</source>
-        <translation>Die ausgewählten Schnittteile, die ausgenommen sind, wieder in den Schnitt aufnehmen</translation>
+        <translation>Ausneh&amp;men</translation>
     </message>
     <message>
         <source>Leave out &amp;small pieces…</source>
         <translation>&amp;Kleine Schnittteile ausnehmen…</translation>
     </message>
     <message>
-        <source>Leave out all pieces below an area that you type</source>
-        <translation>Alle Schnittteile unter einer Fläche ausnehmen, die Sie eingeben</translation>
-    </message>
-    <message>
-        <source>&amp;Join at this seam</source>
-        <translation>An dieser Naht &amp;verbinden</translation>
-    </message>
-    <message>
-        <source>Join the cloth on both sides of the selected seam; a cut of yours is taken back</source>
-        <translation>Den Stoff auf beiden Seiten der ausgewählten Naht verbinden; ein Schnitt von Ihnen wird zurückgenommen</translation>
-    </message>
-    <message>
         <source>Right click, menu key, Shift+F10</source>
         <translation>Rechtsklick, Menütaste, Umschalt+F10</translation>
     </message>
     <message>
-        <source>Show what can be done with the piece, the seam or the selection</source>
-        <translation>Zeigen, was mit dem Schnittteil, der Naht oder der Auswahl getan werden kann</translation>
-    </message>
-    <message>
-        <source>Show what can be done with the piece or the seam</source>
-        <translation>Zeigen, was mit dem Schnittteil oder der Naht getan werden kann</translation>
-    </message>
-    <message>
         <source>Double click on a name, F2</source>
         <translation>Doppelklick auf einen Namen, F2</translation>
-    </message>
-    <message>
-        <source>Call the piece otherwise</source>
-        <translation>Das Schnittteil anders nennen</translation>
     </message>
     <message>
         <source>&amp;Piece</source>
@@ -6311,7 +5411,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Mirror</source>
-        <translation>S&amp;piegeln</translation>
+        <translation>Spie&amp;geln</translation>
     </message>
     <message>
         <source>Rename %1</source>
@@ -6334,10 +5434,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 ausnehmen</translation>
     </message>
     <message>
-        <source>Take in %1</source>
-        <translation>%1 aufnehmen</translation>
-    </message>
-    <message>
         <source>Check</source>
         <translation>Prüfen</translation>
     </message>
@@ -6346,20 +5442,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Flächen&amp;normalen</translation>
     </message>
     <message>
-        <source>Where the worn cloth faces, one colour for each direction</source>
-        <translation>Wohin der getragene Stoff weist, eine Farbe für jede Richtung</translation>
-    </message>
-    <message>
         <source>Normals</source>
         <translation>Normalen</translation>
     </message>
     <message>
         <source>Fabric</source>
         <translation>Material</translation>
-    </message>
-    <message>
-        <source>Grain of %1 upwards</source>
-        <translation>Fadenlauf von %1 nach oben</translation>
     </message>
     <message>
         <source>Align %1</source>
@@ -6386,64 +5474,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 in</translation>
     </message>
     <message>
-        <source>Seam lines keep their exact length; the outline gives way alike all around (Wang 2005)</source>
-        <translation>Nahtlinien behalten genau ihre Länge; der Umriss gibt ringsum gleich nach (Wang 2005)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline; the cloth inside is moved until it stretches least (Yoshizawa 2004)</source>
-        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss; der Stoff darin wird verschoben, bis er sich am wenigsten dehnt (Yoshizawa 2004)</translation>
-    </message>
-    <message>
-        <source>Seam lines keep their exact length on a round outline: no triangle is ever flipped, but it is no pattern (Floater 2003)</source>
-        <translation>Nahtlinien behalten genau ihre Länge auf rundem Umriss: nie klappt ein Dreieck um, aber ein Schnitt ist es nicht (Floater 2003)</translation>
-    </message>
-    <message>
-        <source>The cloth keeps its angles as well as it can; seam lines change their length (Desbrun 2002)</source>
-        <translation>Der Stoff behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Desbrun 2002)</translation>
-    </message>
-    <message>
-        <source>Nearly the same by another way; seam lines change their length (Lévy 2002)</source>
-        <translation>Fast dasselbe auf anderem Weg; Nahtlinien ändern ihre Länge (Lévy 2002)</translation>
-    </message>
-    <message>
-        <source>Every triangle keeps its angles as well as it can; seam lines change their length (Sheffer 2005)</source>
-        <translation>Jedes Dreieck behält seine Winkel, so gut es geht; Nahtlinien ändern ihre Länge (Sheffer 2005)</translation>
-    </message>
-    <message>
-        <source>Outli&amp;ne the fast way</source>
-        <translation>Umriss auf sch&amp;nellem Weg</translation>
-    </message>
-    <message>
-        <source>The outline by Newton steps</source>
-        <translation>Der Umriss in Newton-Schritten</translation>
-    </message>
-    <message>
-        <source>Out&amp;line the published way</source>
-        <translation>Umriss wie veröffent&amp;licht</translation>
-    </message>
-    <message>
-        <source>The same outline by linearly constrained steps, as in the paper of 2005</source>
-        <translation>Derselbe Umriss in linear beschränkten Schritten, wie im Aufsatz von 2005</translation>
-    </message>
-    <message>
         <source>Connected &amp;parts</source>
         <translation>Zusammenhängende &amp;Teile</translation>
     </message>
     <message>
         <source>Cut o&amp;pen</source>
-        <translation>Auf&amp;schneiden</translation>
-    </message>
-    <message>
-        <source>Cut the selected pieces open that cannot lie flat as they are; the others stay</source>
-        <translation>Die ausgewählten Schnittteile aufschneiden, die so nicht flach liegen können; die anderen bleiben</translation>
+        <translation>Aufs&amp;chneiden</translation>
     </message>
     <message>
         <source>&amp;Dart here…</source>
-        <translation>&amp;Abnäher hier …</translation>
-    </message>
-    <message>
-        <source>Propose a dart from the nearest edge to the place that is pointed at, or has a ring: Enter cuts it, Escape throws it away</source>
-        <translation>Einen Abnäher von der nächsten Kante zu der Stelle vorschlagen, auf die gezeigt wird oder die einen Ring hat: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+        <translation>Abnäher &amp;hier…</translation>
     </message>
     <message>
         <source>Move the selected pieces by 1 mm (1/16 in), with Shift by 10 mm (1/2 in)</source>
@@ -6454,28 +5494,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Alt+Klick</translation>
     </message>
     <message>
-        <source>Cut around the tube there, while nothing is begun</source>
-        <translation>Rund um den Schlauch schneiden, solange nichts begonnen ist</translation>
-    </message>
-    <message>
         <source>Alt</source>
         <translation>Alt</translation>
     </message>
     <message>
-        <source>Draw to no edge or corner, while a line is begun</source>
-        <translation>An keiner Kante oder Ecke einrasten, während eine Linie begonnen ist</translation>
-    </message>
-    <message>
         <source>by connected parts</source>
         <translation>nach zusammenhängenden Teilen</translation>
-    </message>
-    <message>
-        <source>Divide by connected parts</source>
-        <translation>Nach zusammenhängenden Teilen teilen</translation>
-    </message>
-    <message>
-        <source>Angles spread &amp;evenly</source>
-        <translation>Winkel &amp;gleichmäßig verteilt</translation>
     </message>
     <message>
         <source>Least &amp;stretch on a circle</source>
@@ -6486,72 +5510,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Freier Umriss</translation>
     </message>
     <message>
-        <source>Free outline, leas&amp;t squares</source>
-        <translation>Freier Umriss, kleinste &amp;Quadrate</translation>
-    </message>
-    <message>
-        <source>Free outline, by an&amp;gles</source>
-        <translation>Freier Umriss, über die &amp;Winkel</translation>
-    </message>
-    <message>
         <source>On a ci&amp;rcle</source>
         <translation>Auf dem K&amp;reis</translation>
     </message>
     <message>
         <source>Close s&amp;lits</source>
-        <translation>Sch&amp;litze schließen</translation>
-    </message>
-    <message>
-        <source>Sew shut the slits inside pieces, as texture maps have them</source>
-        <translation>Die Schlitze innerhalb von Teilen schließen, wie Texturkarten sie haben</translation>
+        <translation>Schlit&amp;ze schließen</translation>
     </message>
     <message>
         <source>a tube with %1 openings</source>
         <translation>ein Schlauch mit %1 Öffnungen</translation>
     </message>
     <message>
-        <source>closed all round</source>
-        <translation>ringsum geschlossen</translation>
-    </message>
-    <message>
-        <source>True-scale squares on the cloth</source>
-        <translation>Maßstäbliche Karos auf dem Stoff</translation>
-    </message>
-    <message>
         <source>&amp;Plain sheet</source>
         <translation>&amp;Einfache Fläche</translation>
-    </message>
-    <message>
-        <source>Take every face of the file, as it is</source>
-        <translation>Jede Fläche der Datei nehmen, wie sie ist</translation>
     </message>
     <message>
         <source>Thick shell, &amp;outer surface</source>
         <translation>Dicke Schale, &amp;äußere Fläche</translation>
     </message>
     <message>
-        <source>Of cloth with a thickness take the outer surface, without its rims</source>
-        <translation>Von Stoff mit einer Dicke die äußere Fläche nehmen, ohne die Ränder</translation>
-    </message>
-    <message>
         <source>Thick shell, &amp;inner surface</source>
         <translation>Dicke Schale, &amp;innere Fläche</translation>
     </message>
     <message>
-        <source>Of cloth with a thickness take the inner surface, without its rims</source>
-        <translation>Von Stoff mit einer Dicke die innere Fläche nehmen, ohne die Ränder</translation>
-    </message>
-    <message>
         <source>Thick shell, &amp;middle</source>
         <translation>Dicke Schale, &amp;Mitte</translation>
-    </message>
-    <message>
-        <source>Of cloth with a thickness take what runs midway between its surfaces</source>
-        <translation>Von Stoff mit einer Dicke nehmen, was mitten zwischen seinen Flächen verläuft</translation>
-    </message>
-    <message>
-        <source>&amp;Read as</source>
-        <translation>&amp;Lesen als</translation>
     </message>
     <message>
         <source>a plain sheet</source>
@@ -6590,132 +5574,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Mitte</translation>
     </message>
     <message>
-        <source>As it is</source>
-        <translation>Wie sie ist</translation>
-    </message>
-    <message>
-        <source>The file looks like a scan: %1. It can be made a sheet: debris goes, small holes are closed, noise is smoothed.</source>
-        <translation>Die Datei sieht nach einem Scan aus: %1. Sie kann zu einer Fläche gemacht werden: Bruchstücke entfallen, kleine Löcher werden geschlossen, Rauschen geglättet.</translation>
-    </message>
-    <message>
-        <source>Read as</source>
-        <translation>Gelesen als</translation>
-    </message>
-    <message>
-        <source>The file is cloth with a thickness: %1. Which of its surfaces is the sheet?</source>
-        <translation>Die Datei ist Stoff mit einer Dicke: %1. Welche ihrer Flächen soll es sein?</translation>
-    </message>
-    <message>
         <source>&amp;Scan…</source>
         <translation>&amp;Scan…</translation>
-    </message>
-    <message>
-        <source>Make a sheet of a scan: drop debris, close small holes, smooth noise</source>
-        <translation>Aus einem Scan eine Fläche machen: Bruchstücke entfernen, kleine Löcher schließen, Rauschen glätten</translation>
     </message>
     <message>
         <source>Complete &amp;half a garment</source>
         <translation>&amp;Halbes Kleidungsstück ergänzen</translation>
     </message>
     <message>
-        <source>Add the mirror image of a garment of which the file has one half</source>
-        <translation>Das Spiegelbild eines Kleidungsstücks hinzufügen, von dem die Datei eine Hälfte hat</translation>
-    </message>
-    <message>
         <source>Turn i&amp;nside out</source>
         <translation>&amp;Wenden</translation>
-    </message>
-    <message>
-        <source>Turn all faces of the garment over: the other side of the cloth is the right one</source>
-        <translation>Alle Flächen des Kleidungsstücks wenden: die andere Seite des Stoffs ist die rechte</translation>
-    </message>
-    <message>
-        <source>The file is a form that is to be covered: %1. Cuts make pieces of it; they are yours to take back.</source>
-        <translation>Die Datei ist eine Form, die bezogen werden soll: %1. Einschnitte machen Schnittteile daraus; Sie können sie zurücknehmen.</translation>
-    </message>
-    <message>
-        <source>Cut it open</source>
-        <translation>Aufschneiden</translation>
-    </message>
-    <message>
-        <source>This looks like half a garment: its rims lie over %1 in one plane, all cloth on one side. Add its mirror image?</source>
-        <translation>Das sieht nach einem halben Kleidungsstück aus: Seine Ränder liegen auf %1 in einer Ebene, aller Stoff auf einer Seite. Das Spiegelbild hinzufügen?</translation>
-    </message>
-    <message>
-        <source>Complete it</source>
-        <translation>Ergänzen</translation>
     </message>
     <message>
         <source>Prepare the scan…</source>
         <translation>Scan aufbereiten…</translation>
     </message>
     <message>
-        <source>Half a garment: its mirror image was added</source>
-        <translation>Halbes Kleidungsstück: Das Spiegelbild wurde hinzugefügt</translation>
-    </message>
-    <message>
         <source>Select &amp;same material</source>
-        <translation>Gleiche Stoffart aus&amp;wählen</translation>
-    </message>
-    <message>
-        <source>Select every piece that is cut from what the selected pieces are cut from</source>
-        <translation>Alle Teile auswählen, die aus demselben geschnitten werden wie die ausgewählten</translation>
+        <translation>Gleiche S&amp;toffart auswählen</translation>
     </message>
     <message>
         <source>Select same la&amp;yer</source>
         <translation>Gleiche &amp;Lage auswählen</translation>
     </message>
     <message>
-        <source>Select every piece of the layers of cloth that the selected pieces are of</source>
-        <translation>Alle Teile der Stofflagen auswählen, zu denen die ausgewählten gehören</translation>
-    </message>
-    <message>
-        <source>Recognise what the file holds: a sheet, a thick shell, layers, a scan</source>
-        <translation>Erkennen, was die Datei enthält: eine Lage Stoff, eine dicke Schale, mehrere Lagen, einen Scan</translation>
-    </message>
-    <message>
         <source>&amp;Layers of cloth, all</source>
         <translation>Stoff&amp;lagen, alle</translation>
-    </message>
-    <message>
-        <source>Take every sheet of a file in which one lies inside the other, as a lining does: each layer is a material</source>
-        <translation>Alle Lagen einer Datei nehmen, in der eine in der anderen liegt, wie ein Futter: Jede Lage wird eine Stoffart</translation>
-    </message>
-    <message>
-        <source>Layers of cloth, ou&amp;termost alone</source>
-        <translation>Stofflagen, nur die ä&amp;ußerste</translation>
-    </message>
-    <message>
-        <source>Of sheets that lie inside each other take the outermost</source>
-        <translation>Von Lagen, die ineinander liegen, die äußerste nehmen</translation>
-    </message>
-    <message>
-        <source>Layers of cloth, secon&amp;d alone</source>
-        <translation>Stofflagen, nur die &amp;zweite</translation>
-    </message>
-    <message>
-        <source>Of sheets that lie inside each other take the second from outside: the lining</source>
-        <translation>Von Lagen, die ineinander liegen, die zweite von außen nehmen: das Futter</translation>
     </message>
     <message>
         <source>&amp;New material…</source>
         <translation>&amp;Neue Stoffart …</translation>
     </message>
     <message>
-        <source>Type what the selected pieces are cut from: a lining, an interfacing</source>
-        <translation>Eingeben, woraus die ausgewählten Teile geschnitten werden: ein Futter, eine Einlage</translation>
-    </message>
-    <message>
         <source>Mater&amp;ial</source>
         <translation>&amp;Stoffart</translation>
-    </message>
-    <message>
-        <source>The file may hold layers of cloth: %1. What is it?</source>
-        <translation>Die Datei enthält vielleicht Stofflagen: %1. Was ist sie?</translation>
-    </message>
-    <message>
-        <source>The file holds %1 layers of cloth: %2. Which are to be cut?</source>
-        <translation>Die Datei enthält %1 Stofflagen: %2. Welche sollen zugeschnitten werden?</translation>
     </message>
     <message>
         <source>Layers</source>
@@ -6742,36 +5634,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Keine Lagen</translation>
     </message>
     <message>
-        <source>Cut as &amp;tailors do</source>
-        <translation>Wie beim SSchneiden wie beim S&amp;chneidernamp;chneider aufschneiden</translation>
-    </message>
-    <message>
-        <source>Cut a garment of one skin open along armholes, sides and shoulders, where it is seen how it is worn</source>
-        <translation>Ein Kleidungsstück aus einer einzigen Haut an Armlöchern, Seiten und Schultern aufschneiden, wenn ihm anzusehen ist, wie es getragen wird</translation>
-    </message>
-    <message>
-        <source>Pr&amp;opose cuts…</source>
-        <translation>Schnitte &amp;vorschlagen …</translation>
-    </message>
-    <message>
-        <source>Show cuts that a tailor would make in the selected piece, with their length and what they do to strain: to be made all, one by one, moved by hand, or not at all</source>
-        <translation>Schnitte zeigen, die ein Schneider im ausgewählten Schnittteil machen würde, mit ihrer Länge und dem, was sie an der Dehnung ändern: alle zu machen, einzeln, von Hand verschoben oder gar nicht</translation>
+        <source>Propose cu&amp;ts…</source>
+        <translation>Schnitte vorschla&amp;gen…</translation>
     </message>
     <message>
         <source>Propose cuts…</source>
         <translation>Schnitte vorschlagen …</translation>
-    </message>
-    <message>
-        <source>Lay on clot&amp;h…</source>
-        <translation>Auf Sto&amp;ff legen …</translation>
-    </message>
-    <message>
-        <source>Lay the pieces on their cloth so that little of it is left over: the marker, with its length</source>
-        <translation>Die Teile so auf ihren Stoff legen, dass wenig davon übrig bleibt: das Schnittbild mit seiner Länge</translation>
-    </message>
-    <message>
-        <source>How far the pattern, sewn back together, lies outside or inside of the design</source>
-        <translation>Wie weit der Schnitt, wieder zusammengenäht, außerhalb oder innerhalb des Entwurfs liegt</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -6779,47 +5647,19 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Worn strain of the sewn cloth</source>
-        <translation>Dehn&amp;ung des genähten Stoffs</translation>
-    </message>
-    <message>
-        <source>How far the cloth is strained where the pattern is sewn back together</source>
-        <translation>Wie weit der Stoff gedehnt wird, wenn der Schnitt wieder zusammengenäht ist</translation>
+        <translation>Dehnung des &amp;genähten Stoffs</translation>
     </message>
     <message>
         <source>Worn strain</source>
         <translation>Dehnung genäht</translation>
     </message>
     <message>
-        <source>Watch the cloth go from the design to where the sewn pattern comes to rest</source>
-        <translation>Zusehen, wie der Stoff vom Entwurf dorthin geht, wo der genähte Schnitt zur Ruhe kommt</translation>
-    </message>
-    <message>
         <source>Prove by se&amp;wing</source>
         <translation>Durch &amp;Nähen prüfen</translation>
     </message>
     <message>
-        <source>Sew the pattern back together over the design, as its lines are written, and measure how far from the design it comes to rest</source>
-        <translation>Den Schnitt über dem Entwurf wieder zusammennähen, so wie seine Linien geschrieben werden, und messen, wie weit vom Entwurf er zur Ruhe kommt</translation>
-    </message>
-    <message>
-        <source>Write what sewing the pattern has shown to a JSON file</source>
-        <translation>Was das Nähen des Schnitts gezeigt hat, in eine JSON-Datei schreiben</translation>
-    </message>
-    <message>
-        <source>Show what sewing the pattern back together has shown and move the keyboard there</source>
-        <translation>Zeigen, was das Zusammennähen des Schnitts ergeben hat, und die Tastatur dorthin lenken</translation>
-    </message>
-    <message>
         <source>Gap of the sewn c&amp;loth</source>
         <translation>A&amp;bstand des genähten Stoffs</translation>
-    </message>
-    <message>
-        <source>Play from design to sew&amp;n</source>
-        <translation>Vom &amp;Entwurf zum Genähten abspielen</translation>
-    </message>
-    <message>
-        <source>Save report o&amp;f the proof…</source>
-        <translation>Prüf&amp;bericht speichern…</translation>
     </message>
     <message>
         <source>&amp;Go to proof</source>
@@ -6832,14 +5672,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>mirroring %1</source>
         <translation>Spiegelung %1</translation>
-    </message>
-    <message>
-        <source>typed length %1</source>
-        <translation>eingegebene Länge %1</translation>
-    </message>
-    <message>
-        <source>improving %1</source>
-        <translation>Verbesserung %1</translation>
     </message>
     <message>
         <source>ease %1</source>
@@ -6868,10 +5700,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Across the warp</source>
         <translation>Quer zur Kette</translation>
-    </message>
-    <message>
-        <source>How much shorter the cloth can become without folds; 0 or less</source>
-        <translation>Um wie viel kürzer der Stoff ohne Falten werden kann; 0 oder weniger</translation>
     </message>
     <message>
         <source>How far the cloth can be stretched; 0 or more</source>
@@ -6910,20 +5738,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite des Stoffs</translation>
     </message>
     <message>
-        <source>As it is sold, from selvedge to selvedge</source>
-        <translation>Wie er verkauft wird, von Webkante zu Webkante</translation>
-    </message>
-    <message>
         <source>Fa&amp;cing</source>
         <translation>&amp;Beleg</translation>
     </message>
     <message>
         <source>Facing of an edge</source>
         <translation>Beleg einer Kante</translation>
-    </message>
-    <message>
-        <source>Copy a strip of this width along the segment as a piece of its own, a facing or a lining; neighbouring segments share one facing</source>
-        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren, als Beleg oder Futter; benachbarte Abschnitte teilen sich einen Beleg</translation>
     </message>
     <message>
         <source>none</source>
@@ -6954,8 +5774,1180 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zoomen</translation>
     </message>
     <message>
-        <source>Move the view, where the tool does not take them</source>
-        <translation>Ansicht verschieben, wenn das Werkzeug sie nicht braucht</translation>
+        <source>Turn grain of %1 upwards</source>
+        <translation>Fadenlauf von %1 nach oben drehen</translation>
+    </message>
+    <message>
+        <source>Set quantity of %1 to %2</source>
+        <translation>Anzahl von %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Set mirrored pair for %1</source>
+        <translation>Gespiegeltes Paar für %1 setzen</translation>
+    </message>
+    <message>
+        <source>Clear mirrored pair for %1</source>
+        <translation>Gespiegeltes Paar für %1 aufheben</translation>
+    </message>
+    <message>
+        <source>Set material of %1 to garment&apos;s fabric</source>
+        <translation>Stoffart von %1 wie Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Set material of %1 to %2</source>
+        <translation>Stoffart von %1 auf %2 setzen</translation>
+    </message>
+    <message>
+        <source>Draw %1 as half</source>
+        <translation>%1 halb zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw %1 as whole</source>
+        <translation>%1 ganz zeichnen</translation>
+    </message>
+    <message>
+        <source>Include %1</source>
+        <translation>%1 wieder aufnehmen</translation>
+    </message>
+    <message>
+        <source>a closed surface</source>
+        <translation>eine geschlossene Fläche</translation>
+    </message>
+    <message>
+        <source>set length %1</source>
+        <translation>gesetzte Länge %1</translation>
+    </message>
+    <message>
+        <source>improvement %1</source>
+        <translation>Verbesserung %1</translation>
+    </message>
+    <message>
+        <source>Angles from c&amp;urvature</source>
+        <translation>Winkel aus der &amp;Krümmung</translation>
+    </message>
+    <message>
+        <source>&amp;Even angles (Wang 2005)</source>
+        <translation>Gleich&amp;mäßige Winkel (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>LSCM (&amp;texture style)</source>
+        <translation>LSCM (Te&amp;xturart)</translation>
+    </message>
+    <message>
+        <source>A&amp;BF (texture style)</source>
+        <translation>A&amp;BF (Texturart)</translation>
+    </message>
+    <message>
+        <source>%1 · %2 / %3 in 3D</source>
+        <translation>%1 · %2 / %3 in 3D</translation>
+    </message>
+    <message>
+        <source>%1 · %2 of free edge</source>
+        <translation>%1 · %2 freie Kante</translation>
+    </message>
+    <message>
+        <source>%1, from corner to corner · %2 / %3 in 3D</source>
+        <translation>%1, von Ecke zu Ecke · %2 / %3 in 3D</translation>
+    </message>
+    <message>
+        <source>Save all your work on this garment in its project file</source>
+        <translation>Alle Arbeit an diesem Kleidungsstück in seiner Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Save all your work on this garment in another project file</source>
+        <translation>Alle Arbeit an diesem Kleidungsstück in einer anderen Projektdatei speichern</translation>
+    </message>
+    <message>
+        <source>Write the pattern to a file for printers, cutters, pattern programs or 3D programs</source>
+        <translation>Den Schnitt in eine Datei schreiben: für Drucker, Cutter, Schnitt- oder 3D-Programme</translation>
+    </message>
+    <message>
+        <source>Show a DXF, SVG or GarmentCode pattern over the flat pieces to compare them</source>
+        <translation>Zum Vergleich einen Schnitt über den flachen Schnittteilen zeigen: DXF, SVG oder GarmentCode</translation>
+    </message>
+    <message>
+        <source>Stop comparing with the reference pattern</source>
+        <translation>Den Vergleich mit dem Referenzschnitt beenden</translation>
+    </message>
+    <message>
+        <source>Check whether the pattern can be cut, and list every problem with its place</source>
+        <translation>Prüfen, ob der Schnitt zugeschnitten werden kann, und jedes Problem mit seiner Stelle auflisten</translation>
+    </message>
+    <message>
+        <source>Undo the last step</source>
+        <translation>Den letzten Schritt rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo the step that you undid last</source>
+        <translation>Den zuletzt rückgängig gemachten Schritt wiederholen</translation>
+    </message>
+    <message>
+        <source>Select every piece with the material of the selected pieces</source>
+        <translation>Alle Schnittteile mit der Stoffart der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Select every piece in the layers of the selected pieces</source>
+        <translation>Alle Schnittteile in den Lagen der ausgewählten auswählen</translation>
+    </message>
+    <message>
+        <source>Fit the selected pieces or seam in the view, or everything without a selection</source>
+        <translation>Die ausgewählten Schnittteile oder die ausgewählte Naht in die Ansicht einpassen, ohne Auswahl alles</translation>
+    </message>
+    <message>
+        <source>Show every piece in its own colour</source>
+        <translation>Jedes Schnittteil in seiner eigenen Farbe zeigen</translation>
+    </message>
+    <message>
+        <source>Show true-scale squares on the cloth</source>
+        <translation>Maßstäbliche Karos auf dem Stoff zeigen</translation>
+    </message>
+    <message>
+        <source>Show how much area the cloth must gain or lose to take its shape</source>
+        <translation>Zeigen, wie viel Fläche der Stoff für seine Form gewinnen oder verlieren muss</translation>
+    </message>
+    <message>
+        <source>Show how much the angles of the cloth change</source>
+        <translation>Zeigen, wie stark sich die Winkel im Stoff ändern</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink to take its shape</source>
+        <translation>Zeigen, wie weit sich der Stoff für seine Form dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink along the grain</source>
+        <translation>Zeigen, wie weit sich der Stoff im Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show how far the cloth must stretch or shrink across the grain</source>
+        <translation>Zeigen, wie weit sich der Stoff quer zum Fadenlauf dehnen oder stauchen muss</translation>
+    </message>
+    <message>
+        <source>Show the larger of the strains along the two diagonals, at 45° to the grain</source>
+        <translation>Die größere der Dehnungen in den beiden Diagonalen zeigen, unter 45° zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Draw crosses along the directions of largest and least strain</source>
+        <translation>Kreuze in den Richtungen der größten und der kleinsten Dehnung zeichnen</translation>
+    </message>
+    <message>
+        <source>Show the symmetric Dirichlet energy: one number for strain in all directions</source>
+        <translation>Die symmetrische Dirichlet-Energie zeigen: eine Zahl für die Dehnung in allen Richtungen</translation>
+    </message>
+    <message>
+        <source>Show which way the garment&apos;s surface faces, one colour per direction</source>
+        <translation>Zeigen, wohin die Fläche des Kleidungsstücks weist, eine Farbe je Richtung</translation>
+    </message>
+    <message>
+        <source>Show how far the sewn pattern lies outside or inside the design</source>
+        <translation>Zeigen, wie weit der genähte Schnitt außerhalb oder innerhalb des Entwurfs liegt</translation>
+    </message>
+    <message>
+        <source>Show the strain of the cloth in the sewn pattern</source>
+        <translation>Die Dehnung des Stoffs im genähten Schnitt zeigen</translation>
+    </message>
+    <message>
+        <source>Colour every triangle by its own value, without smoothing</source>
+        <translation>Jedes Dreieck nach seinem eigenen Wert färben, ohne zu glätten</translation>
+    </message>
+    <message>
+        <source>Mark w&amp;orst spots</source>
+        <translation>&amp;Schlimmste Stellen markieren</translation>
+    </message>
+    <message>
+        <source>Number the places with the worst values</source>
+        <translation>Die Stellen mit den schlimmsten Werten nummerieren</translation>
+    </message>
+    <message>
+        <source>Show the triangles of the mesh</source>
+        <translation>Die Dreiecke des Netzes zeigen</translation>
+    </message>
+    <message>
+        <source>Show the file&apos;s reference panels or the open reference pattern over the flat pieces</source>
+        <translation>Die Referenzteile der Datei oder den geöffneten Referenzschnitt über den flachen Schnittteilen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the outline as solved, dashed, if the pattern draws a fair line instead</source>
+        <translation>Den berechneten Umriss gestrichelt zeigen, wenn der Schnitt eine ausgeglichene Linie zeichnet</translation>
+    </message>
+    <message>
+        <source>Show the seam lines, with both sides of a seam in one colour</source>
+        <translation>Die Nahtlinien zeigen, beide Seiten einer Naht in einer Farbe</translation>
+    </message>
+    <message>
+        <source>Show the cutting line of pieces with a seam allowance</source>
+        <translation>Die Schnittlinie der Schnittteile mit Nahtzugabe zeigen</translation>
+    </message>
+    <message>
+        <source>Show the notches of the pattern</source>
+        <translation>Die Knipse des Schnittmusters zeigen</translation>
+    </message>
+    <message>
+        <source>Show internal lines, drill points and, in the pattern, dart marks</source>
+        <translation>Innenlinien, Bohrpunkte und im Schnittmuster die Zeichen der Abnäher zeigen</translation>
+    </message>
+    <message>
+        <source>Show the grain line of each piece in the pattern view</source>
+        <translation>Den Fadenlauf jedes Schnittteils in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Show the names of the pieces in the pattern view</source>
+        <translation>Die Namen der Schnittteile in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>See through the cloth of the garment</source>
+        <translation>Durch den Stoff des Kleidungsstücks sehen</translation>
+    </message>
+    <message>
+        <source>S&amp;hading</source>
+        <translation>&amp;Licht und Schatten</translation>
+    </message>
+    <message>
+        <source>Light the garment; without shading it has flat colours like the pattern</source>
+        <translation>Das Kleidungsstück beleuchten; sonst hat es gleichmäßige Farben wie das Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Colour p&amp;ieces</source>
+        <translation>Schnittteile &amp;färben</translation>
+    </message>
+    <message>
+        <source>Give every piece its own colour; otherwise all pieces are plain cotton</source>
+        <translation>Jedem Schnittteil eine eigene Farbe geben; sonst sind alle schlichte Baumwolle</translation>
+    </message>
+    <message>
+        <source>&amp;Front view</source>
+        <translation>Von &amp;vorn</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s front (number pad 1)</source>
+        <translation>Das Kleidungsstück von vorn ansehen (Ziffernblock 1)</translation>
+    </message>
+    <message>
+        <source>&amp;Back view</source>
+        <translation>Von &amp;hinten</translation>
+    </message>
+    <message>
+        <source>Look at the garment&apos;s back (Ctrl+number pad 1)</source>
+        <translation>Das Kleidungsstück von hinten ansehen (Strg+Ziffernblock 1)</translation>
+    </message>
+    <message>
+        <source>&amp;Right view</source>
+        <translation>Von &amp;rechts</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the right of the view (number pad 3)</source>
+        <translation>Das Kleidungsstück von der rechten Seite der Ansicht ansehen (Ziffernblock 3)</translation>
+    </message>
+    <message>
+        <source>&amp;Left view</source>
+        <translation>Von &amp;links</translation>
+    </message>
+    <message>
+        <source>Look at the garment from the left of the view (Ctrl+number pad 3)</source>
+        <translation>Das Kleidungsstück von der linken Seite der Ansicht ansehen (Strg+Ziffernblock 3)</translation>
+    </message>
+    <message>
+        <source>&amp;Top view</source>
+        <translation>Von &amp;oben</translation>
+    </message>
+    <message>
+        <source>Look down at the garment (number pad 7)</source>
+        <translation>Von oben auf das Kleidungsstück sehen (Ziffernblock 7)</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom view</source>
+        <translation>Von &amp;unten</translation>
+    </message>
+    <message>
+        <source>Look up at the garment (Ctrl+number pad 7)</source>
+        <translation>Von unten auf das Kleidungsstück sehen (Strg+Ziffernblock 7)</translation>
+    </message>
+    <message>
+        <source>&amp;Parallel projection</source>
+        <translation>&amp;Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>Draw the garment without perspective (number pad 5)</source>
+        <translation>Das Kleidungsstück ohne Perspektive zeichnen (Ziffernblock 5)</translation>
+    </message>
+    <message>
+        <source>Play fla&amp;ttening</source>
+        <translation>&amp;Abwickeln abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the garment turn into the pattern, or the pattern into the garment</source>
+        <translation>Zusehen, wie das Kleidungsstück zum Schnitt wird oder der Schnitt zum Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Play sewi&amp;ng</source>
+        <translation>Nä&amp;hen abspielen</translation>
+    </message>
+    <message>
+        <source>Watch the cloth move from the design to the sewn pattern&apos;s resting shape</source>
+        <translation>Zusehen, wie sich der Stoff vom Entwurf zur Ruhelage des genähten Schnitts bewegt</translation>
+    </message>
+    <message>
+        <source>Roll one piece along the selected seam to see whether lengths and notches match</source>
+        <translation>Ein Schnittteil an der ausgewählten Naht abrollen und sehen, ob Längen und Knipse passen</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; the cloth between stretches as little as possible, without flipped triangles</source>
+        <translation>Nahtlängen genau halten; der Stoff dazwischen dehnt sich so wenig wie möglich, ohne umgeklappte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; the outline turns where the garment is curved</source>
+        <translation>Nahtlängen genau halten; der Umriss dreht sich dort, wo das Kleidungsstück gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths; angle changes spread evenly along the outline (Wang 2005)</source>
+        <translation>Nahtlängen genau halten; Winkeländerungen verteilen sich gleichmäßig am Umriss (Wang 2005)</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths on a round outline; the inside stretches least (Yoshizawa 2004)</source>
+        <translation>Nahtlängen auf rundem Umriss genau halten; das Innere dehnt sich am wenigsten (Yoshizawa 2004)</translation>
+    </message>
+    <message>
+        <source>Keep exact seam lengths on a round outline; not usable as a pattern (Floater 2003)</source>
+        <translation>Nahtlängen auf rundem Umriss genau halten; als Schnitt nicht verwendbar (Floater 2003)</translation>
+    </message>
+    <message>
+        <source>Keep angles as far as possible; seam lines change length (Desbrun 2002)</source>
+        <translation>Winkel möglichst halten; Nahtlinien ändern ihre Länge (Desbrun 2002)</translation>
+    </message>
+    <message>
+        <source>Keep angles by least squares; seam lines change length (Lévy 2002)</source>
+        <translation>Winkel nach kleinsten Quadraten halten; Nahtlinien ändern ihre Länge (Lévy 2002)</translation>
+    </message>
+    <message>
+        <source>Keep the angles of every triangle; seam lines change length (Sheffer 2005)</source>
+        <translation>Die Winkel jedes Dreiecks möglichst halten; Nahtlinien ändern ihre Länge (Sheffer 2005)</translation>
+    </message>
+    <message>
+        <source>Fast: within a few per cent of the least distortion</source>
+        <translation>Schnell: auf wenige Prozent an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>Within about 0.1 % of the least distortion</source>
+        <translation>Auf etwa 0,1 % an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>Slow: as close to the least distortion as possible</source>
+        <translation>Langsam: so nah wie möglich an der kleinsten Verzerrung</translation>
+    </message>
+    <message>
+        <source>&amp;Newton solver</source>
+        <translation>New&amp;ton-Verfahren</translation>
+    </message>
+    <message>
+        <source>Solve the outline by Newton steps, the fast way</source>
+        <translation>Den Umriss in schnellen Newton-Schritten berechnen</translation>
+    </message>
+    <message>
+        <source>Wang 2005 so&amp;lver</source>
+        <translation>Verfahren von &amp;Wang 2005</translation>
+    </message>
+    <message>
+        <source>Solve the same outline by linearly constrained steps, as in the paper</source>
+        <translation>Denselben Umriss in linear beschränkten Schritten berechnen, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Compare one piece flattened by up to four methods, side by side</source>
+        <translation>Ein Schnittteil nach bis zu vier Verfahren nebeneinander vergleichen</translation>
+    </message>
+    <message>
+        <source>Mar&amp;ker (lay on fabric)…</source>
+        <translation>Schnit&amp;tbild (auf Stoff legen)…</translation>
+    </message>
+    <message>
+        <source>Place the pieces on fabric with little waste, and see the length needed</source>
+        <translation>Die Schnittteile mit wenig Verschnitt auf den Stoff legen und die nötige Länge sehen</translation>
+    </message>
+    <message>
+        <source>Sew the exported pattern together over the design and measure the difference</source>
+        <translation>Den exportierten Schnitt über dem Entwurf zusammennähen und die Abweichung messen</translation>
+    </message>
+    <message>
+        <source>Save proo&amp;f report…</source>
+        <translation>Näh&amp;probenbericht speichern…</translation>
+    </message>
+    <message>
+        <source>Write the results of the proof to a JSON file</source>
+        <translation>Die Ergebnisse der Nähprobe in eine JSON-Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Cut a piece along the shortest path through the points you click</source>
+        <translation>Ein Schnittteil auf dem kürzesten Weg durch die angeklickten Punkte einschneiden</translation>
+    </message>
+    <message>
+        <source>Cut out a part along a closed line through the points you click</source>
+        <translation>Einen Teil entlang einer geschlossenen Linie durch die angeklickten Punkte ausschneiden</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of a seam</source>
+        <translation>Den Stoff auf beiden Seiten einer Naht verbinden</translation>
+    </message>
+    <message>
+        <source>Measure straight or along edges, on the garment and in the pattern</source>
+        <translation>Gerade oder entlang von Kanten messen, am Kleidungsstück und im Schnittmuster</translation>
+    </message>
+    <message>
+        <source>Flatten changed pieces after every edit; turn it off for large meshes</source>
+        <translation>Geänderte Schnittteile nach jeder Änderung abwickeln; bei großen Netzen ausschalten</translation>
+    </message>
+    <message>
+        <source>Stop the running task</source>
+        <translation>Den laufenden Vorgang anhalten</translation>
+    </message>
+    <message>
+        <source>Read the garment&apos;s files again</source>
+        <translation>Die Dateien des Kleidungsstücks noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Choose the unit that makes the garment human-sized</source>
+        <translation>Die Einheit wählen, die ein Kleidungsstück in Menschengröße ergibt</translation>
+    </message>
+    <message>
+        <source>Detect the axis along which the garment stands upright</source>
+        <translation>Die Achse erkennen, an der das Kleidungsstück aufrecht steht</translation>
+    </message>
+    <message>
+        <source>Stand the garment along the file&apos;s y axis</source>
+        <translation>Das Kleidungsstück an der y-Achse der Datei aufstellen</translation>
+    </message>
+    <message>
+        <source>Stand the garment along the file&apos;s z axis</source>
+        <translation>Das Kleidungsstück an der z-Achse der Datei aufstellen</translation>
+    </message>
+    <message>
+        <source>Detect the kind of file: sheet, thick shell, layers or scan</source>
+        <translation>Die Art der Datei erkennen: Fläche, dicke Schale, Lagen oder Scan</translation>
+    </message>
+    <message>
+        <source>Use every face of the file unchanged</source>
+        <translation>Jede Fläche der Datei unverändert verwenden</translation>
+    </message>
+    <message>
+        <source>Use the outer surface of thick cloth, without its rims</source>
+        <translation>Von dickem Stoff die äußere Fläche verwenden, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Use the inner surface of thick cloth, without its rims</source>
+        <translation>Von dickem Stoff die innere Fläche verwenden, ohne die Ränder</translation>
+    </message>
+    <message>
+        <source>Use the middle between the surfaces of thick cloth</source>
+        <translation>Von dickem Stoff die Mitte zwischen den Flächen verwenden</translation>
+    </message>
+    <message>
+        <source>Use every nested sheet, such as a lining; each layer becomes a material</source>
+        <translation>Alle ineinander liegenden Flächen verwenden, etwa ein Futter; jede Lage wird eine Stoffart</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, ou&amp;termost only</source>
+        <translation>Stofflagen, nur die ä&amp;ußerste</translation>
+    </message>
+    <message>
+        <source>Use only the outermost of nested sheets</source>
+        <translation>Von ineinander liegenden Flächen nur die äußerste verwenden</translation>
+    </message>
+    <message>
+        <source>Layers of cloth, secon&amp;d only</source>
+        <translation>Stofflagen, nur die &amp;zweite</translation>
+    </message>
+    <message>
+        <source>Use only the second nested sheet from outside, usually the lining</source>
+        <translation>Von ineinander liegenden Flächen nur die zweite von außen verwenden, meist das Futter</translation>
+    </message>
+    <message>
+        <source>Turn a scan into a sheet: remove debris, close small holes, smooth noise</source>
+        <translation>Einen Scan zur Fläche machen: Bruchstücke entfernen, kleine Löcher schließen, Rauschen glätten</translation>
+    </message>
+    <message>
+        <source>Choose how to split the garment from the contents of the file</source>
+        <translation>Die Aufteilung des Kleidungsstücks nach dem Inhalt der Datei wählen</translation>
+    </message>
+    <message>
+        <source>Make each connected part one piece</source>
+        <translation>Jeden zusammenhängenden Teil zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each object of the file one piece</source>
+        <translation>Jedes Objekt der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each group of the file one piece</source>
+        <translation>Jede Gruppe der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each material of the file one piece</source>
+        <translation>Jedes Material der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Make each UV island of the file one piece</source>
+        <translation>Jede UV-Insel der Datei zu einem Schnittteil machen</translation>
+    </message>
+    <message>
+        <source>Split the garment only along the cuts of the seams file</source>
+        <translation>Das Kleidungsstück nur entlang der Einschnitte der Nahtdatei teilen</translation>
+    </message>
+    <message>
+        <source>Cut open every piece that cannot lie flat</source>
+        <translation>Jedes Schnittteil aufschneiden, das nicht flach liegen kann</translation>
+    </message>
+    <message>
+        <source>Add the mirror image if the file has only half the garment</source>
+        <translation>Das Spiegelbild ergänzen, wenn die Datei nur das halbe Kleidungsstück enthält</translation>
+    </message>
+    <message>
+        <source>Flip all faces so that the other side of the cloth is the right side</source>
+        <translation>Alle Flächen wenden, sodass die andere Stoffseite die rechte ist</translation>
+    </message>
+    <message>
+        <source>Cut li&amp;ke a tailor</source>
+        <translation>Wie S&amp;chneider aufschneiden</translation>
+    </message>
+    <message>
+        <source>Cut one-piece garments at armholes, sides and shoulders if Toile detects them</source>
+        <translation>Einteilige Kleidungsstücke an Armlöchern, Seiten und Schultern aufschneiden, wenn Toile sie erkennt</translation>
+    </message>
+    <message>
+        <source>Propose a tailor&apos;s cuts for the selected piece, with their length and effect on strain</source>
+        <translation>Schneiderschnitte für das ausgewählte Schnittteil vorschlagen, mit Länge und Wirkung auf die Dehnung</translation>
+    </message>
+    <message>
+        <source>Merge vertices of an object that lie at the same point</source>
+        <translation>Punkte eines Objekts verschmelzen, die an derselben Stelle liegen</translation>
+    </message>
+    <message>
+        <source>Close slits inside pieces, common in texture maps</source>
+        <translation>Schlitze innerhalb von Schnittteilen schließen, wie sie in Texturkarten vorkommen</translation>
+    </message>
+    <message>
+        <source>Load &amp;seams file…</source>
+        <translation>&amp;Nahtdatei laden…</translation>
+    </message>
+    <message>
+        <source>Load cuts and ease from a seams file (JSON)</source>
+        <translation>Einschnitte und Einhalteweiten aus einer Nahtdatei (JSON) laden</translation>
+    </message>
+    <message>
+        <source>Write your cuts and ease values to a seams file (JSON)</source>
+        <translation>Ihre Einschnitte und Einhalteweiten in eine Nahtdatei (JSON) schreiben</translation>
+    </message>
+    <message>
+        <source>Change the name of the selected piece, on screen and in files</source>
+        <translation>Den Namen des ausgewählten Schnittteils ändern, am Bildschirm und in Dateien</translation>
+    </message>
+    <message>
+        <source>Set how many of each selected piece to cut</source>
+        <translation>Festlegen, wie oft jedes ausgewählte Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Cut the selected pieces from a new material, such as lining or interfacing</source>
+        <translation>Die ausgewählten Schnittteile aus einer neuen Stoffart zuschneiden, etwa Futter oder Einlage</translation>
+    </message>
+    <message>
+        <source>Hide the selected pieces in both views; files and checks still include them</source>
+        <translation>Die ausgewählten Schnittteile in beiden Ansichten ausblenden; Dateien und Prüfungen enthalten sie weiter</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w only selected</source>
+        <translation>Nur ausge&amp;wählte zeigen</translation>
+    </message>
+    <message>
+        <source>Hide all other pieces; files and checks still include them</source>
+        <translation>Alle anderen Schnittteile ausblenden; Dateien und Prüfungen enthalten sie weiter</translation>
+    </message>
+    <message>
+        <source>Show the hidden pieces again</source>
+        <translation>Die ausgeblendeten Schnittteile wieder zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Export selected…</source>
+        <translation>Ausgewählte &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write only the selected pieces to a file</source>
+        <translation>Nur die ausgewählten Schnittteile in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>Remove the selected pieces from pattern, files and checks, such as buttons and zips</source>
+        <translation>Die ausgewählten Schnittteile aus Schnitt, Dateien und Prüfungen ausnehmen, etwa Knöpfe und Reißverschlüsse</translation>
+    </message>
+    <message>
+        <source>I&amp;nclude again</source>
+        <translation>Wie&amp;der aufnehmen</translation>
+    </message>
+    <message>
+        <source>Return the selected left-out pieces to the pattern</source>
+        <translation>Die ausgewählten ausgenommenen Schnittteile wieder in den Schnitt aufnehmen</translation>
+    </message>
+    <message>
+        <source>Leave out all pieces smaller than an area that you set</source>
+        <translation>Alle Schnittteile ausnehmen, die kleiner als eine gewählte Fläche sind</translation>
+    </message>
+    <message>
+        <source>Cut open those selected pieces that cannot lie flat</source>
+        <translation>Die ausgewählten Schnittteile aufschneiden, die nicht flach liegen können</translation>
+    </message>
+    <message>
+        <source>Propose a dart to the pointer or ring: Enter cuts it, Esc discards it</source>
+        <translation>Einen Abnäher zum Zeiger oder Ring vorschlagen: Eingabe schneidet ihn, Esc verwirft ihn</translation>
+    </message>
+    <message>
+        <source>Set &amp;ease…</source>
+        <translation>&amp;Einhalteweite setzen…</translation>
+    </message>
+    <message>
+        <source>Set how much longer the left edge of the selected seam is</source>
+        <translation>Festlegen, wie viel länger die linke Kante der ausgewählten Naht ist</translation>
+    </message>
+    <message>
+        <source>&amp;Join at seam</source>
+        <translation>An Naht &amp;verbinden</translation>
+    </message>
+    <message>
+        <source>Join the cloth at the selected seam; removes your own cut there</source>
+        <translation>Den Stoff an der ausgewählten Naht verbinden; entfernt dort Ihren Einschnitt</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t ease</source>
+        <translation>Einhalteweite &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use the ease that follows from the 3D lengths of the selected seam</source>
+        <translation>Die Einhalteweite verwenden, die sich aus den 3D-Längen der ausgewählten Naht ergibt</translation>
+    </message>
+    <message>
+        <source>Turn the grain of a piece in the pattern view</source>
+        <translation>Den Fadenlauf eines Schnittteils in der Schnittansicht drehen</translation>
+    </message>
+    <message>
+        <source>Add, move and delete notches on both sides of a seam at once</source>
+        <translation>Knipse auf beiden Seiten einer Naht zugleich setzen, verschieben und löschen</translation>
+    </message>
+    <message>
+        <source>Draw and edit internal lines and drill points</source>
+        <translation>Innenlinien und Bohrpunkte zeichnen und ändern</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces 90° anti-clockwise</source>
+        <translation>Die ausgewählten Schnittteile um 90° gegen den Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces 90° clockwise</source>
+        <translation>Die ausgewählten Schnittteile um 90° im Uhrzeigersinn drehen</translation>
+    </message>
+    <message>
+        <source>Flip the selected pieces left to right, so that the wrong side faces you</source>
+        <translation>Die ausgewählten Schnittteile seitlich wenden, sodass die linke Stoffseite oben liegt</translation>
+    </message>
+    <message>
+        <source>Flip the selected pieces top to bottom, so that the wrong side faces you</source>
+        <translation>Die ausgewählten Schnittteile von oben nach unten wenden, sodass die linke Stoffseite oben liegt</translation>
+    </message>
+    <message>
+        <source>Align the left edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren linken Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the right edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren rechten Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the upper edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren oberen Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Align the lower edges of the selected pieces</source>
+        <translation>Die ausgewählten Schnittteile an ihren unteren Kanten ausrichten</translation>
+    </message>
+    <message>
+        <source>Centre on &amp;vertical line</source>
+        <translation>Auf &amp;senkrechter Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one vertical line</source>
+        <translation>Die ausgewählten Schnittteile auf einer senkrechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre on &amp;horizontal line</source>
+        <translation>Auf &amp;waagerechter Linie mitteln</translation>
+    </message>
+    <message>
+        <source>Centre the selected pieces on one horizontal line</source>
+        <translation>Die ausgewählten Schnittteile auf einer waagerechten Linie mitteln</translation>
+    </message>
+    <message>
+        <source>&amp;Distribute horizontally</source>
+        <translation>Waa&amp;gerecht verteilen</translation>
+    </message>
+    <message>
+        <source>Make the horizontal gaps between the selected pieces equal</source>
+        <translation>Die waagerechten Abstände der ausgewählten Schnittteile gleich machen</translation>
+    </message>
+    <message>
+        <source>Distribute verticall&amp;y</source>
+        <translation>Senkre&amp;cht verteilen</translation>
+    </message>
+    <message>
+        <source>Make the vertical gaps between the selected pieces equal</source>
+        <translation>Die senkrechten Abstände der ausgewählten Schnittteile gleich machen</translation>
+    </message>
+    <message>
+        <source>Arrange the selected pieces in rows; without a selection, all pieces</source>
+        <translation>Die ausgewählten Schnittteile in Reihen anordnen, ohne Auswahl alle</translation>
+    </message>
+    <message>
+        <source>Turn the selected pieces so that their grain runs upwards; without a selection, all</source>
+        <translation>Die ausgewählten Schnittteile mit dem Fadenlauf nach oben drehen, ohne Auswahl alle</translation>
+    </message>
+    <message>
+        <source>Ver&amp;tical grain</source>
+        <translation>Fadenlauf senkrec&amp;ht</translation>
+    </message>
+    <message>
+        <source>Run the grain of the selected pieces, or of all, up the garment</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, am Kleidungsstück nach oben legen</translation>
+    </message>
+    <message>
+        <source>Vertical</source>
+        <translation>Senkrecht</translation>
+    </message>
+    <message>
+        <source>Grain &amp;from reference panels</source>
+        <translation>Fadenlauf &amp;der Referenzteile</translation>
+    </message>
+    <message>
+        <source>Run the grain up the reference panels; pieces without a panel get vertical grain</source>
+        <translation>Den Fadenlauf in den Referenzteilen nach oben legen; Schnittteile ohne Referenzteil: senkrecht</translation>
+    </message>
+    <message>
+        <source>Run the grain upwards, or turn it 45° or 90° if that strains much less</source>
+        <translation>Den Fadenlauf nach oben legen, oder um 45° oder 90° gedreht, wenn das viel weniger dehnt</translation>
+    </message>
+    <message>
+        <source>R&amp;eset grain</source>
+        <translation>Fadenlauf &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Clear the grain of the selected pieces, or of all</source>
+        <translation>Den Fadenlauf der ausgewählten Schnittteile, sonst aller, löschen</translation>
+    </message>
+    <message>
+        <source>Show a grid in the pattern view</source>
+        <translation>Ein Raster in der Schnittansicht zeigen</translation>
+    </message>
+    <message>
+        <source>Snap moving pieces to the grid and to each other; Alt toggles this</source>
+        <translation>Bewegte Schnittteile am Raster und aneinander einrasten lassen; Alt kehrt es um</translation>
+    </message>
+    <message>
+        <source>Turn d&amp;art into seam</source>
+        <translation>Abnäher in &amp;Naht umwandeln</translation>
+    </message>
+    <message>
+        <source>Cut the selected dart from its tip to the edge to make a seam</source>
+        <translation>Den ausgewählten Abnäher von der Spitze bis zur Kante zur Naht aufschneiden</translation>
+    </message>
+    <message>
+        <source>Turn seam int&amp;o dart</source>
+        <translation>Naht in Abnähe&amp;r umwandeln</translation>
+    </message>
+    <message>
+        <source>Remove the cut that turned a dart into the selected seam</source>
+        <translation>Den Einschnitt entfernen, der einen Abnäher zur ausgewählten Naht machte</translation>
+    </message>
+    <message>
+        <source>Apply cuts and grain changes to both mirrored pieces if they are drawn equal</source>
+        <translation>Einschnitte und Fadenlauf auf beide gespiegelten Schnittteile anwenden, wenn sie gleich gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>&amp;Position…</source>
+        <translation>&amp;Position…</translation>
+    </message>
+    <message>
+        <source>Set the position, angle and grain of the selected pieces</source>
+        <translation>Position, Winkel und Fadenlauf der ausgewählten Schnittteile setzen</translation>
+    </message>
+    <message>
+        <source>Choose the garment&apos;s fabric and set how far it stretches</source>
+        <translation>Den Stoff des Kleidungsstücks wählen und festlegen, wie weit er sich dehnt</translation>
+    </message>
+    <message>
+        <source>Show the list of pieces and give it the keyboard focus</source>
+        <translation>Die Liste der Schnittteile zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the list of seams and give it the keyboard focus</source>
+        <translation>Die Liste der Nähte zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show problems to fix before cutting and give the list the keyboard focus</source>
+        <translation>Probleme vor dem Zuschneiden zeigen und zu ihrer Liste wechseln</translation>
+    </message>
+    <message>
+        <source>Show the list of your steps and give it the keyboard focus</source>
+        <translation>Die Liste Ihrer Schritte zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the settings of pattern lines and give them the keyboard focus</source>
+        <translation>Die Einstellungen der Schnittlinien zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show which pieces mirror each other and give the panel the keyboard focus</source>
+        <translation>Zeigen, welche Schnittteile einander spiegeln, und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Show the results of the proof and give the panel the keyboard focus</source>
+        <translation>Die Ergebnisse der Nähprobe zeigen und dorthin wechseln</translation>
+    </message>
+    <message>
+        <source>Restore the original arrangement of lists and panels</source>
+        <translation>Die ursprüngliche Anordnung der Listen und Felder wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Choose units, colours, language and mouse controls</source>
+        <translation>Einheiten, Farben, Sprache und Maussteuerung wählen</translation>
+    </message>
+    <message>
+        <source>&amp;Find command…</source>
+        <translation>&amp;Befehl suchen…</translation>
+    </message>
+    <message>
+        <source>Type a few letters to find a command, a piece or a seam</source>
+        <translation>Mit einigen Buchstaben einen Befehl, ein Schnittteil oder eine Naht finden</translation>
+    </message>
+    <message>
+        <source>Make a pattern from a garment in five minutes</source>
+        <translation>In fünf Minuten vom Kleidungsstück zum Schnitt</translation>
+    </message>
+    <message>
+        <source>Read the manual of Toile</source>
+        <translation>Das Handbuch zu Toile lesen</translation>
+    </message>
+    <message>
+        <source>List all keys and mouse gestures</source>
+        <translation>Alle Tasten und Mausgesten auflisten</translation>
+    </message>
+    <message>
+        <source>See what to include in a report, with details of this computer</source>
+        <translation>Zeigen, was in eine Meldung gehört, mit Angaben zu diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Show version, licence and purpose of Toile</source>
+        <translation>Version, Lizenz und Zweck von Toile zeigen</translation>
+    </message>
+    <message>
+        <source>In the garment view, as set in Preferences</source>
+        <translation>In der Ansicht des Kleidungsstücks, wie in den Einstellungen gewählt</translation>
+    </message>
+    <message>
+        <source>Turn the garment, unless the tool uses the drag</source>
+        <translation>Das Kleidungsstück drehen, wenn das Werkzeug das Ziehen nicht braucht</translation>
+    </message>
+    <message>
+        <source>Show the front, right side or top; with Ctrl the opposite side</source>
+        <translation>Vorderseite, rechte Seite oder Oberseite zeigen; mit Strg die Gegenseite</translation>
+    </message>
+    <message>
+        <source>Turn perspective on or off</source>
+        <translation>Perspektive ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Move the view, unless the tool uses the keys</source>
+        <translation>Die Ansicht verschieben, wenn das Werkzeug die Tasten nicht braucht</translation>
+    </message>
+    <message>
+        <source>Show the commands for the piece, the seam or the selection</source>
+        <translation>Die Befehle für Schnittteil, Naht oder Auswahl zeigen</translation>
+    </message>
+    <message>
+        <source>Select the piece, the seam or, close to it, the vertex; on empty space: clear the selection</source>
+        <translation>Das Schnittteil, die Naht oder aus der Nähe den Punkt auswählen; auf freier Fläche: die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Add the piece to the selection or remove it</source>
+        <translation>Das Schnittteil zur Auswahl hinzufügen oder daraus entfernen</translation>
+    </message>
+    <message>
+        <source>Frame the piece; on an edge: select the edge from corner to corner; on empty space: frame everything</source>
+        <translation>Das Schnittteil einpassen; auf einer Kante: sie von Ecke zu Ecke auswählen; auf freier Fläche: alles einpassen</translation>
+    </message>
+    <message>
+        <source>Select everything in a box; with Ctrl or Shift: add it to the selection</source>
+        <translation>Alles in einem Rahmen auswählen; mit Strg oder Umschalt: zur Auswahl hinzufügen</translation>
+    </message>
+    <message>
+        <source>Toggle snapping</source>
+        <translation>Das Einrasten umschalten</translation>
+    </message>
+    <message>
+        <source>Cancel the drag</source>
+        <translation>Das Ziehen abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running task; otherwise clear the selection</source>
+        <translation>Den laufenden Vorgang anhalten; sonst die Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Set the next point; start on an edge to open the piece there</source>
+        <translation>Den nächsten Punkt setzen; an einer Kante begonnen, öffnet der Einschnitt sie</translation>
+    </message>
+    <message>
+        <source>Follow mesh edges to the pointer</source>
+        <translation>Entlang der Netzkanten dorthin gehen</translation>
+    </message>
+    <message>
+        <source>Cut around the tube there, before the first point</source>
+        <translation>Rund um den Schlauch schneiden, vor dem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>Do not snap to edges and corners, after the first point</source>
+        <translation>Nicht an Kanten und Ecken einrasten, nach dem ersten Punkt</translation>
+    </message>
+    <message>
+        <source>Remove the last point</source>
+        <translation>Den letzten Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Discard the cut; without one: leave the tool</source>
+        <translation>Den Einschnitt verwerfen; ohne einen: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Set the next point; at least three are needed</source>
+        <translation>Den nächsten Punkt setzen; mindestens drei sind nötig</translation>
+    </message>
+    <message>
+        <source>Cut out the part</source>
+        <translation>Den Teil ausschneiden</translation>
+    </message>
+    <message>
+        <source>Cut a dart to the end of the drag</source>
+        <translation>Einen Abnäher bis zum Ende des Ziehens schneiden</translation>
+    </message>
+    <message>
+        <source>Cut a dart with two clicks</source>
+        <translation>Einen Abnäher mit zwei Klicks schneiden</translation>
+    </message>
+    <message>
+        <source>Cut along mesh edges</source>
+        <translation>Entlang der Netzkanten schneiden</translation>
+    </message>
+    <message>
+        <source>Discard the dart; Esc without one: leave the tool</source>
+        <translation>Den Abnäher verwerfen; Esc ohne einen: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Join the cloth on both sides of the seam</source>
+        <translation>Den Stoff auf beiden Seiten der Naht verbinden</translation>
+    </message>
+    <message>
+        <source>Leave the tool</source>
+        <translation>Das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Start measuring here, or measure on to the next point</source>
+        <translation>Hier mit dem Messen beginnen oder zum nächsten Punkt weitermessen</translation>
+    </message>
+    <message>
+        <source>End the measurement here</source>
+        <translation>Die Messung hier beenden</translation>
+    </message>
+    <message>
+        <source>Copy the measurement</source>
+        <translation>Das Maß kopieren</translation>
+    </message>
+    <message>
+        <source>Clear the measurement; without one: leave the tool</source>
+        <translation>Das Maß löschen; ohne eines: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Cancel the drag; without one: leave the tool</source>
+        <translation>Das Ziehen abbrechen; ohne eines: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Move the notch along its seam, on both sides</source>
+        <translation>Den Knips entlang seiner Naht verschieben, auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Delete the notch</source>
+        <translation>Den Knips löschen</translation>
+    </message>
+    <message>
+        <source>End the line; a single point becomes a drill point</source>
+        <translation>Die Linie beenden; ein einzelner Punkt wird ein Bohrpunkt</translation>
+    </message>
+    <message>
+        <source>Delete the selected line</source>
+        <translation>Die ausgewählte Linie löschen</translation>
+    </message>
+    <message>
+        <source>Discard the line or cancel the drag; without either: leave the tool</source>
+        <translation>Die Linie verwerfen oder das Ziehen abbrechen; ohne beides: das Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Show the commands for the piece or the seam</source>
+        <translation>Die Befehle für Schnittteil oder Naht zeigen</translation>
+    </message>
+    <message>
+        <source>Rename the piece</source>
+        <translation>Das Schnittteil umbenennen</translation>
+    </message>
+    <message>
+        <source>Loo&amp;k from</source>
+        <translation>&amp;Blick</translation>
+    </message>
+    <message>
+        <source>P&amp;anels</source>
+        <translation>Fel&amp;der</translation>
+    </message>
+    <message>
+        <source>&amp;Align</source>
+        <translation>Ausr&amp;ichten</translation>
+    </message>
+    <message>
+        <source>Tr&amp;eat file as</source>
+        <translation>Date&amp;i lesen als</translation>
+    </message>
+    <message>
+        <source>S&amp;plit pieces by</source>
+        <translation>Schnittteile &amp;teilen nach</translation>
+    </message>
+    <message>
+        <source>%1 x %2 pixels; the maximum is %3 dpi</source>
+        <translation>%1 x %2 Pixel; höchstens %3 dpi möglich</translation>
+    </message>
+    <message>
+        <source>How far the cloth can shrink without folds; 0 or less</source>
+        <translation>Wie weit der Stoff ohne Falten schrumpfen kann; 0 oder weniger</translation>
+    </message>
+    <message>
+        <source>Usable width from selvedge to selvedge</source>
+        <translation>Breite von Webkante zu Webkante</translation>
+    </message>
+    <message>
+        <source>The garment is %1 tall if the file is in %2 (largest extent %3). Is that right?</source>
+        <translation>Das Kleidungsstück ist %1 hoch, wenn die Datei in %2 ist (größte Ausdehnung %3). Stimmt das?</translation>
+    </message>
+    <message>
+        <source>Toile assumes that y points up, but it may be z. Which axis points up?</source>
+        <translation>Toile nimmt an, dass y nach oben zeigt, es könnte aber z sein. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>Toile assumes that z points up, but it may be y. Which axis points up?</source>
+        <translation>Toile nimmt an, dass z nach oben zeigt, es könnte aber y sein. Welche Achse zeigt nach oben?</translation>
+    </message>
+    <message>
+        <source>The file is a closed shape: %1. It needs cuts before it can lie flat.</source>
+        <translation>Die Datei ist eine geschlossene Form: %1. Sie braucht Einschnitte, bevor sie flach liegen kann.</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Leave unchanged</source>
+        <translation>Unverändert</translation>
+    </message>
+    <message>
+        <source>This looks like half a garment: %1 of its rims lie in one plane. Add the mirror image?</source>
+        <translation>Das sieht nach einem halben Kleidungsstück aus: %1 seiner Ränder liegen in einer Ebene. Das Spiegelbild ergänzen?</translation>
+    </message>
+    <message>
+        <source>Complete</source>
+        <translation>Ergänzen</translation>
+    </message>
+    <message>
+        <source>The file may contain layers of cloth: %1. Which is it?</source>
+        <translation>Die Datei enthält vielleicht Stofflagen: %1. Was trifft zu?</translation>
+    </message>
+    <message>
+        <source>The file contains %1 layers of cloth: %2. Which layers do you want to cut?</source>
+        <translation>Die Datei enthält %1 Stofflagen: %2. Welche Lagen möchten Sie zuschneiden?</translation>
+    </message>
+    <message>
+        <source>The file is cloth with a thickness: %1. Which side is the pattern for?</source>
+        <translation>Die Datei ist Stoff mit einer Dicke: %1. Für welche Seite ist der Schnitt?</translation>
+    </message>
+    <message>
+        <source>The file looks like a scan: %1. Prepare it to remove debris, close small holes and smooth noise.</source>
+        <translation>Die Datei sieht nach einem Scan aus: %1. Bereiten Sie ihn auf, um Bruchstücke zu entfernen, kleine Löcher zu schließen und Rauschen zu glätten.</translation>
+    </message>
+    <message>
+        <source>Split by objects</source>
+        <translation>Nach Objekten teilen</translation>
+    </message>
+    <message>
+        <source>Split by groups</source>
+        <translation>Nach Gruppen teilen</translation>
+    </message>
+    <message>
+        <source>Split by materials</source>
+        <translation>Nach Materialien teilen</translation>
+    </message>
+    <message>
+        <source>Split by UV islands</source>
+        <translation>Nach UV-Inseln teilen</translation>
+    </message>
+    <message>
+        <source>Split by connected parts</source>
+        <translation>Nach zusammenhängenden Teilen teilen</translation>
+    </message>
+    <message>
+        <source>Split %1, only %2 of %3 pieces can lie flat. Split %4, %5 of %6 could.</source>
+        <translation>%1 geteilt können nur %2 von %3 Schnittteilen flach liegen. %4 geteilt wären es %5 von %6.</translation>
+    </message>
+    <message>
+        <source>%1, set by you</source>
+        <translation>%1, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>y, set by you</source>
+        <translation>y, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>z, set by you</source>
+        <translation>z, von Ihnen gesetzt</translation>
+    </message>
+    <message>
+        <source>Treated as</source>
+        <translation>Gelesen als</translation>
+    </message>
+    <message>
+        <source>Half a garment: Toile added the mirror image</source>
+        <translation>Halbes Kleidungsstück: Toile hat das Spiegelbild ergänzt</translation>
+    </message>
+    <message>
+        <source>no errors</source>
+        <translation>keine Fehler</translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 Fehler</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 Fehler</translation>
+    </message>
+    <message>
+        <source>no warnings</source>
+        <translation>keine Warnungen</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 Warnung</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 Warnungen</translation>
+    </message>
+    <message>
+        <source>Copy a strip of this width along the segment as a separate piece; neighbouring segments share one facing</source>
+        <translation>Einen Streifen dieser Breite entlang des Abschnitts als eigenes Schnittteil kopieren; benachbarte Abschnitte teilen sich einen Beleg</translation>
+    </message>
+    <message>
+        <source>Open a project, or one or more files of a garment</source>
+        <translation>Ein Projekt oder eine oder mehrere Dateien eines Kleidungsstücks öffnen</translation>
     </message>
 </context>
 <context>
@@ -6987,48 +6979,48 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 auf dem Stoff drehen</translation>
     </message>
     <message>
-        <source>All pieces lie one way on this cloth: choose another rule for turning first.</source>
-        <translation>Auf diesem Stoff liegen alle Teile in einer Richtung: Wählen Sie zuerst eine andere Regel fürs Drehen.</translation>
-    </message>
-    <message>
-        <source>Lay %1 on the cloth</source>
-        <translation>%1 auf dem Stoff legen</translation>
-    </message>
-    <message>
-        <source>&amp;Keep it here</source>
-        <translation>&amp;Hier festhalten</translation>
-    </message>
-    <message>
         <source>Keep %1 on the cloth</source>
         <translation>%1 auf dem Stoff festhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Release it</source>
-        <translation>&amp;Loslassen</translation>
-    </message>
-    <message>
-        <source>&amp;Turn by a quarter</source>
-        <translation>Um ein &amp;Viertel drehen</translation>
-    </message>
-    <message>
-        <source>&amp;Turn by half</source>
-        <translation>Um &amp;180° drehen</translation>
     </message>
     <message>
         <source>Release &amp;all</source>
         <translation>&amp;Alle loslassen</translation>
     </message>
     <message>
-        <source>&amp;Show all of the cloth</source>
+        <source>This marker allows only one direction. Change Direction first.</source>
+        <translation>Dieses Schnittbild erlaubt nur eine Richtung. Ändern Sie zuerst „Richtung“.</translation>
+    </message>
+    <message>
+        <source>Place %1 on the cloth</source>
+        <translation>%1 auf den Stoff legen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep here</source>
+        <translation>&amp;Hier festhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Release</source>
+        <translation>&amp;Lösen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 90°</source>
+        <translation>Um &amp;90° drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by 180°</source>
+        <translation>Um &amp;180° drehen</translation>
+    </message>
+    <message>
+        <source>&amp;Show whole cloth</source>
         <translation>Den &amp;ganzen Stoff zeigen</translation>
     </message>
     <message>
-        <source>%1: it lies on another piece or beyond the cloth</source>
-        <translation>%1: liegt auf einem anderen Teil oder außerhalb des Stoffs</translation>
+        <source>%1 overlaps another piece or leaves the cloth</source>
+        <translation>%1 überlappt ein anderes Teil oder ragt über den Stoff</translation>
     </message>
     <message>
-        <source>%1: kept here; double click to release it</source>
-        <translation>%1: hier festgehalten; Doppelklick lässt es los</translation>
+        <source>%1 is placed by hand; double-click to release it</source>
+        <translation>%1 ist von Hand gelegt; Doppelklick löst es</translation>
     </message>
 </context>
 <context>
@@ -7045,8 +7037,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Andere Farbe…</translation>
     </message>
     <message>
-        <source>The theme&apos;s</source>
-        <translation>Wie das Farbschema</translation>
+        <source>Default</source>
+        <translation>Standard</translation>
     </message>
 </context>
 <context>
@@ -7060,16 +7052,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Nothing is called that.</source>
-        <translation>So heißt nichts.</translation>
-    </message>
-    <message>
-        <source>Not possible now: %1</source>
-        <translation>Jetzt nicht möglich: %1</translation>
-    </message>
-    <message>
         <source>Commands found</source>
         <translation>Gefundene Befehle</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>Not available now: %1</source>
+        <translation>Jetzt nicht verfügbar: %1</translation>
     </message>
 </context>
 <context>
@@ -7077,14 +7069,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Compare methods</source>
         <translation>Verfahren vergleichen</translation>
-    </message>
-    <message>
-        <source>No pictures can be shown: %1</source>
-        <translation>Es lassen sich keine Bilder zeigen: %1</translation>
-    </message>
-    <message>
-        <source>★ best of its row. Seam Δ is that of the piece’s worst seam; the pieces sewn to it are flattened by the same method for it. Drag a picture to move all of them, turn the wheel to zoom, double click to see everything.</source>
-        <translation>★ bester Wert der Zeile. Naht-Δ ist der der schlechtesten Naht des Schnittteils; die angenähten Schnittteile werden dafür nach demselben Verfahren abgewickelt. Ein Bild zu ziehen bewegt alle, das Mausrad vergrößert, ein Doppelklick zeigt alles.</translation>
     </message>
     <message>
         <source>Figures of the methods</source>
@@ -7101,10 +7085,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Use this method</source>
         <translation>Dieses Verfahren nehmen</translation>
-    </message>
-    <message>
-        <source>Flatten the garment by this method from now on</source>
-        <translation>Das Kleidungsstück von nun an nach diesem Verfahren abwickeln</translation>
     </message>
     <message>
         <source>%1, the best</source>
@@ -7126,6 +7106,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>%1, the flat piece</source>
         <translation>%1, das flache Schnittteil</translation>
     </message>
+    <message>
+        <source>★ best of its row. Seam Δ: the worst seam of the piece; its neighbours are flattened by the same method. Drag: move all pictures · Wheel: zoom · Double click: show everything</source>
+        <translation>★ bester Wert der Zeile. Naht-Δ: schlechteste Naht des Schnittteils; angenähte Schnittteile sind nach demselben Verfahren abgewickelt. Ziehen: alle Bilder verschieben · Mausrad: Zoom · Doppelklick: alles zeigen</translation>
+    </message>
+    <message>
+        <source>Pictures are not available: %1</source>
+        <translation>Bilder sind nicht verfügbar: %1</translation>
+    </message>
+    <message>
+        <source>Flatten the garment by this method</source>
+        <translation>Das Kleidungsstück nach diesem Verfahren abwickeln</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::CutChart</name>
@@ -7134,54 +7126,54 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>Strain against the length of cuts</source>
-        <translation>Dehnung über der Länge der Schnitte</translation>
-    </message>
-    <message>
-        <source>no cut</source>
-        <translation>kein Schnitt</translation>
-    </message>
-    <message>
         <source>all: %1</source>
         <translation>alle: %1</translation>
     </message>
     <message>
-        <source>enough</source>
-        <translation>genug</translation>
+        <source>Strain by length of cuts</source>
+        <translation>Dehnung nach Länge der Schnitte</translation>
     </message>
     <message>
-        <source>Mean strain after so much length of cuts. Line: predicted; filled points: flattened</source>
-        <translation>Mittlere Dehnung nach so viel Länge an Schnitten. Linie: vorhergesagt; gefüllte Punkte: abgewickelt</translation>
+        <source>no cuts</source>
+        <translation>keine Schnitte</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Mean strain by length of cuts. Line: predicted; filled points: flattened</source>
+        <translation>Mittlere Dehnung nach Länge der Schnitte. Linie: vorhergesagt; gefüllte Punkte: abgewickelt</translation>
     </message>
 </context>
 <context>
     <name>toile::app::CutProposals</name>
     <message>
-        <source>Proposed cuts</source>
-        <translation>Vorgeschlagene Schnitte</translation>
-    </message>
-    <message>
         <source>Cut along %1</source>
         <translation>Schnitt: %1</translation>
     </message>
     <message>
-        <source>No cuts can be proposed here. %1</source>
-        <translation>Hier lassen sich keine Schnitte vorschlagen. %1</translation>
+        <source>No cuts can be proposed for this piece. %1</source>
+        <translation>Für dieses Schnittteil lassen sich keine Schnitte vorschlagen. %1</translation>
+    </message>
+    <message>
+        <source>Make proposed cuts</source>
+        <translation>Vorgeschlagene Schnitte ausführen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::CutTool</name>
     <message>
-        <source>Click: begin the cut, on an edge to open it there · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: Einschnitt beginnen, an einer Kante öffnet er sie · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: start the cut; on an edge, it opens there · Alt+click: cut around a tube · Ctrl+click: follow mesh edges · Esc: leave the tool</source>
+        <translation>Klick: Einschnitt beginnen; an einer Kante öffnet er sie · Alt+Klick: rund um einen Schlauch schneiden · Strg+Klick: Netzkanten folgen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Click: go on · Alt: no snapping · Double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: weiter · Alt: nicht einrasten · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: next point · Alt: no snapping · Double click or Enter: cut · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Doppelklick oder Eingabe: einschneiden · Rücktaste: letzten Punkt entfernen · Esc: Einschnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: next point · Alt: no snapping · Ctrl+click: along the mesh&apos;s edges · Backspace: take the point back · Esc: throw the cut away</source>
-        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Strg+Klick: entlang der Netzkanten · Rücktaste: Punkt zurücknehmen · Esc: Einschnitt verwerfen</translation>
+        <source>Click: next point · Alt: no snapping · Ctrl+click: follow mesh edges · Backspace: remove the point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Alt: nicht einrasten · Strg+Klick: Netzkanten folgen · Rücktaste: Punkt entfernen · Esc: Einschnitt verwerfen</translation>
     </message>
 </context>
 <context>
@@ -7207,12 +7199,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>%1: Delete takes it back</source>
-        <translation>%1: Entf nimmt ihn zurück</translation>
-    </message>
-    <message>
         <source>you</source>
-        <translation>Ihnen</translation>
+        <translation>Sie</translation>
     </message>
     <message>
         <source>Toile</source>
@@ -7228,7 +7216,7 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>you, joined</source>
-        <translation>Ihnen, verbunden</translation>
+        <translation>Sie, verbunden</translation>
     </message>
     <message>
         <source>1 join</source>
@@ -7239,20 +7227,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Verbindungen</translation>
     </message>
     <message>
-        <source>%1 was joined: Delete brings the seam back</source>
-        <translation>%1 wurde verbunden: Entf bringt die Naht zurück</translation>
-    </message>
-    <message>
-        <source>&amp;Take back</source>
-        <translation>&amp;Zurücknehmen</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>you, as proposed</source>
         <translation>Sie, wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>%1: press Delete to remove it</source>
+        <translation>%1: Entf entfernt ihn</translation>
+    </message>
+    <message>
+        <source>%1 was joined: press Delete to restore the seam</source>
+        <translation>%1 wurde verbunden: Entf stellt die Naht wieder her</translation>
     </message>
 </context>
 <context>
@@ -7266,43 +7258,43 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schenkel %1 lang</translation>
     </message>
     <message>
-        <source>The legs do not reach so far: the intake must be below %1.</source>
-        <translation>So weit reichen die Schenkel nicht: Der Inhalt muss unter %1 liegen.</translation>
-    </message>
-    <message>
-        <source>One leg is longer than the other: the intake must be above %1.</source>
-        <translation>Ein Schenkel ist länger als der andere: Der Inhalt muss über %1 liegen.</translation>
-    </message>
-    <message>
-        <source>What opens by 60° or more is a corner and no dart: the intake must be below %1.</source>
-        <translation>Was sich um 60° oder mehr öffnet, ist eine Ecke und kein Abnäher: Der Inhalt muss unter %1 liegen.</translation>
-    </message>
-    <message>
         <source>Angle</source>
         <translation>Winkel</translation>
     </message>
     <message>
-        <source>The intake as the angle between the legs at the tip.</source>
+        <source>Intake as the angle between the legs at the tip.</source>
         <translation>Der Inhalt als Winkel zwischen den Schenkeln an der Spitze.</translation>
+    </message>
+    <message>
+        <source>The legs are too short for this intake. Set it below %1.</source>
+        <translation>Die Schenkel sind für diesen Inhalt zu kurz. Setzen Sie ihn unter %1.</translation>
+    </message>
+    <message>
+        <source>The legs differ in length. Set the intake above %1.</source>
+        <translation>Die Schenkel sind verschieden lang. Setzen Sie den Inhalt über %1.</translation>
+    </message>
+    <message>
+        <source>A dart must open by less than 60°. Set the intake below %1.</source>
+        <translation>Ein Abnäher muss sich um weniger als 60° öffnen. Setzen Sie den Inhalt unter %1.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::DartTool</name>
     <message>
-        <source>Click: the dart&apos;s tip · Ctrl+click: along the mesh&apos;s edges · Backspace or Esc: throw the dart away</source>
-        <translation>Klick: Spitze des Abnähers · Strg+Klick: entlang der Netzkanten · Rücktaste oder Esc: Abnäher verwerfen</translation>
+        <source>Enter: cut the proposed dart · Drag from an edge: draw another · Esc: discard the dart</source>
+        <translation>Eingabe: den vorgeschlagenen Abnäher schneiden · Von einer Kante ziehen: einen anderen zeichnen · Esc: Abnäher verwerfen</translation>
     </message>
     <message>
-        <source>a dart begins at an edge</source>
-        <translation>ein Abnäher beginnt an einer Kante</translation>
+        <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: leave the tool</source>
+        <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Drag from an edge to the dart&apos;s tip, or click the edge and then the tip · Esc: back to selecting</source>
-        <translation>Von einer Kante zur Spitze des Abnähers ziehen, oder die Kante und dann die Spitze anklicken · Esc: zurück zum Auswählen</translation>
+        <source>Click: tip of the dart · Ctrl+click: follow mesh edges · Backspace or Esc: discard the dart</source>
+        <translation>Klick: Spitze des Abnähers · Strg+Klick: Netzkanten folgen · Rücktaste oder Esc: Abnäher verwerfen</translation>
     </message>
     <message>
-        <source>Enter: cut the dart that is proposed · Drag from an edge: another one · Esc: throw the dart away</source>
-        <translation>Eingabe: den vorgeschlagenen Abnäher schneiden · Von einer Kante ziehen: ein anderer · Esc: Abnäher verwerfen</translation>
+        <source>a dart must start at an edge</source>
+        <translation>ein Abnäher muss an einer Kante beginnen</translation>
     </message>
 </context>
 <context>
@@ -7315,20 +7307,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>Change of method</source>
+        <source>Change method</source>
         <translation>Verfahren ändern</translation>
     </message>
     <message>
-        <source>Ease of %1</source>
-        <translation>Einhalteweite von %1</translation>
+        <source>Set ease of %1</source>
+        <translation>Einhalteweite von %1 setzen</translation>
     </message>
     <message>
-        <source>Drawn ease of %1</source>
+        <source>Draw ease of %1</source>
         <translation>Einhalteweite von %1 zeichnen</translation>
     </message>
     <message>
-        <source>Ease of %1 no longer drawn</source>
-        <translation>Einhalteweite von %1 nicht mehr zeichnen</translation>
+        <source>Do not draw ease of %1</source>
+        <translation>Einhalteweite von %1 nicht zeichnen</translation>
     </message>
 </context>
 <context>
@@ -7349,8 +7341,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Vorschau</translation>
     </message>
     <message>
-        <source>The pattern is being drawn…</source>
-        <translation>Der Schnitt wird gezeichnet…</translation>
+        <source>Drawing the pattern…</source>
+        <translation>Schnitt wird gezeichnet…</translation>
     </message>
 </context>
 <context>
@@ -7384,10 +7376,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Im &amp;Ordner zeigen</translation>
     </message>
     <message>
-        <source>Show the folder once the file is written.</source>
-        <translation>Den Ordner zeigen, sobald die Datei geschrieben ist.</translation>
-    </message>
-    <message>
         <source>For %1.</source>
         <translation>Für: %1.</translation>
     </message>
@@ -7418,8 +7406,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>Beginning of the file</source>
+        <source>Start of the file</source>
         <translation>Anfang der Datei</translation>
+    </message>
+    <message>
+        <source>Show the folder after writing the file.</source>
+        <translation>Den Ordner nach dem Schreiben der Datei zeigen.</translation>
     </message>
 </context>
 <context>
@@ -7469,42 +7461,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Unter 45° dazu</translation>
     </message>
     <message>
-        <source>Beyond the fabric</source>
-        <translation>Mehr, als der Stoff hergibt</translation>
-    </message>
-    <message>
-        <source>Show the strain in this direction on the cloth</source>
-        <translation>Die Dehnung in dieser Richtung auf dem Stoff zeigen</translation>
-    </message>
-    <message>
-        <source>In any</source>
-        <translation>In mindestens einer</translation>
-    </message>
-    <message>
-        <source>Nothing is flat yet.</source>
-        <translation>Noch ist nichts flach.</translation>
-    </message>
-    <message>
-        <source>Worst: %1, %2 of it</source>
-        <translation>Am schlimmsten: %1, %2 davon</translation>
-    </message>
-    <message>
-        <source>Fabric: %1</source>
-        <translation>Material: %1</translation>
-    </message>
-    <message>
-        <source>Fabric limits</source>
-        <translation>Grenzen des Materials</translation>
-    </message>
-    <message>
-        <source>How much of the flat cloth is strained beyond these limits, counted by triangles: in each direction the number beside the colour bar of that overlay</source>
-        <translation>Wie viel des flachen Stoffes über diese Grenzen hinaus gedehnt ist, nach Dreiecken gezählt: in jeder Richtung die Zahl neben dem Farbbalken dieser Ansicht</translation>
-    </message>
-    <message>
-        <source>In one of the three directions at least. Edge strain is something else: there every edge is held to the tightest of these limits, whatever its direction.</source>
-        <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist etwas anderes: Dort gilt für jede Kante die engste dieser Grenzen, gleich in welcher Richtung sie liegt.</translation>
-    </message>
-    <message>
         <source>Fabric &amp;of</source>
         <translation>Material v&amp;on</translation>
     </message>
@@ -7517,40 +7473,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Kleidungsstück</translation>
     </message>
     <message>
-        <source>Fabric of %1: %2</source>
-        <translation>Material von %1: %2</translation>
-    </message>
-    <message>
-        <source>Needs %1 of it, as the pieces lie now</source>
-        <translation>Braucht %1 davon, so wie die Teile liegen</translation>
-    </message>
-    <message>
-        <source>As the pieces lie now they take %1 across, more than its width</source>
-        <translation>So wie die Teile liegen, brauchen sie %1 in der Breite, mehr als der Stoff hat</translation>
-    </message>
-    <message>
         <source>Open a garment to set its fabric.</source>
         <translation>Öffnen Sie ein Kleidungsstück, um seinen Stoff zu wählen.</translation>
-    </message>
-    <message>
-        <source>The garment, or another material that pieces are cut from (panel Piece).</source>
-        <translation>Das Kleidungsstück oder eine andere Stoffart, aus der Teile zugeschnitten werden (Bereich Schnittteil).</translation>
     </message>
     <message>
         <source>The fabric of the garment.</source>
         <translation>Der Stoff des Kleidungsstücks.</translation>
     </message>
     <message>
-        <source>Presets are rules of thumb. If it matters, measure a sample and type its limits.</source>
-        <translation>Vorgaben sind Faustregeln. Wenn es darauf ankommt, messen Sie eine Probe und tragen Sie ihre Grenzen ein.</translation>
-    </message>
-    <message>
         <source>No fabric set. Choose one to see where it is strained too far.</source>
         <translation>Kein Stoff gewählt. Wählen Sie einen, um zu sehen, wo er zu weit gedehnt wird.</translation>
-    </message>
-    <message>
-        <source>The box around the pieces that are cut from this fabric, one of each, with their allowances, the grain upwards</source>
-        <translation>Der Rahmen um die Teile, die aus diesem Stoff zugeschnitten werden, je eines, mit Zugaben, Fadenlauf nach oben</translation>
     </message>
     <message>
         <source>Shrinks</source>
@@ -7559,6 +7491,66 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>All strain is within the fabric&apos;s limits.</source>
         <translation>Alle Dehnungen liegen in den Grenzen des Stoffs.</translation>
+    </message>
+    <message>
+        <source>The garment, or a material that you set for pieces.</source>
+        <translation>Das Kleidungsstück oder eine Stoffart, die Sie für Schnittteile gesetzt haben.</translation>
+    </message>
+    <message>
+        <source>Presets are rules of thumb. For exact limits, measure a sample and enter them.</source>
+        <translation>Vorgaben sind Faustregeln. Für genaue Grenzen messen Sie eine Probe und tragen sie ein.</translation>
+    </message>
+    <message>
+        <source>Box around one of each piece in this fabric, with allowances, grain upwards</source>
+        <translation>Rahmen um je eines der Schnittteile aus diesem Stoff, mit Zugaben, Fadenlauf nach oben</translation>
+    </message>
+    <message>
+        <source>Over the limits</source>
+        <translation>Über den Grenzen</translation>
+    </message>
+    <message>
+        <source>Share of the cloth strained beyond these limits, as shown at the overlay&apos;s colour bar</source>
+        <translation>Anteil des Stoffs jenseits dieser Grenzen, wie am Farbbalken der Überlagerung</translation>
+    </message>
+    <message>
+        <source>Show the strain in this direction</source>
+        <translation>Die Dehnung in dieser Richtung zeigen</translation>
+    </message>
+    <message>
+        <source>Any</source>
+        <translation>Beliebige</translation>
+    </message>
+    <message>
+        <source>In at least one of the three directions. Edge strain differs: it applies the tightest limit to every edge.</source>
+        <translation>In mindestens einer der drei Richtungen. Die Kantendehnung ist anders: Sie wendet auf jede Kante die engste Grenze an.</translation>
+    </message>
+    <message>
+        <source>%1 at this width</source>
+        <translation>%1 bei dieser Breite</translation>
+    </message>
+    <message>
+        <source>The pieces are %1 wide, wider than the fabric</source>
+        <translation>Die Schnittteile sind %1 breit, breiter als der Stoff</translation>
+    </message>
+    <message>
+        <source>No flat pieces yet.</source>
+        <translation>Noch keine flachen Schnittteile.</translation>
+    </message>
+    <message>
+        <source>Worst: %1, %2 of its area</source>
+        <translation>Am schlimmsten: %1, %2 seiner Fläche</translation>
+    </message>
+    <message>
+        <source>Set fabric: %1</source>
+        <translation>Stoff setzen: %1</translation>
+    </message>
+    <message>
+        <source>Set fabric of %1: %2</source>
+        <translation>Stoff von %1 setzen: %2</translation>
+    </message>
+    <message>
+        <source>Set fabric limits</source>
+        <translation>Grenzen des Stoffs setzen</translation>
     </message>
 </context>
 <context>
@@ -7588,30 +7580,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1-schnittmuster</translation>
     </message>
     <message>
-        <source>A project is opened by itself: choose one project, or the meshes of one garment.</source>
-        <translation>Ein Projekt wird für sich geöffnet: wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
-    </message>
-    <message>
-        <source>These pieces lie level, so that no way on them is up. Say yourself how the grain runs.</source>
-        <translation>Diese Schnittteile liegen waagerecht, so dass nichts an ihnen aufwärts zeigt. Legen Sie den Fadenlauf selbst fest.</translation>
-    </message>
-    <message>
-        <source>Pieces were flattened anew, or the fabric was changed, while their grain was found. Ask for it once more.</source>
-        <translation>Während der Fadenlauf gesucht wurde, sind Schnittteile neu abgewickelt worden oder das Material hat sich geändert. Fragen Sie noch einmal danach.</translation>
-    </message>
-    <message>
-        <source>Best grain as for a woven: the fabric is not stated</source>
-        <translation>Bester Fadenlauf wie für einen Webstoff: Der Stoff ist nicht angegeben</translation>
-    </message>
-    <message>
-        <source>Best grain: no turn helps; %1 % of the cloth lies beyond the fabric</source>
-        <translation>Bester Fadenlauf: Drehen hilft nicht; %1 % der Fläche übersteigen, was der Stoff kann</translation>
-    </message>
-    <message>
-        <source>Best grain: %1 % of the cloth beyond the fabric, %2 % before</source>
-        <translation>Bester Fadenlauf: %1 % der Fläche übersteigen, was der Stoff kann, vorher %2 %</translation>
-    </message>
-    <message>
         <source>Turn %1</source>
         <translation>%1 drehen</translation>
     </message>
@@ -7620,36 +7588,56 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 spiegeln</translation>
     </message>
     <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: Move of a proposed cut</source>
-        <translation>&amp;Rückgängig: Verschieben eines vorgeschlagenen Schnitts</translation>
-    </message>
-    <message>
-        <source>Reports of proofs (*.json)</source>
-        <translation>Prüfberichte (*.json)</translation>
-    </message>
-    <message>
         <source>Saved %1</source>
         <translation>%1 gespeichert</translation>
     </message>
     <message>
-        <source>Proof on a body</source>
-        <translation>Nähprobe auf einem Körper</translation>
+        <source>&amp;Undo: Move proposed cut</source>
+        <translation>&amp;Rückgängig: Vorgeschlagenen Schnitt verschieben</translation>
+    </message>
+    <message>
+        <source>Projects open one at a time. Choose one project, or the meshes of one garment.</source>
+        <translation>Projekte werden einzeln geöffnet. Wählen Sie ein Projekt oder die Netze eines Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Proof reports (*.json)</source>
+        <translation>Nähprobenberichte (*.json)</translation>
+    </message>
+    <message>
+        <source>These pieces are horizontal and have no upward direction. Set their grain yourself.</source>
+        <translation>Diese Schnittteile liegen waagerecht und haben keine Richtung nach oben. Setzen Sie den Fadenlauf selbst.</translation>
+    </message>
+    <message>
+        <source>Set grain of %1</source>
+        <translation>Fadenlauf von %1 setzen</translation>
+    </message>
+    <message>
+        <source>Best grain for woven fabric: no fabric is set</source>
+        <translation>Bester Fadenlauf wie für Webstoff: Es ist kein Stoff gewählt</translation>
+    </message>
+    <message>
+        <source>Best grain: turning does not help; %1 % of the cloth exceeds the fabric&apos;s limits</source>
+        <translation>Bester Fadenlauf: Drehen hilft nicht; %1 % des Stoffs überschreiten seine Grenzen</translation>
+    </message>
+    <message>
+        <source>Best grain: %1 % of the cloth exceeds the fabric&apos;s limits, %2 % before</source>
+        <translation>Bester Fadenlauf: %1 % des Stoffs überschreiten seine Grenzen, vorher %2 %</translation>
+    </message>
+    <message>
+        <source>Pieces or fabric changed while the grain was being computed. Run the command again.</source>
+        <translation>Schnittteile oder Stoff haben sich während der Berechnung des Fadenlaufs geändert. Führen Sie den Befehl noch einmal aus.</translation>
+    </message>
+    <message>
+        <source>Reset grain of %1</source>
+        <translation>Fadenlauf von %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Use body as dress form</source>
+        <translation>Auf einem Körper nähen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::GarmentCard</name>
-    <message>
-        <source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-        <source>The guess is right: do not ask again about this garment</source>
-        <translation>Die Schätzung stimmt: zu diesem Kleidungsstück nicht mehr fragen</translation>
-    </message>
     <message>
         <source>%1 and %2 differ by %3 (tolerance %4).</source>
         <translation>%1 und %2 unterscheiden sich um %3 (Toleranz %4).</translation>
@@ -7675,12 +7663,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Wie in der Datei lassen</translation>
     </message>
     <message>
-        <source>One more piece or pair differs, but by less.</source>
-        <translation>Ein weiteres Teil oder Paar unterscheidet sich, aber weniger.</translation>
+        <source>One more piece or pair differs by less.</source>
+        <translation>Ein weiteres Schnittteil oder Paar unterscheidet sich weniger.</translation>
     </message>
     <message>
-        <source>%1 more pieces or pairs differ, but by less.</source>
-        <translation>%1 weitere Teile oder Paare unterscheiden sich, aber weniger.</translation>
+        <source>%1 more pieces or pairs differ by less.</source>
+        <translation>%1 weitere Schnittteile oder Paare unterscheiden sich weniger.</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Confirm these guesses and stop asking about this garment</source>
+        <translation>Diese Annahmen bestätigen und zu diesem Kleidungsstück nicht mehr fragen</translation>
     </message>
 </context>
 <context>
@@ -7693,20 +7689,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
 <context>
     <name>toile::app::GrainTool</name>
     <message>
-        <source>Turn the grain in the pattern view · Esc: back to selecting</source>
-        <translation>Der Fadenlauf wird in der Schnittansicht gedreht · Esc: zurück zum Auswählen</translation>
+        <source>Turn the grain in the pattern view · Esc: leave the tool</source>
+        <translation>Den Fadenlauf in der Schnittansicht drehen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Drag: turn the grain · Alt: snap the other way · Esc: take it back</source>
-        <translation>Ziehen: Fadenlauf drehen · Alt: anders einrasten · Esc: zurücknehmen</translation>
+        <source>Drag: turn the grain · Alt: toggle snapping · Esc: cancel</source>
+        <translation>Ziehen: Fadenlauf drehen · Alt: Einrasten umkehren · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>Drag on a piece: turn its grain · Alt: snap the other way · Click: select · Esc: back to selecting</source>
-        <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: anders einrasten · Klick: auswählen · Esc: zurück zum Auswählen</translation>
+        <source>Drag on a piece: turn its grain · Alt: toggle snapping · Click: select · Esc: leave the tool</source>
+        <translation>Auf einem Schnittteil ziehen: seinen Fadenlauf drehen · Alt: Einrasten umkehren · Klick: auswählen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
+        <source>Turn grain of %1</source>
+        <translation>Fadenlauf von %1 drehen</translation>
     </message>
 </context>
 <context>
@@ -7716,52 +7712,20 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Tastatur und Maus</translation>
     </message>
     <message>
-        <source>Look for a key or a command</source>
+        <source>Search for a key or a command</source>
         <translation>Taste oder Befehl suchen</translation>
     </message>
     <message>
-        <source>Look for</source>
+        <source>Search</source>
         <translation>Suchen</translation>
     </message>
     <message>
-        <source>Nothing is called that.</source>
-        <translation>So heißt nichts.</translation>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
     </message>
 </context>
 <context>
     <name>toile::app::InternalLineTool</name>
-    <message>
-        <source>Drag: move the point · Esc: take it back</source>
-        <translation>Ziehen: den Punkt verschieben · Esc: es zurücknehmen</translation>
-    </message>
-    <message>
-        <source>Click: begin a line · Click a line: select it · Drag a point: move it · Del: take the line away · Esc: back to selecting</source>
-        <translation>Klick: eine Linie beginnen · Klick auf eine Linie: sie auswählen · Einen Punkt ziehen: ihn verschieben · Entf: die Linie entfernen · Esc: zurück zum Auswählen</translation>
-    </message>
-    <message>
-        <source>Click: next point · Double click or Enter: end the line · Backspace: take the last point back · Esc: throw the line away</source>
-        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: die Linie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
-    </message>
-    <message>
-        <source>Click: next point · Click the first point: close the line · Double click or Enter: end it · Backspace: take the last point back · Esc: throw the line away</source>
-        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt: die Linie schließen · Doppelklick oder Eingabe: sie beenden · Rücktaste: den letzten Punkt zurücknehmen · Esc: die Linie verwerfen</translation>
-    </message>
-    <message>
-        <source>another piece: a line stays on one</source>
-        <translation>ein anderes Schnittteil: eine Linie bleibt auf einem</translation>
-    </message>
-    <message>
-        <source>Move of an internal line</source>
-        <translation>Verschieben einer Innenlinie</translation>
-    </message>
-    <message>
-        <source>Internal line</source>
-        <translation>Innenlinie</translation>
-    </message>
-    <message>
-        <source>Removal of an internal line</source>
-        <translation>Entfernen einer Innenlinie</translation>
-    </message>
     <message>
         <source>line %1</source>
         <translation>Linie %1</translation>
@@ -7770,12 +7734,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>drill point %1</source>
         <translation>Bohrpunkt %1</translation>
     </message>
+    <message>
+        <source>Drag: move the point · Esc: cancel</source>
+        <translation>Ziehen: den Punkt verschieben · Esc: abbrechen</translation>
+    </message>
+    <message>
+        <source>Click: start a line · Click a line: select it · Drag a point: move it · Del: delete the line · Esc: leave the tool</source>
+        <translation>Klick: eine Linie beginnen · Klick auf eine Linie: sie auswählen · Einen Punkt ziehen: ihn verschieben · Entf: die Linie löschen · Esc: Werkzeug verlassen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Double click or Enter: end the line · Backspace: remove the last point · Esc: discard the line</source>
+        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: die Linie beenden · Rücktaste: den letzten Punkt entfernen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Click the first point: close the line · Double click or Enter: end it · Backspace: remove the last point · Esc: discard the line</source>
+        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt: die Linie schließen · Doppelklick oder Eingabe: sie beenden · Rücktaste: den letzten Punkt entfernen · Esc: die Linie verwerfen</translation>
+    </message>
+    <message>
+        <source>a line must stay on one piece</source>
+        <translation>eine Linie muss auf einem Schnittteil bleiben</translation>
+    </message>
+    <message>
+        <source>Move internal line</source>
+        <translation>Innenlinie verschieben</translation>
+    </message>
+    <message>
+        <source>Add internal line</source>
+        <translation>Innenlinie hinzufügen</translation>
+    </message>
+    <message>
+        <source>Delete internal line</source>
+        <translation>Innenlinie löschen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::JoinTool</name>
     <message>
-        <source>Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to selecting</source>
-        <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden, sodass er eins wird · Esc: zurück zum Auswählen</translation>
+        <source>Click a seam: join the cloth on both sides · Esc: leave the tool</source>
+        <translation>Naht anklicken: den Stoff auf beiden Seiten verbinden · Esc: Werkzeug verlassen</translation>
     </message>
 </context>
 <context>
@@ -7798,35 +7794,19 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>&amp;Leave out</source>
-        <translation>Aus&amp;nehmen</translation>
-    </message>
-    <message>
-        <source>No piece is smaller.</source>
-        <translation>Kein Schnittteil ist kleiner.</translation>
+        <translation>Ausneh&amp;men</translation>
     </message>
     <message>
         <source>%1 of %2 pieces: %3</source>
         <translation>%1 von %2 Schnittteilen: %3</translation>
     </message>
+    <message>
+        <source>No piece is smaller than this.</source>
+        <translation>Kein Schnittteil ist kleiner.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::LinesPanel</name>
-    <message>
-        <source>Trueing of a seam end</source>
-        <translation>Knick an einem Nahtende ausgleichen</translation>
-    </message>
-    <message>
-        <source>Kink at a seam end</source>
-        <translation>Knick an einem Nahtende lassen</translation>
-    </message>
-    <message>
-        <source>Every line is the exact outline.</source>
-        <translation>Jede Linie ist der genaue Umriss.</translation>
-    </message>
-    <message>
-        <source>At most %1 from the exact outline; the largest strain goes from %2 to %3.</source>
-        <translation>Höchstens %1 vom genauen Umriss; die größte Dehnung geht von %2 auf %3.</translation>
-    </message>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
@@ -7836,31 +7816,43 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Heute</translation>
     </message>
     <message>
-        <source>Write today&apos;s date on the labels</source>
-        <translation>Das heutige Datum auf die Schnittteile schreiben</translation>
+        <source>True seam end</source>
+        <translation>Nahtende ausgleichen</translation>
+    </message>
+    <message>
+        <source>Keep kink at seam end</source>
+        <translation>Knick am Nahtende lassen</translation>
+    </message>
+    <message>
+        <source>Put today&apos;s date on the labels</source>
+        <translation>Das heutige Datum auf die Etiketten setzen</translation>
+    </message>
+    <message>
+        <source>At most %1 from the exact outline. The largest strain changes from %2 to %3.</source>
+        <translation>Höchstens %1 vom genauen Umriss. Die größte Dehnung ändert sich von %2 auf %3.</translation>
+    </message>
+    <message>
+        <source>All lines follow the exact outline.</source>
+        <translation>Alle Linien folgen dem genauen Umriss.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::LoopTool</name>
     <message>
-        <source>Click: go on · Click the first point, double click or Enter: cut · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: weiter · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+        <source>Click: start a closed cut · Alt+click: cut around a tube · Ctrl+click: follow mesh edges · Esc: leave the tool</source>
+        <translation>Klick: geschlossenen Schnitt beginnen · Alt+Klick: rund um einen Schlauch schneiden · Strg+Klick: Netzkanten folgen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Click: next point, of three or more · Backspace: take the last point back · Esc: throw the cut away</source>
-        <translation>Klick: nächster Punkt, von dreien oder mehr · Rücktaste: letzten Punkt zurücknehmen · Esc: Schnitt verwerfen</translation>
+        <source>Click: next point · Click the first point, double click or Enter: cut · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt · Klick auf den ersten Punkt, Doppelklick oder Eingabe: schneiden · Rücktaste: letzten Punkt entfernen · Esc: Schnitt verwerfen</translation>
     </message>
     <message>
-        <source>Click: begin a closed cut · Alt+click: around the tube there · Ctrl+click: along the mesh&apos;s edges · Esc: back to selecting</source>
-        <translation>Klick: geschlossenen Schnitt beginnen · Alt+Klick: rund um den Schlauch · Strg+Klick: entlang der Netzkanten · Esc: zurück zum Auswählen</translation>
+        <source>Click: next point (three or more) · Backspace: remove the last point · Esc: discard the cut</source>
+        <translation>Klick: nächster Punkt (drei oder mehr) · Rücktaste: letzten Punkt entfernen · Esc: Schnitt verwerfen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::MainWindow</name>
-    <message>
-        <source>A heavy garment: edits are flattened when you ask for it, %1</source>
-        <translation>Ein schweres Kleidungsstück: Änderungen werden erst abgewickelt, wenn Sie es verlangen, %1</translation>
-    </message>
     <message>
         <source>Toile</source>
         <translation>Toile</translation>
@@ -7870,47 +7862,51 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1[*] – Toile</translation>
     </message>
     <message>
-        <source>Unsaved changes are not kept: %1</source>
-        <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
+        <source>Right-click the place for the dart, or mark the worst spots first.</source>
+        <translation>Klicken Sie mit der rechten Taste auf die Stelle für den Abnäher, oder markieren Sie zuerst die schlimmsten Stellen.</translation>
     </message>
     <message>
-        <source>Point at the place with the right button, or mark the worst spots first.</source>
-        <translation>Zeigen Sie mit der rechten Taste auf die Stelle, oder lassen Sie zuerst die schlimmsten Stellen markieren.</translation>
+        <source>Large garment: press %1 to flatten your edits</source>
+        <translation>Großes Kleidungsstück: %1 drücken, um Ihre Änderungen abzuwickeln</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are not backed up: %1</source>
+        <translation>Ungespeicherte Änderungen werden nicht gesichert: %1</translation>
     </message>
 </context>
 <context>
     <name>toile::app::MarkerDesk</name>
     <message>
-        <source>Nothing is flat that could be laid: flatten the pieces first, with Flatten &gt; Flatten again; what cannot lie flat needs a cut.</source>
-        <translation>Es ist nichts flach, das sich legen ließe: Wickeln Sie die Teile zuerst ab, mit Abwickeln &gt; Neu abwickeln; was nicht flach liegen kann, braucht einen Schnitt.</translation>
-    </message>
-    <message>
         <source>Open a garment first.</source>
         <translation>Öffnen Sie zuerst ein Kleidungsstück.</translation>
-    </message>
-    <message>
-        <source>The pattern is on its way…</source>
-        <translation>Das Schnittmuster ist unterwegs …</translation>
-    </message>
-    <message>
-        <source>The pieces are being laid…</source>
-        <translation>Die Teile werden gelegt …</translation>
     </message>
     <message>
         <source>Release %1 on the cloth</source>
         <translation>%1 auf dem Stoff loslassen</translation>
     </message>
     <message>
-        <source>Release all on the cloth</source>
-        <translation>Alle auf dem Stoff loslassen</translation>
+        <source>The pattern is out of date. Use Flatten &gt; Flatten again.</source>
+        <translation>Der Schnitt ist veraltet. Wählen Sie Abwickeln &gt; Neu abwickeln.</translation>
     </message>
     <message>
-        <source>The pattern is out of date: flatten it first, with Flatten &gt; Flatten again.</source>
-        <translation>Der Schnitt ist nicht auf dem neuesten Stand: Wickeln Sie ihn zuerst ab, mit Abwickeln &gt; Neu abwickeln.</translation>
+        <source>There are no flat pieces. Use Flatten &gt; Flatten again, or cut the pieces that cannot lie flat.</source>
+        <translation>Es gibt keine flachen Schnittteile. Wählen Sie Abwickeln &gt; Neu abwickeln, oder schneiden Sie Teile ein, die nicht flach liegen können.</translation>
     </message>
     <message>
-        <source>The search was stopped before the pieces were laid as you asked: Start again lays them.</source>
-        <translation>Die Suche wurde angehalten, bevor die Teile so lagen wie gewünscht: „Neu beginnen“ legt sie.</translation>
+        <source>Waiting for the pattern…</source>
+        <translation>Warten auf den Schnitt …</translation>
+    </message>
+    <message>
+        <source>The search stopped before it applied your settings. Press Start again.</source>
+        <translation>Die Suche endete, bevor Ihre Einstellungen angewandt waren. Drücken Sie „Neu beginnen“.</translation>
+    </message>
+    <message>
+        <source>Placing the pieces…</source>
+        <translation>Die Teile werden gelegt …</translation>
+    </message>
+    <message>
+        <source>Release all pieces on the cloth</source>
+        <translation>Alle Teile auf dem Stoff lösen</translation>
     </message>
 </context>
 <context>
@@ -7948,32 +7944,32 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nähte, an denen der Rapport passt</translation>
     </message>
     <message>
-        <source>Kind of cloth</source>
-        <translation>Art des Stoffs</translation>
-    </message>
-    <message>
         <source>Match stripes &amp;across</source>
         <translation>Rapport p&amp;asst an</translation>
-    </message>
-    <message>
-        <source>Each material has a marker of its own. Set the material of a piece in the panel Piece.</source>
-        <translation>Jede Stoffart hat ein eigenes Schnittbild. Die Stoffart eines Teils legen Sie im Bereich Schnittteil fest.</translation>
     </message>
     <message>
         <source>&amp;Fabric form</source>
         <translation>Sto&amp;ffform</translation>
     </message>
     <message>
-        <source>A roll, of which as little as possible is used, sheets of one size, or hides read from DXF or SVG drawings: the largest line is the edge, lines within it are holes, or zones if their layer is called &quot;grade 2&quot;.</source>
-        <translation>Eine Rolle, von der so wenig wie möglich verbraucht wird, Bögen einer Größe, oder Häute aus DXF- oder SVG-Zeichnungen: die größte Linie ist der Rand, Linien darin sind Löcher, oder Zonen, wenn ihre Ebene „grade 2“ heißt.</translation>
-    </message>
-    <message>
-        <source>Along these seams the repeat continues from one piece to the other; seams where that is impossible are named below.</source>
-        <translation>Entlang dieser Nähte geht der Rapport von einem Teil zum anderen weiter; Nähte, an denen das nicht geht, stehen darunter.</translation>
-    </message>
-    <message>
         <source>Garment&apos;s fabric</source>
         <translation>Eigener Stoff</translation>
+    </message>
+    <message>
+        <source>Each material has its own marker. Set the material of a piece in the panel Properties</source>
+        <translation>Jede Stoffart hat ein eigenes Schnittbild. Die Stoffart eines Teils setzen Sie im Bereich Eigenschaften</translation>
+    </message>
+    <message>
+        <source>A roll, sheets of one size, or hides from DXF or SVG files. The largest line is the edge, inner lines are holes, or zones on layers like &quot;grade 2&quot;</source>
+        <translation>Eine Rolle, Bögen einer Größe oder Häute aus DXF- oder SVG-Dateien. Die größte Linie ist der Rand, innere Linien sind Löcher, oder Zonen auf Ebenen wie „grade 2“</translation>
+    </message>
+    <message>
+        <source>The repeat continues across the checked seams; seams where it cannot are listed below</source>
+        <translation>Der Rapport geht über die angekreuzten Nähte hinweg; Nähte, an denen das nicht möglich ist, stehen unten</translation>
+    </message>
+    <message>
+        <source>Change fabric form</source>
+        <translation>Stoffform ändern</translation>
     </message>
 </context>
 <context>
@@ -7987,28 +7983,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittbild &amp;sichern …</translation>
     </message>
     <message>
-        <source>Lay on cloth</source>
-        <translation>Auf Stoff legen</translation>
-    </message>
-    <message>
         <source> min/m</source>
         <translation> min/m</translation>
-    </message>
-    <message>
-        <source>Minutes that a metre of seam takes you to sew</source>
-        <translation>Minuten, die Sie für einen Meter Naht brauchen</translation>
-    </message>
-    <message>
-        <source>Minutes a metre of seam</source>
-        <translation>Minuten je Meter Naht</translation>
-    </message>
-    <message>
-        <source>Forget what was found and lay everything anew; what you laid stays</source>
-        <translation>Vergessen, was gefunden wurde, und alles neu legen; was Sie gelegt haben, bleibt</translation>
-    </message>
-    <message>
-        <source>Write the marker as a file: PDF, SVG, DXF, PLT or PNG</source>
-        <translation>Das Schnittbild als Datei schreiben: PDF, SVG, DXF, PLT oder PNG</translation>
     </message>
     <message>
         <source>&amp;Stop</source>
@@ -8017,29 +7993,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Improve</source>
         <translation>&amp;Verbessern</translation>
-    </message>
-    <message>
-        <source>Keep the best that was found so far</source>
-        <translation>Das Beste behalten, das bis jetzt gefunden wurde</translation>
-    </message>
-    <message>
-        <source>Look for a shorter marker until you stop it</source>
-        <translation>Ein kürzeres Schnittbild suchen, bis Sie anhalten</translation>
-    </message>
-    <message>
-        <source>First lay what is red so that nothing lies on another piece or beyond the cloth</source>
-        <translation>Legen Sie zuerst, was rot ist, so, dass nichts auf einem anderen Teil oder außerhalb des Stoffs liegt</translation>
-    </message>
-    <message>
-        <source>1 piece lies on another or beyond the cloth</source>
-        <translation>1 Teil liegt auf einem anderen oder außerhalb des Stoffs</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n pieces lie on others or beyond the cloth</source>
-        <translation>
-            <numerusform>%n Teil liegt auf einem anderen oder außerhalb des Stoffs</numerusform>
-            <numerusform>%n Teile liegen auf anderen oder außerhalb des Stoffs</numerusform>
-        </translation>
     </message>
     <message>
         <source>1 sheet, %1 % used</source>
@@ -8083,17 +8036,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         </translation>
     </message>
     <message>
-        <source>1 round of search</source>
-        <translation>1 Runde gesucht</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n rounds of search</source>
-        <translation>
-            <numerusform>%n Runde gesucht</numerusform>
-            <numerusform>%n Runden gesucht</numerusform>
-        </translation>
-    </message>
-    <message>
         <source>%1 to cut</source>
         <translation>%1 zuzuschneiden</translation>
     </message>
@@ -8113,47 +8055,101 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Nähte: %2 min bei</translation>
     </message>
     <message>
-        <source>Hides</source>
-        <translation>Häute</translation>
-    </message>
-    <message>
         <source>%1-marker</source>
         <translation>%1-schnittbild</translation>
     </message>
     <message>
-        <source>A marker is written as .pdf, .svg, .dxf, .plt or .png.</source>
-        <translation>Ein Schnittbild wird als .pdf, .svg, .dxf, .plt oder .png geschrieben.</translation>
+        <source>Marker</source>
+        <translation>Schnittbild</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Geschrieben: %1</translation>
+        <source>Your sewing time per metre of seam</source>
+        <translation>Ihre Nähzeit je Meter Naht</translation>
     </message>
     <message>
-        <source>The pieces are not laid yet as you asked</source>
-        <translation>Die Teile liegen noch nicht so wie gewünscht</translation>
+        <source>Minutes per metre of seam</source>
+        <translation>Minuten je Meter Naht</translation>
     </message>
     <message>
-        <source>Nothing is written: the marker became another meanwhile. Save it once it is laid.</source>
-        <translation>Nichts wurde geschrieben: Das Schnittbild ist inzwischen ein anderes. Sichern Sie es, sobald es gelegt ist.</translation>
+        <source>Discard the result and search again; pieces placed by hand stay</source>
+        <translation>Das Ergebnis verwerfen und neu suchen; von Hand gelegte Teile bleiben</translation>
+    </message>
+    <message>
+        <source>Save the marker as PDF, SVG, DXF, PLT or PNG</source>
+        <translation>Das Schnittbild als PDF, SVG, DXF, PLT oder PNG sichern</translation>
+    </message>
+    <message>
+        <source>Stop and keep the best marker found</source>
+        <translation>Anhalten und das beste Schnittbild behalten</translation>
+    </message>
+    <message>
+        <source>Search for a shorter marker until you stop</source>
+        <translation>Ein kürzeres Schnittbild suchen, bis Sie anhalten</translation>
+    </message>
+    <message>
+        <source>First move the red pieces so that none overlaps or leaves the cloth</source>
+        <translation>Verschieben Sie zuerst die roten Teile, bis keines überlappt oder über den Stoff ragt</translation>
+    </message>
+    <message>
+        <source>The search has not applied your settings yet</source>
+        <translation>Die Suche hat Ihre Einstellungen noch nicht angewandt</translation>
+    </message>
+    <message>
+        <source>1 piece overlaps another or leaves the cloth</source>
+        <translation>1 Teil überlappt ein anderes oder ragt über den Stoff</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pieces overlap others or leave the cloth</source>
+        <translation>
+            <numerusform>%n Teil überlappt ein anderes oder ragt über den Stoff</numerusform>
+            <numerusform>%n Teile überlappen andere oder ragen über den Stoff</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>1 search round</source>
+        <translation>1 Suchrunde</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n search rounds</source>
+        <translation>
+            <numerusform>%n Suchrunde</numerusform>
+            <numerusform>%n Suchrunden</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose hides</source>
+        <translation>Häute wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file name that ends in .pdf, .svg, .dxf, .plt or .png.</source>
+        <translation>Wählen Sie einen Dateinamen, der auf .pdf, .svg, .dxf, .plt oder .png endet.</translation>
+    </message>
+    <message>
+        <source>Not saved: the marker changed meanwhile. Save it again.</source>
+        <translation>Nicht gesichert: Das Schnittbild hat sich inzwischen geändert. Sichern Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
     </message>
 </context>
 <context>
     <name>toile::app::MaterialMenu</name>
     <message>
-        <source>Cut the selected pieces from it</source>
-        <translation>Die ausgewählten Teile daraus schneiden</translation>
-    </message>
-    <message>
-        <source>The garment&apos;s &amp;fabric</source>
-        <translation>Der Sto&amp;ff des Kleidungsstücks</translation>
-    </message>
-    <message>
         <source>New material</source>
         <translation>Neue Stoffart</translation>
     </message>
     <message>
-        <source>What %1 is cut from:</source>
-        <translation>Woraus %1 geschnitten wird:</translation>
+        <source>Cut the selected pieces from this material</source>
+        <translation>Die ausgewählten Schnittteile aus dieser Stoffart zuschneiden</translation>
+    </message>
+    <message>
+        <source>Garment&apos;s &amp;fabric</source>
+        <translation>Sto&amp;ff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Material of %1:</source>
+        <translation>Stoffart von %1:</translation>
     </message>
 </context>
 <context>
@@ -8179,14 +8175,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1: %2, flach %3 (%4)</translation>
     </message>
     <message>
-        <source>Click: measure anew · Ctrl+C: copy · Esc: clear the measure</source>
-        <translation>Klick: neu messen · Strg+C: kopieren · Esc: Maß löschen</translation>
-    </message>
-    <message>
-        <source>Click: next place · Double click or Enter: end here · Backspace: take the last place back · Ctrl+C: copy · Esc: clear the measure</source>
-        <translation>Klick: nächste Stelle · Doppelklick oder Eingabe: hier enden · Rücktaste: letzte Stelle zurücknehmen · Strg+C: kopieren · Esc: Maß löschen</translation>
-    </message>
-    <message>
         <source>On the cloth</source>
         <translation>Auf dem Stoff</translation>
     </message>
@@ -8195,8 +8183,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>An der Kante</translation>
     </message>
     <message>
-        <source>Click: measure from here · Esc: back to selecting · two places on an edge are measured along it too</source>
-        <translation>Klick: von hier messen · Esc: zurück zum Auswählen · Zwei Stellen auf einer Kante werden auch an ihr entlang gemessen</translation>
+        <source>Click: start measuring · Esc: leave the tool · two points on an edge are also measured along it</source>
+        <translation>Klick: Messung beginnen · Esc: Werkzeug verlassen · Zwei Punkte auf einer Kante werden auch an ihr entlang gemessen</translation>
+    </message>
+    <message>
+        <source>Click: new measurement · Ctrl+C: copy · Esc: clear it</source>
+        <translation>Klick: neue Messung · Strg+C: kopieren · Esc: Maß löschen</translation>
+    </message>
+    <message>
+        <source>Click: next point · Double click or Enter: end here · Backspace: remove the last point · Ctrl+C: copy · Esc: clear the measurement</source>
+        <translation>Klick: nächster Punkt · Doppelklick oder Eingabe: hier enden · Rücktaste: letzten Punkt entfernen · Strg+C: kopieren · Esc: Maß löschen</translation>
     </message>
 </context>
 <context>
@@ -8206,8 +8202,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nahtlinien behalten ihre Länge</translation>
     </message>
     <message>
-        <source>Seam lines may change</source>
-        <translation>Nahtlinien dürfen sich ändern</translation>
+        <source>Seam lines may change length</source>
+        <translation>Nahtlinien dürfen ihre Länge ändern</translation>
     </message>
 </context>
 <context>
@@ -8233,28 +8229,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Nur halb</translation>
     </message>
     <message>
-        <source>Two that mirror each other, or one that is symmetric in itself</source>
-        <translation>Zwei, die einander spiegeln, oder eines, das in sich symmetrisch ist</translation>
-    </message>
-    <message>
-        <source>Root mean square distance on the garment between a piece and the mirror image of the other</source>
-        <translation>Quadratisches Mittel des Abstands am Kleidungsstück zwischen einem Schnittteil und dem Spiegelbild des anderen</translation>
-    </message>
-    <message>
-        <source>Whether the pattern has them as mirror images</source>
-        <translation>Ob sie im Schnittmuster Spiegelbilder sind</translation>
-    </message>
-    <message>
-        <source>Ticked: one of two pieces is drawn, to be cut as a pair; one half of a piece, to be cut on the fold of the cloth</source>
-        <translation>Angehakt: von zweien wird eines gezeichnet und als Paar zugeschnitten; von einem die Hälfte, im Stoffbruch zugeschnitten</translation>
-    </message>
-    <message>
         <source>%1 and %2 mirror each other</source>
         <translation>%1 und %2 spiegeln einander</translation>
-    </message>
-    <message>
-        <source>%1 is symmetric in itself</source>
-        <translation>%1 ist in sich symmetrisch</translation>
     </message>
     <message>
         <source>cut 1 pair</source>
@@ -8265,16 +8241,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>im Bruch zuschneiden</translation>
     </message>
     <message>
-        <source>Only what is drawn equal can be halved</source>
-        <translation>Nur was gleich gezeichnet wird, lässt sich halbieren</translation>
-    </message>
-    <message>
         <source>no counterpart</source>
         <translation>kein Gegenstück</translation>
-    </message>
-    <message>
-        <source>No other piece is its mirror image, and it is not symmetric in itself</source>
-        <translation>Kein anderes Schnittteil ist sein Spiegelbild, und es ist nicht in sich symmetrisch</translation>
     </message>
     <message>
         <source>equal</source>
@@ -8283,10 +8251,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>other segments</source>
         <translation>andere Abschnitte</translation>
-    </message>
-    <message>
-        <source>The segments of the two outlines do not follow each other in the same order: each keeps its own line</source>
-        <translation>Die Abschnitte der beiden Umrisse folgen nicht in derselben Ordnung aufeinander: jeder behält seine eigene Linie</translation>
     </message>
     <message>
         <source>not flat</source>
@@ -8301,74 +8265,106 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>nicht gezeichnet</translation>
     </message>
     <message>
-        <source>No line could be found that both have: each keeps its own</source>
-        <translation>Eine gemeinsame Linie ließ sich nicht finden: jeder behält seine eigene</translation>
-    </message>
-    <message>
         <source>One half of the line is the mirror image of the other</source>
         <translation>Eine Hälfte der Linie ist das Spiegelbild der anderen</translation>
-    </message>
-    <message>
-        <source>Both have the line of %1</source>
-        <translation>Beide haben die Linie von %1</translation>
-    </message>
-    <message>
-        <source>Both have the mean of their lines</source>
-        <translation>Beide haben das Mittel ihrer Linien</translation>
     </message>
     <message>
         <source>as in the file</source>
         <translation>wie in der Datei</translation>
     </message>
     <message>
-        <source>%1 and %2 differ by %3, more than the tolerance of %4: both keep their shapes</source>
-        <translation>%1 und %2 unterscheiden sich um %3, mehr als die Toleranz von %4: Beide behalten ihre Form</translation>
+        <source>Two pieces that mirror each other, or one symmetric piece</source>
+        <translation>Zwei Schnittteile, die einander spiegeln, oder ein symmetrisches</translation>
+    </message>
+    <message>
+        <source>Root mean square distance between a piece and the other&apos;s mirror image</source>
+        <translation>Quadratisches Mittel des Abstands zwischen einem Schnittteil und dem Spiegelbild des anderen</translation>
+    </message>
+    <message>
+        <source>How the pattern draws the pieces</source>
+        <translation>Wie der Schnitt die Schnittteile zeichnet</translation>
+    </message>
+    <message>
+        <source>Draw only one piece of a pair, or one half of a piece to cut on the fold</source>
+        <translation>Nur ein Schnittteil eines Paars zeichnen, oder eine Hälfte zum Zuschneiden im Stoffbruch</translation>
+    </message>
+    <message>
+        <source>%1 is symmetric</source>
+        <translation>%1 ist symmetrisch</translation>
+    </message>
+    <message>
+        <source>Only pieces that are drawn equal can be halved</source>
+        <translation>Nur gleich gezeichnete Schnittteile lassen sich halbieren</translation>
+    </message>
+    <message>
+        <source>No other piece mirrors this one, and it is not symmetric</source>
+        <translation>Kein anderes Schnittteil spiegelt dieses, und es ist nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>%1 and %2 differ by %3, more than the tolerance of %4, so both keep their shapes</source>
+        <translation>%1 und %2 unterscheiden sich um %3, mehr als die Toleranz von %4. Beide behalten ihre Form</translation>
+    </message>
+    <message>
+        <source>The segments of the two outlines are in a different order, so each keeps its line</source>
+        <translation>Die Abschnitte der beiden Umrisse sind verschieden geordnet. Jeder behält seine Linie</translation>
+    </message>
+    <message>
+        <source>No common line was found, so each keeps its own</source>
+        <translation>Keine gemeinsame Linie gefunden. Jeder behält seine eigene</translation>
+    </message>
+    <message>
+        <source>Both use the line of %1</source>
+        <translation>Beide verwenden die Linie von %1</translation>
+    </message>
+    <message>
+        <source>Both use the mean of their lines</source>
+        <translation>Beide verwenden das Mittel ihrer Linien</translation>
     </message>
 </context>
 <context>
     <name>toile::app::MorphBar</name>
     <message>
-        <source>From the garment to the pattern</source>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>From garment to pattern</source>
         <translation>Vom Kleidungsstück zum Schnittmuster</translation>
     </message>
     <message>
-        <source>Shows what flattening does: the garment on the left, flat on the right</source>
-        <translation>Zeigt, was das Abwickeln tut: links das Kleidungsstück, rechts flach</translation>
+        <source>Go from the 3D garment (left) to the flat pattern (right)</source>
+        <translation>Vom 3D-Kleidungsstück (links) zum flachen Schnitt (rechts)</translation>
     </message>
     <message>
-        <source>Play the way from the garment to the pattern and back</source>
-        <translation>Den Weg vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
+        <source>Play from garment to pattern and back</source>
+        <translation>Vom Kleidungsstück zum Schnittmuster und zurück abspielen</translation>
     </message>
     <message>
-        <source>Worn</source>
-        <translation>Getragen</translation>
-    </message>
-    <message>
-        <source>Flat</source>
-        <translation>Flach</translation>
+        <source>3D</source>
+        <translation>3D</translation>
     </message>
 </context>
 <context>
     <name>toile::app::NotchTool</name>
     <message>
-        <source>Drag: move the notch along its seam · Esc: take it back</source>
-        <translation>Ziehen: den Knips entlang seiner Naht verschieben · Esc: zurücknehmen</translation>
+        <source>Drag: move the notch along its seam · Esc: cancel</source>
+        <translation>Ziehen: den Knips entlang seiner Naht verschieben · Esc: abbrechen</translation>
     </message>
     <message>
-        <source>Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: take it away · Esc: back to selecting</source>
-        <translation>Naht anklicken: Knips setzen · Knips ziehen: verschieben · Strg+Klick oder Entf: entfernen · Esc: zurück zum Auswählen</translation>
+        <source>Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: delete it · Esc: leave the tool</source>
+        <translation>Naht anklicken: Knips setzen · Knips ziehen: verschieben · Strg+Klick oder Entf: löschen · Esc: Werkzeug verlassen</translation>
     </message>
     <message>
-        <source>Notch moved</source>
-        <translation>Knips verschoben</translation>
+        <source>Move notch</source>
+        <translation>Knips verschieben</translation>
     </message>
     <message>
-        <source>Notch</source>
-        <translation>Knips</translation>
+        <source>Add notch</source>
+        <translation>Knips setzen</translation>
     </message>
     <message>
-        <source>Removal of a notch</source>
-        <translation>Entfernen eines Knipses</translation>
+        <source>Delete notch</source>
+        <translation>Knips löschen</translation>
     </message>
 </context>
 <context>
@@ -8382,46 +8378,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Jetzt abwickeln</translation>
     </message>
     <message>
-        <source>Flatten what edits have changed</source>
-        <translation>Abwickeln, was sich geändert hat</translation>
+        <source>Flatten the pieces that edits have changed</source>
+        <translation>Die Schnittteile abwickeln, die sich geändert haben</translation>
     </message>
     <message>
-        <source>The pattern is out of date: flatten it first</source>
-        <translation>Der Schnitt ist veraltet: erst abwickeln</translation>
+        <source>The pattern is out of date. Flatten it first</source>
+        <translation>Der Schnitt ist veraltet. Erst abwickeln</translation>
     </message>
 </context>
 <context>
     <name>toile::app::OverlayButtons</name>
     <message>
-        <source>What is painted on the cloth, in both views</source>
-        <translation>Was auf den Stoff gemalt wird, in beiden Ansichten</translation>
-    </message>
-    <message>
         <source>Overlay</source>
         <translation>Überlagerung</translation>
+    </message>
+    <message>
+        <source>Colours shown on the cloth in both views</source>
+        <translation>Farben auf dem Stoff in beiden Ansichten</translation>
     </message>
 </context>
 <context>
     <name>toile::app::PathTool</name>
     <message>
-        <source>another piece: a cut stays on one</source>
-        <translation>ein anderes Schnittteil: ein Einschnitt bleibt auf einem</translation>
+        <source>a cut must stay on one piece</source>
+        <translation>ein Einschnitt muss auf einem Schnittteil bleiben</translation>
     </message>
     <message>
-        <source>much longer than straight: is it the layer you mean?</source>
-        <translation>viel länger als gerade: Ist es die Lage, die Sie meinen?</translation>
+        <source>much longer than a straight line; check the layer</source>
+        <translation>viel länger als gerade; ist es die richtige Lage?</translation>
     </message>
 </context>
 <context>
     <name>toile::app::PatternPrinting</name>
-    <message>
-        <source>The printer leaves more free at the edges of its page than the pattern&apos;s pages do; lines there would be missing. Choose another paper: the tiles that fit A4 and Letter leave most.</source>
-        <translation>Der Drucker lässt am Rand seiner Seite mehr frei als die Seiten des Schnitts; dort würden Linien fehlen. Ein anderes Papier wählen: Die Blätter, die auf A4 und Letter passen, lassen am meisten frei.</translation>
-    </message>
-    <message>
-        <source>The printer&apos;s page is %1; the pattern&apos;s pages are %2, and are never printed smaller. Choose another paper here, or a larger one for the printer.</source>
-        <translation>Die Seite des Druckers ist %1 groß; die Seiten des Schnitts sind %2 groß und werden nie kleiner gedruckt. Hier ein anderes Papier wählen oder für den Drucker ein größeres.</translation>
-    </message>
     <message>
         <source>Printing the pattern</source>
         <translation>Schnitt wird gedruckt</translation>
@@ -8431,8 +8419,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gedruckt: %1</translation>
     </message>
     <message>
-        <source>%1 takes nothing to print. See whether it is switched on, or print a PDF file from another program.</source>
-        <translation>%1 nimmt nichts zum Drucken an. Nachsehen, ob er eingeschaltet ist, oder eine PDF-Datei aus einem anderen Programm drucken.</translation>
+        <source>The printer&apos;s margins are wider than the pattern&apos;s, so lines at the edges would be missing. Choose another page: the one that fits A4 and Letter has the widest margins.</source>
+        <translation>Die Ränder des Druckers sind breiter als die des Schnitts, am Rand würden Linien fehlen. Wählen Sie eine andere Seite: Die Seite für A4 und Letter hat die breitesten Ränder.</translation>
+    </message>
+    <message>
+        <source>The printer&apos;s page is %1, but the pattern&apos;s pages are %2 and cannot be scaled down. Choose another page here or larger paper for the printer.</source>
+        <translation>Die Seite des Druckers ist %1 groß, die Seiten des Schnitts aber %2, und sie werden nie verkleinert. Wählen Sie hier eine andere Seite oder für den Drucker größeres Papier.</translation>
+    </message>
+    <message>
+        <source>%1 does not accept the print job. Check that it is switched on, or print a PDF file from another program.</source>
+        <translation>%1 nimmt den Druckauftrag nicht an. Prüfen Sie, ob er eingeschaltet ist, oder drucken Sie eine PDF-Datei aus einem anderen Programm.</translation>
     </message>
 </context>
 <context>
@@ -8456,16 +8452,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittteile</translation>
     </message>
     <message>
-        <source>Which pieces are wanted</source>
-        <translation>Welche Schnittteile gewünscht sind</translation>
-    </message>
-    <message>
         <source>All pieces</source>
         <translation>Alle Schnittteile</translation>
     </message>
     <message>
         <source>Selected pieces (%1)</source>
         <translation>Ausgewählte Schnittteile (%1)</translation>
+    </message>
+    <message>
+        <source>Pieces to include</source>
+        <translation>Schnittteile, die enthalten sind</translation>
     </message>
 </context>
 <context>
@@ -8489,30 +8485,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Grain</source>
         <translation>Fadenlauf</translation>
-    </message>
-    <message>
-        <source>What the piece is called; empty: as its file has it</source>
-        <translation>Wie das Schnittteil heißt; leer: wie in seiner Datei</translation>
-    </message>
-    <message>
-        <source>The flat piece as it is cut: across the grain × along it</source>
-        <translation>Das flache Teil, wie es geschnitten wird: quer zum Fadenlauf × längs</translation>
-    </message>
-    <message>
-        <source>How many of the piece are cut</source>
-        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
-    </message>
-    <message>
-        <source>Each is also cut mirrored: left and right</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
-    </message>
-    <message>
-        <source>What is selected is cut from this; empty: from the garment&apos;s own fabric</source>
-        <translation>Woraus die ausgewählten Teile zugeschnitten werden; leer: aus dem Material des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>Direction of the warp on the sheet: 90° runs upwards</source>
-        <translation>Richtung der Kette auf dem Bogen: 90° zeigt nach oben</translation>
     </message>
     <message>
         <source>&amp;Name</source>
@@ -8539,16 +8511,40 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Kein Schnittteil ausgewählt</translation>
     </message>
     <message>
-        <source>as the garment</source>
-        <translation>wie das Kleidungsstück</translation>
-    </message>
-    <message>
         <source>grain not set</source>
         <translation>Fadenlauf nicht angegeben</translation>
     </message>
     <message>
-        <source>Grain of %1</source>
-        <translation>Fadenlauf von %1</translation>
+        <source>Name of the piece; empty: the name in the file</source>
+        <translation>Name des Schnittteils; leer: der Name in der Datei</translation>
+    </message>
+    <message>
+        <source>Size of the cut piece: across the grain × along the grain</source>
+        <translation>Größe des zugeschnittenen Teils: quer × längs zum Fadenlauf</translation>
+    </message>
+    <message>
+        <source>Number of copies to cut</source>
+        <translation>Wie oft das Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Also cut a mirrored copy of each: left and right</source>
+        <translation>Jedes auch gespiegelt zuschneiden: links und rechts</translation>
+    </message>
+    <message>
+        <source>Material of the selected pieces; empty: garment&apos;s fabric</source>
+        <translation>Stoffart der ausgewählten Schnittteile; leer: Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Direction of the warp: 90° is upwards</source>
+        <translation>Richtung der Kette: 90° zeigt nach oben</translation>
+    </message>
+    <message>
+        <source>garment&apos;s fabric</source>
+        <translation>Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Set grain of %1</source>
+        <translation>Fadenlauf von %1 setzen</translation>
     </message>
 </context>
 <context>
@@ -8582,16 +8578,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Stand</translation>
     </message>
     <message>
-        <source>Flat, or why not</source>
-        <translation>Flach, oder warum nicht</translation>
-    </message>
-    <message>
         <source>Triangles</source>
         <translation>Dreiecke</translation>
-    </message>
-    <message>
-        <source>Triangles of the mesh</source>
-        <translation>Dreiecke des Netzes</translation>
     </message>
     <message>
         <source>Area %1</source>
@@ -8606,48 +8594,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Umriss %1</translation>
     </message>
     <message>
-        <source>Length of the flat piece&apos;s seam line all around</source>
-        <translation>Länge der Nahtlinie rund um das flache Schnittteil</translation>
-    </message>
-    <message>
         <source>Outline error %</source>
         <translation>Umrissfehler %</translation>
-    </message>
-    <message>
-        <source>Largest difference of an outline edge between the flat piece and the garment</source>
-        <translation>Größter Unterschied einer Umrisskante zwischen flachem Schnittteil und Kleidungsstück</translation>
     </message>
     <message>
         <source>Mean strain %</source>
         <translation>Mittlere Dehnung %</translation>
     </message>
     <message>
-        <source>Mean size of what the cloth must stretch or gather</source>
-        <translation>Mittlere Größe dessen, was sich der Stoff dehnen oder stauchen muss</translation>
-    </message>
-    <message>
         <source>Strain range %</source>
         <translation>Dehnung von … bis %</translation>
-    </message>
-    <message>
-        <source>From most surplus to most stretch; + is stretch</source>
-        <translation>Vom größten Zuviel zur größten Dehnung; + ist Dehnung</translation>
     </message>
     <message>
         <source>Flips</source>
         <translation>Umgeklappt</translation>
     </message>
     <message>
-        <source>Triangles that lie upside down in the pattern: must be 0</source>
-        <translation>Dreiecke, die im Schnittmuster verkehrt herum liegen: muss 0 sein</translation>
-    </message>
-    <message>
         <source>Crossings</source>
         <translation>Kreuzungen</translation>
-    </message>
-    <message>
-        <source>Places where the outline crosses itself: must be 0</source>
-        <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
     </message>
     <message>
         <source>To reference rms %1</source>
@@ -8658,76 +8622,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zur Referenz, größter %1</translation>
     </message>
     <message>
-        <source>Each is also cut mirrored: left and right. Click or press Space to change it</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts. Klick oder Leertaste ändert es</translation>
-    </message>
-    <message>
-        <source>Not cut mirrored. Click or press Space where left and right are cut from this piece</source>
-        <translation>Nicht gespiegelt geschnitten. Klick oder Leertaste, wo links und rechts nach diesem Teil geschnitten werden</translation>
-    </message>
-    <message>
         <source>Not flattened yet</source>
         <translation>Noch nicht abgewickelt</translation>
-    </message>
-    <message>
-        <source>%1 – of an earlier shape or method; to be flattened anew</source>
-        <translation>%1 – von einer früheren Form oder einem früheren Verfahren; neu abzuwickeln</translation>
     </message>
     <message>
         <source>Quantity</source>
         <translation>Anzahl</translation>
     </message>
     <message>
-        <source>How many of the piece are cut</source>
-        <translation>Wie viele von dem Schnittteil geschnitten werden</translation>
-    </message>
-    <message>
         <source>Pair</source>
         <translation>Paar</translation>
-    </message>
-    <message>
-        <source>Each is also cut mirrored: left and right</source>
-        <translation>Jedes wird auch gespiegelt geschnitten: links und rechts</translation>
     </message>
     <message>
         <source>Method</source>
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>How the piece was flattened; grey until it is flattened anew</source>
-        <translation>Wie das Schnittteil abgewickelt wurde; grau, bis es neu abgewickelt ist</translation>
-    </message>
-    <message>
         <source>Material</source>
         <translation>Stoffart</translation>
-    </message>
-    <message>
-        <source>What the piece is cut from; empty: the garment&apos;s own fabric</source>
-        <translation>Woraus das Schnittteil zugeschnitten wird; leer: aus dem Material des Kleidungsstücks</translation>
-    </message>
-    <message>
-        <source>No piece of the reference pattern is like this one</source>
-        <translation>Kein Teil des Referenzschnitts gleicht diesem</translation>
-    </message>
-    <message>
-        <source>Several pieces of the reference pattern fit: %1</source>
-        <translation>Mehrere Teile des Referenzschnitts passen: %1</translation>
-    </message>
-    <message>
-        <source>Mirrored to %1 of the reference pattern</source>
-        <translation>Gespiegelt zu %1 des Referenzschnitts</translation>
-    </message>
-    <message>
-        <source>To %1 of the reference pattern</source>
-        <translation>Zu %1 des Referenzschnitts</translation>
-    </message>
-    <message>
-        <source>Distance from the reference panel in the file, or from the reference pattern, laid on as well as it goes: root mean square</source>
-        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt, bestmöglich aufgelegt: quadratisches Mittel</translation>
-    </message>
-    <message>
-        <source>Distance from the reference panel in the file, or from the reference pattern: the largest</source>
-        <translation>Abstand vom Referenzteil der Datei oder vom Referenzschnitt: der größte</translation>
     </message>
     <message>
         <source>Left out</source>
@@ -8738,28 +8650,112 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Flach, ausgeblendet</translation>
     </message>
     <message>
-        <source>%1. Double-click or F2 to call it otherwise</source>
-        <translation>%1. Doppelklick oder F2, um es anders zu nennen</translation>
-    </message>
-    <message>
-        <source>How many are cut. Double-click to change it, of all selected pieces at once</source>
-        <translation>Wie oft es zugeschnitten wird. Doppelklick ändert es, bei allen ausgewählten Schnittteilen zugleich</translation>
-    </message>
-    <message>
         <source>Layer</source>
         <translation>Lage</translation>
     </message>
     <message>
-        <source>Which layer of cloth the piece is of; 1 is the outermost</source>
-        <translation>Zu welcher Stofflage das Teil gehört; 1 ist die äußerste</translation>
+        <source>Flat, exceeds any fabric</source>
+        <translation>Flach, zu viel für jeden Stoff</translation>
     </message>
     <message>
-        <source>Flat, beyond any material</source>
-        <translation>Flach, jenseits jedes Materials</translation>
+        <source>No fabric can take this strain. Cut the piece where it curves most.</source>
+        <translation>Kein Stoff hält diese Dehnung aus. Schneiden Sie das Teil dort ein, wo es am stärksten gewölbt ist.</translation>
     </message>
     <message>
-        <source>No cloth takes this strain. Cut the piece where it curves most.</source>
-        <translation>Kein Stoff hält diese Dehnung aus. Schneiden Sie das Teil dort, wo es am stärksten gewölbt ist.</translation>
+        <source>%1. Double-click or press F2 to rename it</source>
+        <translation>%1. Doppelklick oder F2, um es umzubenennen</translation>
+    </message>
+    <message>
+        <source>Number to cut. Double-click to change it for all selected pieces</source>
+        <translation>Anzahl zum Zuschneiden. Doppelklick ändert sie bei allen ausgewählten Schnittteilen</translation>
+    </message>
+    <message>
+        <source>A mirrored copy is also cut. Click or press Space to change this</source>
+        <translation>Eine gespiegelte Kopie wird auch zugeschnitten. Klick oder Leertaste ändert es</translation>
+    </message>
+    <message>
+        <source>No mirrored copy is cut. Click or press Space to cut left and right</source>
+        <translation>Keine gespiegelte Kopie. Klick oder Leertaste, um links und rechts zuzuschneiden</translation>
+    </message>
+    <message>
+        <source>%1 – out of date: shape or method has changed since</source>
+        <translation>%1 – veraltet: Form oder Verfahren haben sich seitdem geändert</translation>
+    </message>
+    <message>
+        <source>No piece of the reference pattern matches this one</source>
+        <translation>Kein Teil des Referenzschnitts passt zu diesem</translation>
+    </message>
+    <message>
+        <source>Several pieces of the reference pattern match: %1</source>
+        <translation>Mehrere Teile des Referenzschnitts passen: %1</translation>
+    </message>
+    <message>
+        <source>Compared with %1 of the reference pattern, mirrored</source>
+        <translation>Verglichen mit %1 des Referenzschnitts, gespiegelt</translation>
+    </message>
+    <message>
+        <source>Compared with %1 of the reference pattern</source>
+        <translation>Verglichen mit %1 des Referenzschnitts</translation>
+    </message>
+    <message>
+        <source>Whether the piece is flat, or why not</source>
+        <translation>Ob das Schnittteil flach ist, oder warum nicht</translation>
+    </message>
+    <message>
+        <source>Number of copies to cut</source>
+        <translation>Wie oft das Schnittteil zugeschnitten wird</translation>
+    </message>
+    <message>
+        <source>Also cut a mirrored copy of each: left and right</source>
+        <translation>Jedes auch gespiegelt zuschneiden: links und rechts</translation>
+    </message>
+    <message>
+        <source>Material of the piece; empty: garment&apos;s fabric</source>
+        <translation>Stoffart des Schnittteils; leer: Stoff des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Layer of cloth that the piece belongs to; 1 is the outermost</source>
+        <translation>Stofflage des Schnittteils; 1 ist die äußerste</translation>
+    </message>
+    <message>
+        <source>Flattening method of the piece; grey if the result is out of date</source>
+        <translation>Verfahren des Schnittteils; grau, wenn das Ergebnis veraltet ist</translation>
+    </message>
+    <message>
+        <source>Number of triangles in the mesh</source>
+        <translation>Anzahl der Dreiecke im Netz</translation>
+    </message>
+    <message>
+        <source>Length of the seam line around the flat piece</source>
+        <translation>Länge der Nahtlinie rund um das flache Schnittteil</translation>
+    </message>
+    <message>
+        <source>Largest length difference of an outline edge between pattern and garment</source>
+        <translation>Größter Längenunterschied einer Umrisskante zwischen Schnitt und Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Mean size of stretch and surplus</source>
+        <translation>Mittlere Größe von Dehnung und Überschuss</translation>
+    </message>
+    <message>
+        <source>From the largest surplus to the largest stretch; + is stretch</source>
+        <translation>Vom größten Überschuss zur größten Dehnung; + ist Dehnung</translation>
+    </message>
+    <message>
+        <source>Triangles that are flipped in the pattern: must be 0</source>
+        <translation>Dreiecke, die im Schnittmuster umgeklappt sind: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>Points where the outline crosses itself: must be 0</source>
+        <translation>Stellen, an denen sich der Umriss selbst kreuzt: muss 0 sein</translation>
+    </message>
+    <message>
+        <source>Root mean square distance from the best-fitting reference panel or pattern</source>
+        <translation>Quadratisches Mittel des Abstands vom bestmöglich aufgelegten Referenzteil oder -schnitt</translation>
+    </message>
+    <message>
+        <source>Largest distance from the reference panel or pattern</source>
+        <translation>Größter Abstand vom Referenzteil oder Referenzschnitt</translation>
     </message>
 </context>
 <context>
@@ -8829,20 +8825,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Ausgewählte Schnittteile</translation>
     </message>
     <message>
-        <source>Click a piece in a view or in the table to see its figures.</source>
-        <translation>Klicken Sie in einer Ansicht oder in der Liste auf ein Schnittteil, um seine Zahlen zu sehen.</translation>
-    </message>
-    <message>
         <source>Pieces, flat</source>
         <translation>Schnittteile, flach</translation>
     </message>
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Cloth needed at least</source>
-        <translation>Stoffbedarf mindestens</translation>
     </message>
     <message>
         <source>Pieces to cut</source>
@@ -8859,6 +8847,14 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Select a piece in a view or in the table to see its figures.</source>
+        <translation>Wählen Sie ein Schnittteil in einer Ansicht oder in der Liste, um seine Werte zu sehen.</translation>
+    </message>
+    <message>
+        <source>Minimum cloth needed</source>
+        <translation>Stoffbedarf mindestens</translation>
     </message>
 </context>
 <context>
@@ -8885,18 +8881,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Wrong side up</source>
         <translation>Linke Stoffseite oben</translation>
-    </message>
-    <message>
-        <source>From the sheet&apos;s origin to the left edge of what is selected</source>
-        <translation>Vom Nullpunkt des Bogens zur linken Kante des Ausgewählten</translation>
-    </message>
-    <message>
-        <source>From the sheet&apos;s origin up to the lower edge of what is selected</source>
-        <translation>Vom Nullpunkt des Bogens hinauf zur unteren Kante des Ausgewählten</translation>
-    </message>
-    <message>
-        <source>How far the piece is turned anti-clockwise, about its middle</source>
-        <translation>Wie weit das Schnittteil gegen den Uhrzeigersinn um seine Mitte gedreht ist</translation>
     </message>
     <message>
         <source>Mirrored: the wrong side of the fabric faces you</source>
@@ -8926,6 +8910,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Mirror %1</source>
         <translation>%1 spiegeln</translation>
     </message>
+    <message>
+        <source>Distance from the origin to the left edge of the selection</source>
+        <translation>Abstand vom Nullpunkt zur linken Kante der Auswahl</translation>
+    </message>
+    <message>
+        <source>Distance from the origin up to the lower edge of the selection</source>
+        <translation>Abstand vom Nullpunkt hinauf zur unteren Kante der Auswahl</translation>
+    </message>
+    <message>
+        <source>Anti-clockwise rotation of the piece about its centre</source>
+        <translation>Drehung des Schnittteils um seine Mitte, gegen den Uhrzeigersinn</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::PreferencesDialog</name>
@@ -8938,20 +8934,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheiten und Sprache</translation>
     </message>
     <message>
-        <source>Look</source>
-        <translation>Aussehen</translation>
-    </message>
-    <message>
-        <source>Work</source>
-        <translation>Arbeit</translation>
-    </message>
-    <message>
         <source>&amp;Reset</source>
         <translation>&amp;Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Take what a new installation has; Cancel puts it back</source>
-        <translation>Alles wie bei einer neuen Installation; Abbrechen nimmt es zurück</translation>
     </message>
     <message>
         <source>Millimetres</source>
@@ -8978,24 +8962,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Zoll, Zweiunddreißigstel</translation>
     </message>
     <message>
-        <source>Lengths are shown in this unit; other units may be typed all the same</source>
-        <translation>Längen werden in dieser Einheit gezeigt; eingeben können Sie auch andere</translation>
-    </message>
-    <message>
         <source>&amp;Lengths:</source>
         <translation>&amp;Längen:</translation>
     </message>
     <message>
-        <source>As the desktop</source>
-        <translation>Wie die Arbeitsumgebung</translation>
-    </message>
-    <message>
         <source>L&amp;anguage:</source>
         <translation>&amp;Sprache:</translation>
-    </message>
-    <message>
-        <source>The language changes when Toile is started again.</source>
-        <translation>Die Sprache wechselt beim nächsten Start von Toile.</translation>
     </message>
     <message>
         <source>Light</source>
@@ -9034,10 +9006,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Rhino</translation>
     </message>
     <message>
-        <source>Whose way of turning, moving and zooming the garment you know</source>
-        <translation>Wessen Art, das Kleidungsstück zu drehen, zu verschieben und zu vergrößern, Sie gewohnt sind</translation>
-    </message>
-    <message>
         <source>&amp;Mouse as in:</source>
         <translation>&amp;Maus wie in:</translation>
     </message>
@@ -9050,20 +9018,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation> min</translation>
     </message>
     <message>
-        <source>How often a copy is kept that survives a crash</source>
-        <translation>Wie oft eine Kopie gesichert wird, die einen Absturz übersteht</translation>
-    </message>
-    <message>
-        <source>&amp;Keep a copy every:</source>
-        <translation>&amp;Kopie sichern alle:</translation>
-    </message>
-    <message>
         <source> triangles</source>
         <translation> Dreiecke</translation>
-    </message>
-    <message>
-        <source>Garments of more triangles are flattened again only when you ask for it</source>
-        <translation>Kleidungsstücke aus mehr Dreiecken werden erst neu abgewickelt, wenn Sie es verlangen</translation>
     </message>
     <message>
         <source>&amp;Flatten after edits up to:</source>
@@ -9078,10 +9034,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einem Schnittmuster zum Zuschneiden und Nähen</translation>
     </message>
     <message>
-        <source>A pattern to cut and sew has fair lines, true seam ends, mirrored pieces drawn equal, seam allowances and notches. Garments that are open stay as they are</source>
-        <translation>Ein Schnittmuster zum Zuschneiden und Nähen hat ausgeglichene Linien und Nahtenden, gleich gezeichnete gespiegelte Schnittteile, Nahtzugaben und Knipse. Offene Kleidungsstücke bleiben, wie sie sind</translation>
-    </message>
-    <message>
         <source>&amp;New garments start with:</source>
         <translation>&amp;Neue Kleidungsstücke beginnen mit:</translation>
     </message>
@@ -9094,12 +9046,56 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Was man zum Schnittmachen braucht</translation>
     </message>
     <message>
-        <source>Leave out other methods, overlays of their mathematics and what is about meshes. What is in use stays</source>
-        <translation>Lässt andere Verfahren, Einfärbungen zu ihrer Mathematik und alles zum Netz weg. Was in Gebrauch ist, bleibt</translation>
-    </message>
-    <message>
         <source>M&amp;enus show:</source>
         <translation>M&amp;enüs zeigen:</translation>
+    </message>
+    <message>
+        <source>Appearance</source>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Reset to the defaults; Cancel undoes this</source>
+        <translation>Auf die Vorgaben zurücksetzen; Abbrechen nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Unit for lengths; you can enter other units too</source>
+        <translation>Einheit für Längen; eingeben können Sie auch andere</translation>
+    </message>
+    <message>
+        <source>System default</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Restart Toile to change the language.</source>
+        <translation>Starten Sie Toile neu, um die Sprache zu wechseln.</translation>
+    </message>
+    <message>
+        <source>Mouse controls like those of this program</source>
+        <translation>Maussteuerung wie in diesem Programm</translation>
+    </message>
+    <message>
+        <source>Patterns to cut and sew have fair lines, trued seam ends, equal mirrored pieces, allowances and notches. Open garments do not change</source>
+        <translation>Schnittmuster zum Nähen haben ausgeglichene Linien und Nahtenden, gleiche gespiegelte Schnittteile, Zugaben und Knipse. Offene Kleidungsstücke ändern sich nicht</translation>
+    </message>
+    <message>
+        <source>Hide research methods, their overlays and mesh commands. Those in use stay visible</source>
+        <translation>Forschungsverfahren, ihre Überlagerungen und Netzbefehle ausblenden. Verwendete bleiben sichtbar</translation>
+    </message>
+    <message>
+        <source>How often Toile saves a backup against crashes</source>
+        <translation>Wie oft Toile eine Sicherung gegen Abstürze speichert</translation>
+    </message>
+    <message>
+        <source>&amp;Back up every:</source>
+        <translation>&amp;Sicherung alle:</translation>
+    </message>
+    <message>
+        <source>Larger garments are flattened only on request</source>
+        <translation>Größere Kleidungsstücke werden nur auf Verlangen abgewickelt</translation>
     </message>
 </context>
 <context>
@@ -9125,18 +9121,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Seite</translation>
     </message>
     <message>
-        <source>The pattern is being drawn…</source>
-        <translation>Der Schnitt wird gezeichnet…</translation>
-    </message>
-    <message>
-        <source>No printer is set up on this computer. Export the pattern as a PDF file, and print that elsewhere.</source>
-        <translation>Auf diesem Computer ist kein Drucker eingerichtet. Den Schnitt als PDF-Datei exportieren und diese anderswo drucken.</translation>
-    </message>
-    <message>
-        <source>A projector&apos;s page is shown from a file: export it as PDF.</source>
-        <translation>Die Seite für einen Projektor wird aus einer Datei gezeigt: Sie als PDF exportieren.</translation>
-    </message>
-    <message>
         <source>%1 of %2 x %3 mm, at true scale</source>
         <translation>%1 zu %2 x %3 mm, maßstabsgetreu</translation>
     </message>
@@ -9155,6 +9139,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source> of %1</source>
         <translation> von %1</translation>
     </message>
+    <message>
+        <source>Drawing the pattern…</source>
+        <translation>Schnitt wird gezeichnet…</translation>
+    </message>
+    <message>
+        <source>No printer is set up on this computer. Export the pattern as PDF and print it elsewhere.</source>
+        <translation>Auf diesem Computer ist kein Drucker eingerichtet. Exportieren Sie den Schnitt als PDF und drucken Sie ihn anderswo.</translation>
+    </message>
+    <message>
+        <source>A projector needs a file. Export the page as PDF.</source>
+        <translation>Ein Projektor braucht eine Datei. Exportieren Sie die Seite als PDF.</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::ProblemsModel</name>
@@ -9165,10 +9161,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Problem</source>
         <translation>Problem</translation>
-    </message>
-    <message>
-        <source>What to try</source>
-        <translation>Was hilft</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -9183,20 +9175,24 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Am schlimmsten: %1</translation>
     </message>
     <message>
-        <source>Help</source>
-        <translation>Hilfe</translation>
-    </message>
-    <message>
-        <source>Cut it open along a seam, or let Toile do it</source>
-        <translation>Schneiden Sie es entlang einer Naht auf, oder lassen Sie Toile das tun</translation>
-    </message>
-    <message>
-        <source>Prepare the scan first: Garment &gt; Read as &gt; Scan</source>
-        <translation>Bereiten Sie zuerst den Scan auf: Kleidungsstück &gt; Lesen als &gt; Scan</translation>
-    </message>
-    <message>
         <source>Whole garment</source>
         <translation>Ganzes Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Prepare the scan first: Garment &gt; Treat file as &gt; Scan</source>
+        <translation>Bereiten Sie zuerst den Scan auf: Kleidungsstück &gt; Datei lesen als &gt; Scan</translation>
+    </message>
+    <message>
+        <source>Cut it along a seam, or use Piece &gt; Cut open</source>
+        <translation>Schneiden Sie es entlang einer Naht auf, oder verwenden Sie Schnittteil &gt; Aufschneiden</translation>
+    </message>
+    <message>
+        <source>Remedy</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Advice</source>
+        <translation>Rat</translation>
     </message>
 </context>
 <context>
@@ -9206,38 +9202,38 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Bereit zum Zuschneiden?</translation>
     </message>
     <message>
-        <source>List what must be put right before the cloth is cut</source>
-        <translation>Aufführen, was vor dem Zuschneiden behoben werden muss</translation>
-    </message>
-    <message>
-        <source>List what should be looked at before the cloth is cut</source>
-        <translation>Aufführen, was vor dem Zuschneiden angesehen werden sollte</translation>
-    </message>
-    <message>
-        <source>List what is good to know</source>
-        <translation>Aufführen, was gut zu wissen ist</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
     <message>
-        <source>Nothing stands against cutting: seams match, no outline crosses itself, the strain is within what the fabric takes, and every grain is stated.</source>
-        <translation>Nichts spricht gegen das Zuschneiden: Nähte passen, kein Umriss kreuzt sich, die Dehnung bleibt in dem, was das Material erlaubt, und jeder Fadenlauf ist angegeben.</translation>
+        <source>List the errors to fix before cutting</source>
+        <translation>Die Fehler auflisten, die vor dem Zuschneiden zu beheben sind</translation>
     </message>
     <message>
-        <source>What was found is hidden; the buttons above show it.</source>
-        <translation>Was gefunden wurde, ist ausgeblendet; die Knöpfe darüber zeigen es.</translation>
+        <source>List the warnings to look at before cutting</source>
+        <translation>Die Warnungen auflisten, die vor dem Zuschneiden anzusehen sind</translation>
     </message>
     <message>
-        <source>Go there</source>
-        <translation>Dorthin</translation>
+        <source>List the notes</source>
+        <translation>Die Hinweise auflisten</translation>
+    </message>
+    <message>
+        <source>Go to place</source>
+        <translation>Zur Stelle gehen</translation>
+    </message>
+    <message>
+        <source>Ready to cut: seams match, no outline crosses itself, the strain is within the fabric&apos;s limits, and every grain is set.</source>
+        <translation>Bereit zum Zuschneiden: Nähte passen, kein Umriss kreuzt sich, die Dehnung liegt in den Grenzen des Stoffs, und jeder Fadenlauf ist gesetzt.</translation>
+    </message>
+    <message>
+        <source>All findings are hidden. Use the buttons above to show them.</source>
+        <translation>Alle Befunde sind ausgeblendet. Die Knöpfe darüber zeigen sie.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::ProjectSession</name>
     <message numerus="yes">
-        <source>And %n more of this kind.</source>
+        <source>And %n more like this.</source>
         <translation>
             <numerusform>Und %n weitere dieser Art.</numerusform>
             <numerusform>Und %n weitere dieser Art.</numerusform>
@@ -9271,40 +9267,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Einheit des Körpers</translation>
     </message>
     <message>
-        <source>Proof on the design</source>
-        <translation>Nähprobe auf dem Entwurf</translation>
-    </message>
-    <message>
         <source>1 = %1 mm</source>
         <translation>1 = %1 mm</translation>
-    </message>
-    <message>
-        <source>%1, as measured</source>
-        <translation>%1, wie gemessen</translation>
-    </message>
-    <message>
-        <source>as measured</source>
-        <translation>wie gemessen</translation>
-    </message>
-    <message>
-        <source>Use measured values of the cloth in place of those of its fabric</source>
-        <translation>Gemessene Werte des Stoffs anstelle der Werte seiner Art verwenden</translation>
     </message>
     <message>
         <source>Dress form</source>
         <translation>Körper</translation>
     </message>
     <message>
-        <source>What the cloth lies on while it is sewn: the design&apos;s own surface, or the mesh of a body in the garment&apos;s place.</source>
-        <translation>Worauf der Stoff liegt, während er genäht wird: die Fläche des Entwurfs selbst oder das Netz eines Körpers am Ort des Kleidungsstücks.</translation>
+        <source>Use measured values of the cloth instead of its fabric&apos;s values</source>
+        <translation>Gemessene Werte des Stoffs anstelle der Werte seiner Art verwenden</translation>
     </message>
     <message>
-        <source>The unit of the body&apos;s file.</source>
+        <source>Surface under the cloth during sewing: the design itself, or the mesh of a body.</source>
+        <translation>Die Fläche unter dem Stoff beim Nähen: der Entwurf selbst oder das Netz eines Körpers.</translation>
+    </message>
+    <message>
+        <source>Unit of the body&apos;s file.</source>
         <translation>Die Einheit der Datei des Körpers.</translation>
     </message>
     <message>
-        <source>As in its file</source>
-        <translation>Wie in seiner Datei</translation>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, gemessen</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Change unit of the body</source>
+        <translation>Einheit des Körpers ändern</translation>
+    </message>
+    <message>
+        <source>Use design as dress form</source>
+        <translation>Auf dem Entwurf nähen</translation>
     </message>
 </context>
 <context>
@@ -9314,71 +9314,63 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Schnittteil</translation>
     </message>
     <message>
-        <source>Piece of the garment; a click goes to its largest gap</source>
-        <translation>Schnittteil des Kleidungsstücks; ein Klick führt zu seinem größten Abstand</translation>
-    </message>
-    <message>
         <source>Gap (%1)</source>
         <translation>Abstand (%1)</translation>
-    </message>
-    <message>
-        <source>How far it lies from the design, on average</source>
-        <translation>Wie weit es im Mittel vom Entwurf liegt</translation>
     </message>
     <message>
         <source>95 % (%1)</source>
         <translation>95 % (%1)</translation>
     </message>
     <message>
-        <source>What a twentieth of its area exceeds</source>
-        <translation>Was ein Zwanzigstel seiner Fläche übersteigt</translation>
-    </message>
-    <message>
         <source>Largest (%1)</source>
         <translation>Größter (%1)</translation>
-    </message>
-    <message>
-        <source>The largest gap</source>
-        <translation>Der größte Abstand</translation>
     </message>
     <message>
         <source>Pulls (%)</source>
         <translation>Spannt (%)</translation>
     </message>
     <message>
-        <source>Stretch that a twentieth of its area exceeds</source>
-        <translation>Dehnung, die ein Zwanzigstel seiner Fläche übersteigt</translation>
-    </message>
-    <message>
         <source>Slack (%)</source>
         <translation>Lose (%)</translation>
-    </message>
-    <message>
-        <source>Surplus that a twentieth of its area exceeds</source>
-        <translation>Überschuss, den ein Zwanzigstel seiner Fläche übersteigt</translation>
     </message>
     <message>
         <source>Hangs free (%)</source>
         <translation>Hängt frei (%)</translation>
     </message>
     <message>
-        <source>How much of its area touches nothing</source>
-        <translation>Wie viel seiner Fläche nichts berührt</translation>
+        <source>Piece of the garment; click to go to its largest gap</source>
+        <translation>Schnittteil des Kleidungsstücks; ein Klick führt zu seinem größten Abstand</translation>
+    </message>
+    <message>
+        <source>Mean distance from the design</source>
+        <translation>Mittlerer Abstand vom Entwurf</translation>
+    </message>
+    <message>
+        <source>Gap that 95 % of its area does not exceed</source>
+        <translation>Abstand, den 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Largest gap</source>
+        <translation>Größter Abstand</translation>
+    </message>
+    <message>
+        <source>Stretch that 95 % of its area does not exceed</source>
+        <translation>Dehnung, die 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Surplus that 95 % of its area does not exceed</source>
+        <translation>Überschuss, den 95 % seiner Fläche nicht überschreiten</translation>
+    </message>
+    <message>
+        <source>Share of its area that touches nothing</source>
+        <translation>Anteil seiner Fläche, der nichts berührt</translation>
     </message>
 </context>
 <context>
     <name>toile::app::ProofPanel</name>
     <message>
-        <source>Of an earlier pattern</source>
-        <translation>Von einem früheren Schnitt</translation>
-    </message>
-    <message>
         <source>Proof</source>
         <translation>Nähprobe</translation>
-    </message>
-    <message>
-        <source>The pattern, its fabric or its seams have changed since it was sewn: prove it again</source>
-        <translation>Der Schnitt, sein Stoff oder seine Nähte haben sich geändert, seit er genäht wurde: erneut prüfen</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -9393,10 +9385,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Genähte Schnittteile</translation>
     </message>
     <message>
-        <source>What does not fit</source>
-        <translation>Was nicht passt</translation>
-    </message>
-    <message>
         <source>Gap %1 on average, 95 % %2, at most %3 %4</source>
         <translation>Abstand im Mittel %1, 95 % %2, höchstens %3 %4</translation>
     </message>
@@ -9409,16 +9397,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>nach %1 Schritten zur Ruhe gekommen, %2 s</translation>
     </message>
     <message>
-        <source>not settled after %1 steps: figures are rough</source>
-        <translation>nach %1 Schritten nicht zur Ruhe gekommen: die Zahlen sind grob</translation>
-    </message>
-    <message>
         <source>seam %1</source>
         <translation>Naht %1</translation>
-    </message>
-    <message>
-        <source>Slips by %1</source>
-        <translation>Versatz von %1</translation>
     </message>
     <message>
         <source>Does not fit (%1)</source>
@@ -9441,18 +9421,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Durch Nähen prüfen</translation>
     </message>
     <message>
-        <source>The cloth is on its way: the garment view shows where it is.</source>
-        <translation>Der Stoff ist unterwegs: die Ansicht des Kleidungsstücks zeigt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>Sews the pattern back together over the design, as its lines are written to a file, and measures how far from the design it comes to rest: where it stands off, where it pulls, and which seams do not fit.</source>
-        <translation>Näht den Schnitt über dem Entwurf wieder zusammen, so wie seine Linien in eine Datei geschrieben werden, und misst, wie weit vom Entwurf er zur Ruhe kommt: wo er absteht, wo er spannt und welche Nähte nicht passen.</translation>
-    </message>
-    <message>
-        <source>Nothing is flat yet that could be sewn.</source>
-        <translation>Noch ist nichts flach, das genäht werden könnte.</translation>
-    </message>
-    <message>
         <source>%1 triangles with edges of %2</source>
         <translation>%1 Dreiecke mit Kanten von %2</translation>
     </message>
@@ -9461,12 +9429,44 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 Dreiecke</translation>
     </message>
     <message>
-        <source>Sewn by other settings</source>
-        <translation>Mit anderen Angaben genäht</translation>
+        <source>Misfits</source>
+        <translation>Was nicht passt</translation>
     </message>
     <message>
-        <source>The settings have changed since it was sewn: prove it again</source>
-        <translation>Die Einstellungen haben sich seit dem Nähen geändert: neu prüfen</translation>
+        <source>not settled after %1 steps: figures are approximate</source>
+        <translation>nach %1 Schritten nicht zur Ruhe gekommen: die Werte sind ungefähr</translation>
+    </message>
+    <message>
+        <source>Sides differ by %1</source>
+        <translation>Seiten unterscheiden sich um %1</translation>
+    </message>
+    <message>
+        <source>Pattern has changed</source>
+        <translation>Schnitt geändert</translation>
+    </message>
+    <message>
+        <source>Settings have changed</source>
+        <translation>Einstellungen geändert</translation>
+    </message>
+    <message>
+        <source>The pattern, fabric or seams have changed since this proof. Prove again</source>
+        <translation>Schnitt, Stoff oder Nähte haben sich seit dieser Nähprobe geändert. Prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>The settings have changed since this proof. Prove again</source>
+        <translation>Die Einstellungen haben sich seit dieser Nähprobe geändert. Prüfen Sie erneut</translation>
+    </message>
+    <message>
+        <source>Sewing the pattern. The garment view shows the progress.</source>
+        <translation>Der Schnitt wird genäht. Die Ansicht des Kleidungsstücks zeigt den Fortschritt.</translation>
+    </message>
+    <message>
+        <source>Sew the exported pattern together over the design, and measure the difference: gaps, pulling cloth and seams that do not fit.</source>
+        <translation>Den exportierten Schnitt über dem Entwurf zusammennähen und die Abweichung messen: Abstände, gespannter Stoff und Nähte, die nicht passen.</translation>
+    </message>
+    <message>
+        <source>No flat pieces to sew yet.</source>
+        <translation>Noch keine flachen Schnittteile zum Nähen.</translation>
     </message>
 </context>
 <context>
@@ -9478,10 +9478,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>&amp;Swap front and back</source>
         <translation>&amp;Vorn und hinten tauschen</translation>
-    </message>
-    <message>
-        <source>&amp;Make these cuts</source>
-        <translation>Diese Schnitte &amp;machen</translation>
     </message>
     <message>
         <source>Proposed cuts</source>
@@ -9496,36 +9492,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Strain after it</source>
-        <translation>Dehnung danach</translation>
-    </message>
-    <message>
         <source>Dart</source>
         <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>Mean strain with this cut and all before it: predicted, or bold as it was flattened</source>
-        <translation>Mittlere Dehnung mit diesem Schnitt und allen davor: vorhergesagt, oder fett, wie sie sich beim Abwickeln ergab</translation>
-    </message>
-    <message>
-        <source>What the dart takes in where it reaches the edge</source>
-        <translation>Was der Abnäher am Rand aufnimmt</translation>
-    </message>
-    <message>
-        <source>Make this &amp;cut</source>
-        <translation>Diesen &amp;Schnitt machen</translation>
-    </message>
-    <message>
-        <source>The mean strain from which on no cut is worth its length, in percent. Empty: what the fabric allows, where that is known</source>
-        <translation>Die mittlere Dehnung in Prozent, ab der kein Schnitt seine Länge wert ist. Leer: was das Material erlaubt, wo das bekannt ist</translation>
-    </message>
-    <message>
-        <source>Which side is the front is a guess: where it is wrong, names and lines are those of the other side</source>
-        <translation>Welche Seite vorn ist, wird vermutet: Wo das falsch ist, gehören Namen und Linien zur anderen Seite</translation>
-    </message>
-    <message>
-        <source>Make the cuts that are ticked, as one step; they are yours then</source>
-        <translation>Die angehakten Schnitte machen, als ein Schritt; sie gehören dann Ihnen</translation>
     </message>
     <message>
         <source>&amp;Close</source>
@@ -9534,30 +9502,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Looking for cuts in %1…</source>
         <translation>Schnitte in %1 werden gesucht …</translation>
-    </message>
-    <message>
-        <source>Nothing to propose for %1: Toile does not see how it is worn, or that it needs more cuts. Piece ▸ Cut open makes the shortest ones, the cutting tools yours.</source>
-        <translation>Für %1 gibt es nichts vorzuschlagen: Toile erkennt nicht, wie es getragen wird oder dass es weitere Schnitte braucht. Schnittteil ▸ Aufschneiden macht die kürzesten, die Schnittwerkzeuge Ihre eigenen.</translation>
-    </message>
-    <message>
-        <source>%1: %2 of %3 cuts are to be made, %4 long.</source>
-        <translation>%1: %2 von %3 Schnitten sind zu machen, zusammen %4 lang.</translation>
-    </message>
-    <message>
-        <source>Flattening the best…</source>
-        <translation>Die besten werden abgewickelt …</translation>
-    </message>
-    <message>
-        <source>Predicted before lines were moved: %1</source>
-        <translation>Vorhergesagt, bevor Linien verschoben wurden: %1</translation>
-    </message>
-    <message>
-        <source>Predicted: %1 in the mean, %2 at most</source>
-        <translation>Vorhergesagt: im Mittel %1, höchstens %2</translation>
-    </message>
-    <message>
-        <source>Flattened: %1 in the mean, %2 at most</source>
-        <translation>Abgewickelt: im Mittel %1, höchstens %2</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -9579,6 +9523,62 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>&amp;Apply cuts</source>
+        <translation>Schnitte &amp;anwenden</translation>
+    </message>
+    <message>
+        <source>Strain after</source>
+        <translation>Dehnung danach</translation>
+    </message>
+    <message>
+        <source>Mean strain after this cut and those above: predicted, or bold if flattened</source>
+        <translation>Mittlere Dehnung nach diesem und den Schnitten darüber: vorhergesagt, fett wenn abgewickelt</translation>
+    </message>
+    <message>
+        <source>Intake of the dart at the edge</source>
+        <translation>Inhalt des Abnähers am Rand</translation>
+    </message>
+    <message>
+        <source>Apply this &amp;cut</source>
+        <translation>Diesen &amp;Schnitt anwenden</translation>
+    </message>
+    <message>
+        <source>Mean strain in per cent below which no more cuts are proposed. Empty: the fabric&apos;s limit</source>
+        <translation>Mittlere Dehnung in Prozent, unter der keine Schnitte mehr vorgeschlagen werden. Leer: die Grenze des Stoffs</translation>
+    </message>
+    <message>
+        <source>Swap the guessed front and back if names and cuts are on the wrong side</source>
+        <translation>Vermutetes Vorn und Hinten tauschen, wenn Namen und Schnitte auf der falschen Seite liegen</translation>
+    </message>
+    <message>
+        <source>Apply the selected cuts as one undo step</source>
+        <translation>Die ausgewählten Schnitte als einen Schritt anwenden</translation>
+    </message>
+    <message>
+        <source>No cuts to propose for %1: it needs none, or Toile does not recognise its shape. Use Piece ▸ Cut open or the cutting tools.</source>
+        <translation>Keine Schnitte für %1: Es braucht keine, oder Toile erkennt die Form nicht. Verwenden Sie Schnittteil ▸ Aufschneiden oder die Schnittwerkzeuge.</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 cuts selected, %4 long.</source>
+        <translation>%1: %2 von %3 Schnitten ausgewählt, %4 lang.</translation>
+    </message>
+    <message>
+        <source>Flattening the best cuts…</source>
+        <translation>Die besten Schnitte werden abgewickelt…</translation>
+    </message>
+    <message>
+        <source>Predicted before you moved cuts: %1</source>
+        <translation>Vorhergesagt, bevor Sie Schnitte verschoben haben: %1</translation>
+    </message>
+    <message>
+        <source>Predicted: mean %1, maximum %2</source>
+        <translation>Vorhergesagt: im Mittel %1, höchstens %2</translation>
+    </message>
+    <message>
+        <source>Flattened: mean %1, maximum %2</source>
+        <translation>Abgewickelt: im Mittel %1, höchstens %2</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::RecentFiles</name>
@@ -9594,27 +9594,27 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 in %2</translation>
     </message>
     <message>
-        <source>It is not there any more</source>
-        <translation>Es ist nicht mehr da</translation>
-    </message>
-    <message>
-        <source>Nothing opened yet</source>
-        <translation>Noch nichts geöffnet</translation>
-    </message>
-    <message>
         <source>&amp;Clear this list</source>
         <translation>Liste &amp;leeren</translation>
     </message>
     <message>
-        <source>Clear the list of what was opened last</source>
-        <translation>Die Liste des zuletzt Geöffneten leeren</translation>
+        <source>This file no longer exists</source>
+        <translation>Diese Datei gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>No recent files</source>
+        <translation>Keine zuletzt geöffneten Dateien</translation>
+    </message>
+    <message>
+        <source>Clear the list of recent files</source>
+        <translation>Die Liste der zuletzt geöffneten Dateien leeren</translation>
     </message>
 </context>
 <context>
     <name>toile::app::Recovery</name>
     <message>
-        <source>Toile ended without saving your changes to %1. They were last kept on %2 at %3.</source>
-        <translation>Toile endete, ohne Ihre Änderungen an %1 zu speichern. Zuletzt gesichert wurden sie am %2 um %3.</translation>
+        <source>Toile closed before you saved your changes to %1. The last backup is from %2 at %3.</source>
+        <translation>Toile wurde beendet, bevor Ihre Änderungen an %1 gespeichert waren. Die letzte Sicherung ist vom %2 um %3.</translation>
     </message>
 </context>
 <context>
@@ -9624,39 +9624,39 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the garment as it was when it was last kept</source>
-        <translation>Das Kleidungsstück öffnen, wie es zuletzt gesichert wurde</translation>
-    </message>
-    <message>
         <source>&amp;Discard</source>
         <translation>&amp;Verwerfen</translation>
     </message>
     <message>
-        <source>Remove what was kept: it cannot be brought back</source>
-        <translation>Entfernen, was gesichert wurde: es lässt sich nicht zurückholen</translation>
+        <source>Open the garment from the last backup</source>
+        <translation>Das Kleidungsstück aus der letzten Sicherung öffnen</translation>
+    </message>
+    <message>
+        <source>Delete the backup permanently</source>
+        <translation>Die Sicherung endgültig löschen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::ReferenceFinder</name>
     <message>
-        <source>Reference pattern %1: %2 of %3 pieces paired</source>
+        <source>Reference pattern %1: %2 of %3 pieces matched</source>
         <translation>Referenzschnitt %1: %2 von %3 Schnittteilen zugeordnet</translation>
     </message>
     <message>
-        <source>without a partner: %1</source>
+        <source>no match: %1</source>
         <translation>ohne Gegenstück: %1</translation>
     </message>
     <message>
-        <source>fits several: %1</source>
+        <source>several matches: %1</source>
         <translation>passt zu mehreren: %1</translation>
     </message>
     <message>
-        <source>in the file alone: %1</source>
+        <source>only in the file: %1</source>
         <translation>nur in der Datei: %1</translation>
     </message>
     <message>
-        <source>its unit is in doubt, taken for %1</source>
-        <translation>seine Einheit ist zweifelhaft, angenommen: %1</translation>
+        <source>unit uncertain, read as %1</source>
+        <translation>Einheit unsicher, gelesen als %1</translation>
     </message>
 </context>
 <context>
@@ -9693,28 +9693,28 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gezeichnet</translation>
     </message>
     <message>
-        <source>Ticked: the kink there is taken out</source>
-        <translation>Angehakt: Der Knick dort wird ausgeglichen</translation>
-    </message>
-    <message>
-        <source>Where the seam starts or where it ends</source>
-        <translation>Wo die Naht beginnt oder wo sie endet</translation>
-    </message>
-    <message>
-        <source>By how much the two lines that meet at the seam&apos;s end miss running on into each other, as flattened</source>
-        <translation>Um wie viel die beiden Linien, die sich am Nahtende treffen, nach dem Abwickeln nicht ineinander übergehen</translation>
-    </message>
-    <message>
-        <source>What is left of the kink as the lines are drawn</source>
-        <translation>Was vom Knick bleibt, wie die Linien gezeichnet werden</translation>
-    </message>
-    <message>
         <source>end</source>
         <translation>Ende</translation>
     </message>
     <message>
         <source>start</source>
         <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Select to remove the kink at this seam end</source>
+        <translation>Auswählen, um den Knick an diesem Nahtende zu entfernen</translation>
+    </message>
+    <message>
+        <source>Start or end of the seam</source>
+        <translation>Anfang oder Ende der Naht</translation>
+    </message>
+    <message>
+        <source>Kink between the two lines at the seam end, as flattened</source>
+        <translation>Knick zwischen den beiden Linien am Nahtende, nach dem Abwickeln</translation>
+    </message>
+    <message>
+        <source>Remaining kink in the drawn pattern</source>
+        <translation>Verbleibender Knick im gezeichneten Schnitt</translation>
     </message>
 </context>
 <context>
@@ -9740,18 +9740,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>%1 / %2</translation>
     </message>
     <message>
-        <source>%1: a third layer in a seam of two</source>
-        <translation>%1: eine dritte Lage in einer Naht aus zweien</translation>
-    </message>
-    <message>
-        <source>Stated by you. Delete takes the ease from the 3D lengths again.</source>
-        <translation>Von Ihnen angegeben. Entf nimmt die Einhalteweite wieder aus den 3D-Längen.</translation>
-    </message>
-    <message>
-        <source>From the 3D lengths. Double click or press F2 to state the ease you want.</source>
-        <translation>Aus den 3D-Längen. Doppelklick oder F2, um die gewünschte Einhalteweite anzugeben.</translation>
-    </message>
-    <message>
         <source>No.</source>
         <translation>Nr.</translation>
     </message>
@@ -9772,16 +9760,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Art</translation>
     </message>
     <message>
-        <source>Seam, dart, pleat, or a free edge that is sewn to nothing</source>
-        <translation>Naht, Abnäher, Falte oder eine freie Kante, an die nichts genäht wird</translation>
-    </message>
-    <message>
         <source>3D %1</source>
         <translation>3D %1</translation>
-    </message>
-    <message>
-        <source>Length on the garment; left / right where they differ</source>
-        <translation>Länge am Kleidungsstück; links / rechts, wo sie sich unterscheiden</translation>
     </message>
     <message>
         <source>Flat left %1</source>
@@ -9804,48 +9784,68 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Unterschied %1</translation>
     </message>
     <message>
-        <source>Flat left less flat right: what must be eased in when sewing</source>
-        <translation>Flach links weniger flach rechts: was beim Nähen eingehalten werden muss</translation>
-    </message>
-    <message>
         <source>Ease %</source>
         <translation>Einhalteweite %</translation>
-    </message>
-    <message>
-        <source>How much longer the left edge is meant to be. Grey: as on the garment; bold: stated by you. Double click or F2 to state it, Delete to take it from the garment</source>
-        <translation>Wie viel länger die linke Kante sein soll. Grau: wie am Kleidungsstück; fett: von Ihnen angegeben. Doppelklick oder F2 zum Angeben, Entf für den Wert aus dem Kleidungsstück</translation>
     </message>
     <message>
         <source>Error %1</source>
         <translation>Fehler %1</translation>
     </message>
     <message>
-        <source>What is left of the difference when the ease is taken out</source>
-        <translation>Was vom Unterschied bleibt, wenn die Einhalteweite abgezogen ist</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Passung</translation>
-    </message>
-    <message>
-        <source>Matches: up to %1; nearly: up to %2; does not match: more</source>
-        <translation>Passt: bis %1; fast: bis %2; passt nicht: mehr</translation>
     </message>
     <message>
         <source>Drawn</source>
         <translation>Gezeichnet</translation>
     </message>
     <message>
-        <source>Whether the longer edge is drawn that much longer in the pattern; for an ease that you have stated</source>
-        <translation>Ob die längere Kante im Schnittmuster um so viel länger gezeichnet wird; bei einer Einhalteweite, die Sie angegeben haben</translation>
-    </message>
-    <message>
         <source>Changed by %1</source>
         <translation>Geändert durch, %1</translation>
     </message>
     <message>
-        <source>Why the seam has another length in the pattern than on the garment, and by how much</source>
-        <translation>Warum die Naht im Schnitt eine andere Länge hat als am Kleidungsstück, und um wie viel</translation>
+        <source>%1: a third layer in this seam</source>
+        <translation>%1: eine dritte Lage in dieser Naht</translation>
+    </message>
+    <message>
+        <source>Set by you. Press Delete to reset it to the 3D lengths.</source>
+        <translation>Von Ihnen gesetzt. Entf setzt sie auf die 3D-Längen zurück.</translation>
+    </message>
+    <message>
+        <source>From the 3D lengths. Double-click or press F2 to set your own ease.</source>
+        <translation>Aus den 3D-Längen. Doppelklick oder F2, um eine eigene Einhalteweite zu setzen.</translation>
+    </message>
+    <message>
+        <source>Seam, dart, pleat or free edge</source>
+        <translation>Naht, Abnäher, Falte oder freie Kante</translation>
+    </message>
+    <message>
+        <source>Length on the garment; left / right if they differ</source>
+        <translation>Länge am Kleidungsstück; links / rechts, wenn sie sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>Flat left minus flat right: the length to ease in when sewing</source>
+        <translation>Flach links minus flach rechts: die Länge, die beim Nähen einzuhalten ist</translation>
+    </message>
+    <message>
+        <source>How much longer the left edge is. Grey: from the garment; bold: set by you. Double-click or F2: set, Delete: reset</source>
+        <translation>Wie viel länger die linke Kante ist. Grau: vom Kleidungsstück; fett: von Ihnen gesetzt. Doppelklick oder F2: setzen, Entf: zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Whether the pattern draws the longer edge with your ease</source>
+        <translation>Ob der Schnitt die längere Kante mit Ihrer Einhalteweite zeichnet</translation>
+    </message>
+    <message>
+        <source>Why and by how much the seam length differs from the garment</source>
+        <translation>Warum und um wie viel die Nahtlänge vom Kleidungsstück abweicht</translation>
+    </message>
+    <message>
+        <source>Difference that remains after subtracting the ease</source>
+        <translation>Unterschied, der nach Abzug der Einhalteweite bleibt</translation>
+    </message>
+    <message>
+        <source>Matches: up to %1; nearly: up to %2; does not match: above</source>
+        <translation>Passt: bis %1; fast: bis %2; passt nicht: darüber</translation>
     </message>
 </context>
 <context>
@@ -9853,10 +9853,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Show free edges</source>
         <translation>Freie Kanten zeigen</translation>
-    </message>
-    <message>
-        <source>Also list hems, openings and other edges that are sewn to nothing</source>
-        <translation>Auch Säume, Öffnungen und andere Kanten aufführen, an die nichts genäht wird</translation>
     </message>
     <message>
         <source>Seams</source>
@@ -9867,8 +9863,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Keine Nähte</translation>
     </message>
     <message>
-        <source>No two edges of this garment lie on each other, so nothing is sewn. “Show free edges” lists the edges there are.</source>
-        <translation>Keine zwei Kanten dieses Kleidungsstücks liegen aufeinander, also ist nichts genäht. „Freie Kanten zeigen“ führt die vorhandenen Kanten auf.</translation>
+        <source>Also list hems, openings and other edges that are not sewn</source>
+        <translation>Auch Säume, Öffnungen und andere nicht genähte Kanten auflisten</translation>
+    </message>
+    <message>
+        <source>No edges of this garment meet, so nothing is sewn. Use “Show free edges” to list the edges.</source>
+        <translation>Keine Kanten dieses Kleidungsstücks treffen sich, also ist nichts genäht. „Freie Kanten zeigen“ listet die Kanten auf.</translation>
     </message>
 </context>
 <context>
@@ -9886,16 +9886,8 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Eckpunkt setzen</translation>
     </message>
     <message>
-        <source>Let the line turn at the selected vertex: a segment ends there</source>
-        <translation>Die Linie an der ausgewählten Ecke des Netzes abbiegen lassen: Dort endet ein Abschnitt</translation>
-    </message>
-    <message>
         <source>Remove turn point</source>
         <translation>Eckpunkt entfernen</translation>
-    </message>
-    <message>
-        <source>Let the line run on smoothly at the selected vertex</source>
-        <translation>Die Linie an der ausgewählten Ecke des Netzes glatt weiterlaufen lassen</translation>
     </message>
     <message>
         <source>Segment</source>
@@ -9915,23 +9907,11 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
     <message>
         <source>turn %1</source>
-        <translation>Winkel %1</translation>
+        <translation>Ecke %1</translation>
     </message>
     <message>
         <source>Ends: %1, %2</source>
         <translation>Enden: %1, %2</translation>
-    </message>
-    <message>
-        <source>Turn point</source>
-        <translation>Eckpunkt</translation>
-    </message>
-    <message>
-        <source>Removal of a turn point</source>
-        <translation>Entfernen eines Eckpunkts</translation>
-    </message>
-    <message>
-        <source>Add a notch in the middle of the longest part without one</source>
-        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
     </message>
     <message>
         <source>Remove the notch nearest to the middle</source>
@@ -9942,32 +9922,12 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Auf beiden Seiten</translation>
     </message>
     <message>
-        <source>Set the allowance of the edge that is sewn to the segment, too</source>
-        <translation>Auch die Zugabe der Kante setzen, die an den Abschnitt genäht wird</translation>
-    </message>
-    <message>
-        <source>A kink is the angle that two lines sewn together lack to run into each other; at other ends the angle by which the outline turns</source>
-        <translation>Ein Knick ist der Winkel, der zwei zusammengenähten Linien fehlt, um ineinander überzugehen; an anderen Enden der Winkel, um den der Umriss abbiegt</translation>
-    </message>
-    <message>
-        <source>Add a notch</source>
-        <translation>Einen Knips setzen</translation>
-    </message>
-    <message>
-        <source>Remove a notch</source>
-        <translation>Einen Knips entfernen</translation>
-    </message>
-    <message>
         <source>Notches</source>
         <translation>Knipse</translation>
     </message>
     <message>
         <source>Select a seam, or double-click a part of an outline.</source>
         <translation>Wählen Sie eine Naht, oder doppelklicken Sie auf ein Stück Umriss.</translation>
-    </message>
-    <message>
-        <source>The segment before is %1.</source>
-        <translation>Der vorige Abschnitt ist %1.</translation>
     </message>
     <message>
         <source>%1, facing</source>
@@ -9978,34 +9938,66 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Knips</translation>
     </message>
     <message>
-        <source>Removal of a notch</source>
-        <translation>Entfernen eines Knipses</translation>
+        <source>Let the outline turn at the selected vertex, and end the segment there</source>
+        <translation>Den Umriss an der ausgewählten Netzecke abbiegen lassen und den Abschnitt dort beenden</translation>
+    </message>
+    <message>
+        <source>Let the outline continue smoothly at the selected vertex</source>
+        <translation>Den Umriss an der ausgewählten Netzecke glatt weiterlaufen lassen</translation>
+    </message>
+    <message>
+        <source>Add a notch in the middle of the longest part without notches</source>
+        <translation>Einen Knips in der Mitte der längsten Strecke ohne Knips setzen</translation>
+    </message>
+    <message>
+        <source>Also set the allowance of the edge that is sewn to this one</source>
+        <translation>Auch die Zugabe der Kante setzen, die an diese genäht wird</translation>
+    </message>
+    <message>
+        <source>Kink: angle between the joined lines of a sewn seam end. Turn: angle of the outline at other ends</source>
+        <translation>Knick: Winkel zwischen den Linien an einem genähten Nahtende. Ecke: Winkel des Umrisses an anderen Enden</translation>
+    </message>
+    <message>
+        <source>Add notch</source>
+        <translation>Knips setzen</translation>
+    </message>
+    <message>
+        <source>Remove notch</source>
+        <translation>Knips entfernen</translation>
+    </message>
+    <message>
+        <source>The previous segment is %1.</source>
+        <translation>Der vorige Abschnitt ist %1.</translation>
+    </message>
+    <message>
+        <source>Delete notch</source>
+        <translation>Knips löschen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::SelectTool</name>
     <message>
-        <source>Click: select a piece or a seam · Double click: frame a piece, or take an edge from corner to corner · Esc: select nothing</source>
-        <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke nehmen · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Nudge %1</source>
         <translation>%1 rücken</translation>
     </message>
     <message>
-        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: select nothing</source>
-        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: nichts auswählen</translation>
-    </message>
-    <message>
         <source>Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: close the proposals</source>
         <translation>Klick auf eine gestrichelte Linie: den vorgeschlagenen Schnitt auswählen · Griff ziehen: ihn verschieben · Esc: die Vorschläge schließen</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Double click: frame a piece, or select an edge from corner to corner · Esc: clear the selection</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Doppelklick: Schnittteil einpassen oder eine Kante von Ecke zu Ecke auswählen · Esc: Auswahl aufheben</translation>
+    </message>
+    <message>
+        <source>Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select with a box · Alt: toggle snapping · Arrow keys: %1, with Shift %2 · Esc: clear the selection</source>
+        <translation>Klick: Schnittteil oder Naht auswählen · Schnittteil ziehen: verschieben · Bogen ziehen: mit einem Rahmen auswählen · Alt: Einrasten umkehren · Pfeiltasten: %1, mit Umschalt %2 · Esc: Auswahl aufheben</translation>
     </message>
 </context>
 <context>
     <name>toile::app::SelectionPanel</name>
     <message>
         <source>Select a piece, a seam or an edge to change its properties.</source>
-        <translation>Wähle ein Schnittteil, eine Naht oder eine Kante, um deren Eigenschaften zu ändern.</translation>
+        <translation>Wählen Sie ein Schnittteil, eine Naht oder eine Kante, um die Eigenschaften zu ändern.</translation>
     </message>
     <message>
         <source>Garment</source>
@@ -10027,28 +10019,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Fett: von Ihnen gesetzt.</translation>
     </message>
     <message>
-        <source>Remove the value that you have set</source>
-        <translation>Den Wert entfernen, den Sie gesetzt haben</translation>
-    </message>
-    <message>
         <source>%1: off</source>
         <translation>%1: aus</translation>
+    </message>
+    <message>
+        <source>Remove your value</source>
+        <translation>Ihren Wert entfernen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::SewnBar</name>
-    <message>
-        <source>From the design to the pattern as sewn</source>
-        <translation>Vom Entwurf zum genähten Schnitt</translation>
-    </message>
-    <message>
-        <source>Shows what sewing the pattern comes to: the design on the left, sewn on the right</source>
-        <translation>Zeigt, was das Nähen des Schnitts ergibt: links der Entwurf, rechts genäht</translation>
-    </message>
-    <message>
-        <source>Play the way from the design to the pattern as sewn and back</source>
-        <translation>Den Weg vom Entwurf zum genähten Schnitt und zurück abspielen</translation>
-    </message>
     <message>
         <source>Design</source>
         <translation>Entwurf</translation>
@@ -10056,6 +10036,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Sewn</source>
         <translation>Genäht</translation>
+    </message>
+    <message>
+        <source>From design to sewn pattern</source>
+        <translation>Vom Entwurf zum genähten Schnitt</translation>
+    </message>
+    <message>
+        <source>Go from the design (left) to the sewn pattern (right)</source>
+        <translation>Vom Entwurf (links) zum genähten Schnitt (rechts)</translation>
+    </message>
+    <message>
+        <source>Play from design to sewn pattern and back</source>
+        <translation>Vom Entwurf zum genähten Schnitt und zurück abspielen</translation>
     </message>
 </context>
 <context>
@@ -10087,10 +10079,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>gleich: eines für beide</translation>
     </message>
     <message>
-        <source>Cut on both sides of the garment at once, and turn the grain on both; where mirrored pieces are equal</source>
-        <translation>Auf beiden Seiten des Kleidungsstücks zugleich schneiden und den Fadenlauf auf beiden drehen; wo gespiegelte Schnittteile gleich sind</translation>
-    </message>
-    <message>
         <source>&amp;Mirrored pieces</source>
         <translation>&amp;Gespiegelte Schnittteile</translation>
     </message>
@@ -10099,48 +10087,16 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Gespiegelte Schnittteile</translation>
     </message>
     <message>
-        <source>Seams without a counterpart</source>
-        <translation>Nähte ohne Gegenstück</translation>
-    </message>
-    <message>
-        <source>Seams and free edges that are no mirror image of another: they keep their length</source>
-        <translation>Nähte und freie Kanten, die kein Spiegelbild einer anderen sind: sie behalten ihre Länge</translation>
-    </message>
-    <message>
         <source>Left and right differ by %1, at most %2.</source>
         <translation>Links und rechts weichen um %1 voneinander ab, höchstens um %2.</translation>
-    </message>
-    <message>
-        <source>Left and right are not compared. Choose what they are to have in common.</source>
-        <translation>Links und rechts werden nicht verglichen. Wählen Sie, was sie gemeinsam haben sollen.</translation>
     </message>
     <message>
         <source>No mirror plane: left and right of this garment differ too much.</source>
         <translation>Keine Spiegelebene: links und rechts sind an diesem Kleidungsstück zu verschieden.</translation>
     </message>
     <message>
-        <source>The mirror plane is not known yet: it is found when the pieces are flattened.</source>
-        <translation>Die Spiegelebene ist noch nicht bekannt: sie wird gesucht, wenn die Schnittteile abgewickelt werden.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 are drawn equal. Seams change by at most %3; the largest strain goes from %4 to %5.</source>
-        <translation>%1 von %2 sind gleich gezeichnet. Nähte ändern sich um höchstens %3; die größte Dehnung geht von %4 auf %5.</translation>
-    </message>
-    <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
-    </message>
-    <message>
-        <source>Without a counterpart (%1)</source>
-        <translation>Ohne Gegenstück (%1)</translation>
-    </message>
-    <message>
-        <source>Mirrored pieces as they are</source>
-        <translation>Gespiegelte Schnittteile lassen, wie sie sind</translation>
-    </message>
-    <message>
-        <source>Mirrored pieces equal</source>
-        <translation>Gespiegelte Schnittteile angleichen</translation>
     </message>
     <message>
         <source>as in the file</source>
@@ -10151,24 +10107,48 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>gleich, wenn innerhalb von 2 mm oder 1 %</translation>
     </message>
     <message>
-        <source>What becomes of pieces that are mirror images of each other, but for how the cloth hangs. Pieces that become equal have a common length in seams that mirror each other</source>
-        <translation>Was aus Schnittteilen wird, die bis auf den Fall des Stoffs Spiegelbilder voneinander sind. Schnittteile, die gleich werden, haben in gespiegelten Nähten eine gemeinsame Länge</translation>
+        <source>How to draw mirrored pieces. Equal pieces get common lengths in mirrored seams</source>
+        <translation>Wie gespiegelte Schnittteile gezeichnet werden. Gleiche Schnittteile erhalten in gespiegelten Nähten gemeinsame Längen</translation>
+    </message>
+    <message>
+        <source>Apply cuts and grain changes to both mirrored pieces if they are drawn equal</source>
+        <translation>Einschnitte und Fadenlauf auf beide gespiegelten Schnittteile anwenden, wenn sie gleich gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>Seams with no match on the other side</source>
+        <translation>Nähte ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>Seams and free edges without a mirror image keep their length</source>
+        <translation>Nähte und freie Kanten ohne Spiegelbild behalten ihre Länge</translation>
+    </message>
+    <message>
+        <source>Left and right are not compared. Choose how to draw mirrored pieces.</source>
+        <translation>Links und rechts werden nicht verglichen. Wählen Sie, wie gespiegelte Schnittteile gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Flatten the pieces to find the mirror plane.</source>
+        <translation>Wickeln Sie die Schnittteile ab, um die Spiegelebene zu finden.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 are drawn equal. Seams change by at most %3. The largest strain changes from %4 to %5.</source>
+        <translation>%1 von %2 sind gleich gezeichnet. Nähte ändern sich um höchstens %3. Die größte Dehnung ändert sich von %4 auf %5.</translation>
+    </message>
+    <message>
+        <source>No match on the other side (%1)</source>
+        <translation>Ohne Gegenstück (%1)</translation>
+    </message>
+    <message>
+        <source>Keep mirrored pieces as in the file</source>
+        <translation>Gespiegelte Schnittteile wie in der Datei lassen</translation>
+    </message>
+    <message>
+        <source>Make mirrored pieces equal</source>
+        <translation>Gespiegelte Schnittteile angleichen</translation>
     </message>
 </context>
 <context>
     <name>toile::app::WalkBar</name>
-    <message>
-        <source>Along the seam</source>
-        <translation>Entlang der Naht</translation>
-    </message>
-    <message>
-        <source>Rolls one piece along the seam of the other</source>
-        <translation>Rollt ein Schnittteil an der Naht des anderen ab</translation>
-    </message>
-    <message>
-        <source>Play the walk along the seam and back</source>
-        <translation>Den Weg entlang der Naht und zurück abspielen</translation>
-    </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
@@ -10205,6 +10185,18 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>past notch %1 of %2</source>
         <translation>nach Knips %1 von %2</translation>
     </message>
+    <message>
+        <source>Position along the seam</source>
+        <translation>Position auf der Naht</translation>
+    </message>
+    <message>
+        <source>Roll one piece along the seam of the other</source>
+        <translation>Ein Schnittteil an der Naht des anderen abrollen</translation>
+    </message>
+    <message>
+        <source>Play the walk forwards and back</source>
+        <translation>Den Gang vor und zurück abspielen</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::WelcomePage</name>
@@ -10217,52 +10209,52 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Vom 3D-Kleidungsstück zum Schnittmuster</translation>
     </message>
     <message>
-        <source>Toile flattens every piece of a garment so that its seam lines keep their length, and shows what the cloth has to do.</source>
-        <translation>Toile wickelt jedes Teil eines Kleidungsstücks so ab, dass seine Nahtlinien ihre Länge behalten, und zeigt, was der Stoff leisten muss.</translation>
-    </message>
-    <message>
-        <source>Or begin with a sample</source>
-        <translation>Oder mit einem Beispiel beginnen</translation>
-    </message>
-    <message>
-        <source>Opened before</source>
-        <translation>Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several meshes are taken as one garment</source>
-        <translation>oder OBJ-, .zip-, glTF-, FBX-, USD-, PLY-, STL- oder .toile-Dateien hier ablegen; mehrere Netze gelten als ein Kleidungsstück</translation>
-    </message>
-    <message>
         <source>CLO, Marvelous Designer</source>
         <translation>CLO, Marvelous Designer</translation>
-    </message>
-    <message>
-        <source>Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile takes the panels from the map.</source>
-        <translation>Als OBJ exportieren: alle Schnittteile, dünn (thin), in mm oder cm, mit UV-Karte. Toile nimmt die Schnittteile aus der Karte.</translation>
     </message>
     <message>
         <source>Blender</source>
         <translation>Blender</translation>
     </message>
     <message>
-        <source>Export as Wavefront OBJ: the garment selected, modifiers applied, UV coordinates with it. Where you have marked seams and unwrapped, divide by UV islands.</source>
-        <translation>Als Wavefront OBJ exportieren: das Kleidungsstück ausgewählt, Modifikatoren angewendet, mit UV-Koordinaten. Wo Sie Nähte markiert und abgewickelt haben, nach UV-Inseln teilen.</translation>
-    </message>
-    <message>
-        <source>Game or figure</source>
-        <translation>Spiel oder Figur</translation>
-    </message>
-    <message>
-        <source>Export the garment alone as OBJ with its UV map. Say how tall it is when you are asked; maps made for textures are often not cut as cloth is, and cuts can be drawn.</source>
-        <translation>Nur das Kleidungsstück als OBJ mit seiner UV-Karte exportieren. Sagen Sie auf die Frage, wie hoch es ist; Karten für Texturen sind oft nicht wie Stoff geschnitten, Schnitte lassen sich zeichnen.</translation>
-    </message>
-    <message>
         <source>Scan</source>
         <translation>Scan</translation>
     </message>
     <message>
-        <source>Save the garment alone as PLY, STL or OBJ, cleaned and reduced to some 100,000 triangles. A scan has no seams: draw them as cuts.</source>
-        <translation>Nur das Kleidungsstück als PLY, STL oder OBJ speichern, bereinigt und auf etwa 100 000 Dreiecke verringert. Ein Scan hat keine Nähte: Zeichnen Sie sie als Schnitte.</translation>
+        <source>Toile flattens every piece of a garment, keeps the length of its seam lines, and shows the strain of the cloth.</source>
+        <translation>Toile wickelt jedes Teil eines Kleidungsstücks ab, behält die Länge seiner Nahtlinien und zeigt die Dehnung des Stoffs.</translation>
+    </message>
+    <message>
+        <source>or drop OBJ, .zip, glTF, FBX, USD, PLY, STL or .toile files here; several meshes form one garment</source>
+        <translation>oder OBJ-, .zip-, glTF-, FBX-, USD-, PLY-, STL- oder .toile-Dateien hier ablegen; mehrere Netze bilden ein Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>Or start with a sample</source>
+        <translation>Oder mit einem Beispiel beginnen</translation>
+    </message>
+    <message>
+        <source>Export as OBJ: all patterns, thin, in mm or cm, with the UV map. Toile gets the panels from the map.</source>
+        <translation>Als OBJ exportieren: alle Schnittteile, dünn (thin), in mm oder cm, mit UV-Karte. Toile liest die Schnittteile aus der Karte.</translation>
+    </message>
+    <message>
+        <source>Select the garment and export it as Wavefront OBJ, with modifiers applied and UV coordinates. If you marked seams and unwrapped, split by UV islands.</source>
+        <translation>Das Kleidungsstück auswählen und als Wavefront OBJ exportieren, mit angewendeten Modifikatoren und UV-Koordinaten. Wenn Sie Nähte markiert und abgewickelt haben, nach UV-Inseln teilen.</translation>
+    </message>
+    <message>
+        <source>Game or character</source>
+        <translation>Spiel oder Figur</translation>
+    </message>
+    <message>
+        <source>Export only the garment as OBJ with its UV map. Enter its height when Toile asks. If the texture map is not split like cloth, draw cuts.</source>
+        <translation>Nur das Kleidungsstück als OBJ mit seiner UV-Karte exportieren. Geben Sie die Höhe ein, wenn Toile fragt. Ist die Texturkarte nicht wie Stoff geteilt, zeichnen Sie Einschnitte.</translation>
+    </message>
+    <message>
+        <source>Save only the garment as PLY, STL or OBJ, cleaned and reduced to about 100,000 triangles. A scan has no seams: draw them as cuts.</source>
+        <translation>Nur das Kleidungsstück als PLY, STL oder OBJ speichern, bereinigt und auf etwa 100 000 Dreiecke verringert. Ein Scan hat keine Nähte: Zeichnen Sie sie als Einschnitte.</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
 <context>
@@ -10279,40 +10271,36 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Über Toile</translation>
     </message>
     <message>
-        <source>Sewing patterns from 3D garments, every seam line at its true length: the length-preserved natural boundary of Wang (2005).
-
-Free software under the GNU General Public License, version 3 or later.</source>
-        <translation>Schnittmuster aus 3D-Kleidungsstücken, jede Nahtlinie in ihrer wahren Länge: der längentreue natürliche Rand nach Wang (2005).
-
-Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
-    </message>
-    <message>
         <source>Documentation</source>
         <translation>Dokumentation</translation>
-    </message>
-    <message>
-        <source>The documentation is not installed beside the program. Help &gt; Keyboard and mouse is always there, and every control says what it does under the pointer.</source>
-        <translation>Die Dokumentation ist nicht mit dem Programm installiert. Hilfe &gt; Tastatur und Maus ist immer da, und jedes Bedienelement sagt unter dem Mauszeiger, was es tut.</translation>
     </message>
     <message>
         <source>Report a problem</source>
         <translation>Ein Problem melden</translation>
     </message>
     <message>
-        <source>Say what you did, what you expected and what came instead, and add these lines and, if you may, the garment&apos;s file.</source>
-        <translation>Sagen Sie, was Sie getan haben, was Sie erwartet haben und was stattdessen kam, und fügen Sie diese Zeilen bei und, wenn Sie dürfen, die Datei des Kleidungsstücks.</translation>
-    </message>
-    <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>The documentation is not installed with the program. See Help &gt; Keyboard and mouse, or hold the pointer over a control for its tool tip.</source>
+        <translation>Die Dokumentation ist nicht mit dem Programm installiert. Siehe Hilfe &gt; Tastatur und Maus, oder halten Sie den Zeiger auf ein Bedienelement.</translation>
+    </message>
+    <message>
+        <source>Describe what you did, what you expected and what happened instead. Add these lines and, if you can, the garment&apos;s file.</source>
+        <translation>Beschreiben Sie, was Sie getan haben, was Sie erwartet haben und was stattdessen geschah. Fügen Sie diese Zeilen bei und, wenn möglich, die Datei des Kleidungsstücks.</translation>
+    </message>
+    <message>
+        <source>Sewing patterns from 3D garments, with every seam line at its true length. Method: length-preserved natural boundary, Wang (2005).
+
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Schnittmuster aus 3D-Kleidungsstücken, mit jeder Nahtlinie in ihrer wahren Länge. Verfahren: längentreuer natürlicher Rand, Wang (2005).
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer.</translation>
     </message>
 </context>
 <context>
     <name>toile::app::WindowDocks</name>
-    <message>
-        <source>As opened</source>
-        <translation>Wie geöffnet</translation>
-    </message>
     <message>
         <source>Pieces</source>
         <translation>Schnittteile</translation>
@@ -10353,6 +10341,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
         <source>Properties</source>
         <translation>Eigenschaften</translation>
     </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>toile::app::WindowStatus</name>
@@ -10375,10 +10367,10 @@ Freie Software unter der GNU General Public License, Version 3 oder neuer.</tran
     <message>
         <source>%1
 
-Click to choose the unit or to say how tall the garment is</source>
+Click to choose the unit or to enter the garment&apos;s height</source>
         <translation>%1
 
-Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück ist</translation>
+Klicken, um die Einheit zu wählen oder die Höhe des Kleidungsstücks einzugeben</translation>
     </message>
 </context>
 <context>
@@ -10388,96 +10380,12 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Neu laden</translation>
     </message>
     <message>
-        <source>Reading</source>
-        <translation>Lesen</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>Division</source>
-        <translation>Teilung</translation>
-    </message>
-    <message>
-        <source>Automatic cuts</source>
-        <translation>Selbsttätige Einschnitte</translation>
-    </message>
-    <message>
-        <source>Welding</source>
-        <translation>Verschmelzen</translation>
-    </message>
-    <message>
-        <source>Seams from a file</source>
-        <translation>Nähte aus einer Datei</translation>
-    </message>
-    <message>
-        <source>Removal of a cut</source>
-        <translation>Einschnitt entfernen</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>Quality</source>
-        <translation>Güte</translation>
-    </message>
-    <message>
-        <source>Boundary solver</source>
-        <translation>Umrisslöser</translation>
-    </message>
-    <message>
         <source>Cut</source>
         <translation>Einschnitt</translation>
     </message>
     <message>
-        <source>Dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>Closed loop</source>
-        <translation>Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>%1 is sewn to nothing: there is nothing to join.</source>
-        <translation>%1 ist mit nichts vernäht: Es gibt nichts zu verbinden.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be joined alone: Toile cut %2 open there because it could not lie flat. Switch off Garment ▸ Cut open automatically, or draw a cut of your own instead.</source>
-        <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
-    </message>
-    <message>
-        <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
-        <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
-    </message>
-    <message>
         <source>%1 on both sides</source>
         <translation>%1 auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Cut on one side alone: no mirror plane is known.</source>
-        <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Mirror image of a cut</source>
-        <translation>Spiegelbild eines Einschnitts</translation>
-    </message>
-    <message>
-        <source>%1 points at no edge of its piece that a seam could lead to.</source>
-        <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
-    </message>
-    <message>
-        <source>Reference pattern</source>
-        <translation>Referenzschnitt</translation>
-    </message>
-    <message>
-        <source>No reference pattern</source>
-        <translation>Kein Referenzschnitt</translation>
     </message>
     <message>
         <source>dart</source>
@@ -10492,52 +10400,144 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Schnitt</translation>
     </message>
     <message>
-        <source>Dart in %1</source>
-        <translation>Abnäher in %1</translation>
-    </message>
-    <message>
-        <source>Closed loop in %1</source>
-        <translation>Geschlossener Schnitt in %1</translation>
-    </message>
-    <message>
         <source>Cut %1</source>
         <translation>Einschnitt in %1</translation>
-    </message>
-    <message>
-        <source>Dart in %1 to seam</source>
-        <translation>Abnäher in %1 zur Naht</translation>
-    </message>
-    <message>
-        <source>Removal of %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>%1 to dart</source>
-        <translation>%1 zum Abnäher</translation>
     </message>
     <message>
         <source>Join %1</source>
         <translation>%1 verbinden</translation>
     </message>
     <message>
-        <source>Removal of join %1</source>
-        <translation>Verbindung %1 entfernen</translation>
-    </message>
-    <message>
         <source>Cut open</source>
         <translation>Aufschneiden</translation>
     </message>
     <message>
-        <source>Closing slits</source>
-        <translation>Schlitze schließen</translation>
+        <source>Change method</source>
+        <translation>Verfahren ändern</translation>
     </message>
     <message>
-        <source>The garment was changed before the cut was found. Cut once more.</source>
+        <source>Change quality</source>
+        <translation>Güte ändern</translation>
+    </message>
+    <message>
+        <source>Change boundary solver</source>
+        <translation>Umrisslöser ändern</translation>
+    </message>
+    <message>
+        <source>Change import options</source>
+        <translation>Leseoptionen ändern</translation>
+    </message>
+    <message>
+        <source>Change unit</source>
+        <translation>Einheit ändern</translation>
+    </message>
+    <message>
+        <source>Change up axis</source>
+        <translation>Achse nach oben ändern</translation>
+    </message>
+    <message>
+        <source>Change splitting into pieces</source>
+        <translation>Aufteilung in Schnittteile ändern</translation>
+    </message>
+    <message>
+        <source>Change automatic cuts</source>
+        <translation>Selbsttätige Einschnitte ändern</translation>
+    </message>
+    <message>
+        <source>Change welding</source>
+        <translation>Verschmelzen ändern</translation>
+    </message>
+    <message>
+        <source>Change closing of slits</source>
+        <translation>Schließen der Schlitze ändern</translation>
+    </message>
+    <message>
+        <source>Open reference pattern</source>
+        <translation>Referenzschnitt öffnen</translation>
+    </message>
+    <message>
+        <source>Close reference pattern</source>
+        <translation>Referenzschnitt schließen</translation>
+    </message>
+    <message>
+        <source>Cut dart</source>
+        <translation>Abnäher schneiden</translation>
+    </message>
+    <message>
+        <source>Cut dart in %1</source>
+        <translation>Abnäher in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Cut closed loop</source>
+        <translation>Geschlossenen Schnitt schneiden</translation>
+    </message>
+    <message>
+        <source>Cut closed loop in %1</source>
+        <translation>Geschlossenen Schnitt in %1 schneiden</translation>
+    </message>
+    <message>
+        <source>Remove cut</source>
+        <translation>Einschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>It is the mirror image of your cut. To cut one side only, switch off Tools ▸ Mirror edits.</source>
+        <translation>Es ist das Spiegelbild Ihres Schnitts. Um nur eine Seite zu schneiden, schalten Sie Werkzeuge ▸ Änderungen spiegeln aus.</translation>
+    </message>
+    <message>
+        <source>Load seams file</source>
+        <translation>Nahtdatei laden</translation>
+    </message>
+    <message>
+        <source>Finding the mirror image of a cut</source>
+        <translation>Das Spiegelbild eines Schnitts wird gesucht</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: there is no mirror image, or a seam is there already.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es gibt kein Spiegelbild, oder dort ist schon eine Naht.</translation>
+    </message>
+    <message>
+        <source>Cut on this side only: no mirror plane was found.</source>
+        <translation>Nur auf dieser Seite geschnitten: Es wurde keine Spiegelebene gefunden.</translation>
+    </message>
+    <message>
+        <source>The garment changed before the cut was found. Cut again.</source>
         <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
     </message>
     <message>
-        <source>Cut once: it has no mirror image of its own, or a seam runs there.</source>
-        <translation>Einmal geschnitten: Der Schnitt hat kein eigenes Spiegelbild, oder dort verläuft schon eine Naht.</translation>
+        <source>Finding cuts</source>
+        <translation>Schnitte werden gesucht</translation>
+    </message>
+    <message>
+        <source>Finding a closed loop</source>
+        <translation>Ein geschlossener Schnitt wird gesucht</translation>
+    </message>
+    <message>
+        <source>Turn dart in %1 into seam</source>
+        <translation>Abnäher in %1 zur Naht machen</translation>
+    </message>
+    <message>
+        <source>%1 cannot become a seam: its tip points at no edge of its piece.</source>
+        <translation>%1 kann keine Naht werden: Die Spitze zeigt auf keine Kante des Schnittteils.</translation>
+    </message>
+    <message>
+        <source>Turn %1 into dart</source>
+        <translation>%1 zum Abnäher machen</translation>
+    </message>
+    <message>
+        <source>%1 is a free edge, so it cannot be joined.</source>
+        <translation>%1 ist eine freie Kante und lässt sich nicht verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined: Toile cut %2 open there so that it lies flat. Switch off Garment ▸ Cut open automatically, or draw your own cut.</source>
+        <translation>%1 lässt sich nicht verbinden: Toile hat %2 dort aufgeschnitten, damit es flach liegt. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus, oder zeichnen Sie einen eigenen Schnitt.</translation>
+    </message>
+    <message>
+        <source>Remove join %1</source>
+        <translation>Verbindung %1 entfernen</translation>
     </message>
 </context>
 </TS>

@@ -94,8 +94,8 @@ private slots:
             const PieceQuality& quality = *method.results.front()->quality;
             QCOMPARE(box(m).currentText(), methodName(method.method));
             QCOMPARE(cell("Mean strain, %", m), percent(*quality.strainMeanAbs));
-            QCOMPARE(cell("Most stretch, %", m), signedPercent(*quality.strainMax));
-            QCOMPARE(cell("Most surplus, %", m), signedPercent(*quality.strainMin));
+            QCOMPARE(cell("Max. stretch, %", m), signedPercent(*quality.strainMax));
+            QCOMPARE(cell("Max. surplus, %", m), signedPercent(*quality.strainMin));
             QCOMPARE(cell("Seam Δ, mm", m), fineLength(*figures[Criterion::SeamMismatch]));
             QCOMPARE(cell("Outline length error, %", m),
                      boundaryError(*figures[Criterion::LengthError]));

@@ -233,7 +233,7 @@ private slots:
         QCOMPARE(told.touched, (std::vector{true, true, false, false}));
         QVERIFY(!told.pieces);
         QCOMPARE(document.garment()->seams.seams[0].ease, std::optional(0.04));
-        QCOMPARE(document.history().undoText(), "Ease of " + seamName(document, 0));
+        QCOMPARE(document.history().undoText(), "Set ease of " + seamName(document, 0));
         QVERIFY(!before->seams.seams[0].ease);  // a job may hold it
         QCOMPARE(document.garment()->pieces[0], before->pieces[0]);
         QCOMPARE(document.scene(), scene);

@@ -127,7 +127,7 @@ private slots:
         }
         QCOMPARE(document().fabric().id, std::string("jersey"));
         QVERIFY(document().fabric() == *fabricPreset("jersey"));
-        QCOMPARE(lastStep(), QString("Fabric: jersey"));
+        QCOMPARE(lastStep(), QString("Set fabric: jersey"));
         QCOMPARE(field("fabricWeftMost").value(), 35.0);
         QCOMPARE(field("fabricWeftMost").text(), QString("+35 %"));
         QCOMPARE(steps(), 3);
@@ -145,7 +145,7 @@ private slots:
     void theClothThatThePiecesTakeIsThatOfTheirArrangement() {
         const auto needed = [this] { return label("fabricNeed"); };
         const QString before = needed();
-        QVERIFY2(before.contains("as the pieces lie"), qPrintable(before));
+        QVERIFY2(before.contains("at this width"), qPrintable(before));
         Placement far = placementOf(document(), 0);
         far.offset.y() += 1000;
         place(document(), "Move", {{0, far}});
@@ -162,7 +162,7 @@ private slots:
         QTest::keyClick(&width, Qt::Key_Return);
         QCOMPARE(document().fabric().width, 50.0);
         QVERIFY(isRuleOfThumb(document().fabric()));  // its limits are as they were
-        QVERIFY(label("fabricNeed").contains("more than its width"));
+        QVERIFY(label("fabricNeed").contains("wider than the fabric"));
         QTest::keyClick(&preset(), Qt::Key_Down);   // denim
         QCOMPARE(document().fabric().width, 50.0);  // typed, so it stays
         undo();
@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(width.value(), fabricPreset("woven")->width);
         QTest::keyClick(&preset(), Qt::Key_Down);  // denim
         QCOMPARE(document().fabric().width, fabricPreset("denim")->width);
-        QVERIFY(!label("fabricNeed").contains("more than its width"));
+        QVERIFY(!label("fabricNeed").contains("wider than the fabric"));
     }
 
     void typedLimitsAreACustomFabric() {
@@ -180,7 +180,7 @@ private slots:
         QCOMPARE(document().fabric().warp.least, -0.01);
         QVERIFY(document().fabric().bias == fabricPreset("woven")->bias);
         QCOMPARE(preset().currentText(), QString("Custom"));
-        QCOMPARE(lastStep(), QString("Fabric limits"));
+        QCOMPARE(lastStep(), QString("Set fabric limits"));
         type("fabricWarpMost", "13");
         type("fabricWarpMost", "13");
         QTest::keyClick(&field("fabricWarpMost"), Qt::Key_Up);
@@ -387,7 +387,7 @@ private slots:
         typeMaterial("Lining");
         QCOMPARE(materialOf(1), std::string("Lining"));
         QCOMPARE(materialOf(0), std::string());
-        QCOMPARE(lastStep(), QString("Material of cap: Lining"));
+        QCOMPARE(lastStep(), QString("Set material of cap to Lining"));
         QCOMPARE(steps(), 1);
         QVERIFY(isMaterialColumnShown());
         QVERIFY(*fabricFit(question()) == *woven);  // it begins with the garment's fabric
@@ -398,7 +398,7 @@ private slots:
         QTest::keyClick(&of, Qt::Key_Down);
         const QString own = label("fabricNeed");
         QCOMPARE(of.currentText(), QString("Lining"));
-        QVERIFY(own.contains("as the pieces lie") && own != ofGarment);
+        QVERIFY(own.contains("at this width") && own != ofGarment);
         QCOMPARE(preset().currentText(), QString("Woven"));
         preset().setFocus();
         QTest::keyClick(&preset(), Qt::Key_End);   // Custom: the limits stay
@@ -470,7 +470,7 @@ private slots:
         QCOMPARE(steps(), 1);
         document().setSelection({0});
         typeMaterial("");
-        QCOMPARE(lastStep(), QString("Material of sheet: as the garment"));
+        QCOMPARE(lastStep(), QString("Set material of sheet to garment's fabric"));
         QCOMPARE(document().state().materials.size(), std::size_t(1));
         document().setSelection({0, 1});
         QCOMPARE(material().currentText(), QString());  // they differ

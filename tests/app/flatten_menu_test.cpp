@@ -52,7 +52,7 @@ private slots:
                 QVERIFY2(keepsLengths || !method.keepsLengths, "free outlines come last");
                 keepsLengths = method.keepsLengths;
                 QCOMPARE(section, keepsLengths ? QString("Seam lines keep their length")
-                                               : QString("Seam lines may change"));
+                                               : QString("Seam lines may change length"));
                 QCOMPARE(action->text().remove('&'), methodName(method.method));
                 QVERIFY(!action->statusTip().isEmpty());
                 QCOMPARE(action->isChecked(), document().options().method == method.method);

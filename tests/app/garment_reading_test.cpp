@@ -153,7 +153,7 @@ private slots:
     void aDoubtfulUnitIsAskedForAndTheAnswerReadsAgain() {
         QVERIFY(fixture_.openAndWait(fixture_.path("small.obj")));
         QVERIFY(card().isVisible());
-        QVERIFY(card().sentence().contains("11.0 cm in height, read as centimetres"));
+        QVERIFY(card().sentence().contains("11.0 cm tall if the file is in centimetres"));
         QVERIFY(card().sentence().contains("(largest extent 12)"));
         QVERIFY(cardButton("cm: 11.0 cm")->isChecked());
         QVERIFY(!cardButton("in: 27.9 cm")->isChecked());
@@ -252,7 +252,7 @@ private slots:
         QVERIFY(fixture_.action(ActionId::ReadInner).isChecked());
         const double inner = document().garment()->pieces[0]->mesh.V.col(2).maxCoeff();
         QVERIFY(std::abs(std::abs(outer - inner) - 2) < 1e-9);
-        QCOMPARE(document().history().undoText(), QString("Reading"));
+        QCOMPARE(document().history().undoText(), QString("Change import options"));
         fixture_.action(ActionId::ReadSheet).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().garment()->pieces[0]->defect->code, ErrorCode::ClosedSurface);
@@ -265,9 +265,9 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("half.obj")));
         QVERIFY(card().isVisible());
         QVERIFY(card().sentence().contains("1.20 m"));
-        QVERIFY(cardButton("As it is")->isChecked());
+        QVERIFY(cardButton("Leave unchanged")->isChecked());
         const double width = document().scene()->box.sizes().x();
-        QTest::mouseClick(cardButton("Complete it"), Qt::LeftButton);
+        QTest::mouseClick(cardButton("Complete"), Qt::LeftButton);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(!card().isVisible());
         QVERIFY(fixture_.action(ActionId::CompleteHalf).isChecked());
@@ -277,7 +277,7 @@ private slots:
         QVERIFY(fixture_.waitForResults());
         QVERIFY(std::abs(document().scene()->box.sizes().x() - width) < 1e-9);
         QVERIFY(!fixture_.action(ActionId::CompleteHalf).isChecked());
-        QTest::mouseClick(cardButton("As it is"), Qt::LeftButton);
+        QTest::mouseClick(cardButton("Leave unchanged"), Qt::LeftButton);
         QVERIFY(!card().isVisible());
         // What else is said of the file stays.
         fixture_.action(ActionId::CompleteHalf).trigger();
@@ -296,7 +296,7 @@ private slots:
         QCOMPARE(document().garment()->files[0]->reading.kind, FileKind::Solid);
         QVERIFY(document().garment()->pieces[0]->defect);
         QVERIFY(card().isVisible());
-        QTest::mouseClick(cardButton("Cut it open"), Qt::LeftButton);
+        QTest::mouseClick(cardButton("Cut open"), Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!document().loading().seams.cuts.empty(), test::kPatience);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(!document().garment()->pieces[0]->defect);
@@ -304,7 +304,7 @@ private slots:
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(fixture_.waitForResults());
         QVERIFY(card().isVisible());
-        QTest::mouseClick(cardButton("As it is"), Qt::LeftButton);
+        QTest::mouseClick(cardButton("Leave unchanged"), Qt::LeftButton);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(!card().isVisible());
         QCOMPARE(fixture_.workspace().loading().preparing.as, std::optional(FileKind::Solid));

@@ -90,7 +90,7 @@ private slots:
         QVERIFY(document().mark());
         press();
         QVERIFY(!document().mark() && !document().seam());
-        QVERIFY(fixture_.find<QLabel>("toolHint").text().contains("Esc: select nothing"));
+        QVERIFY(fixture_.find<QLabel>("toolHint").text().contains("Esc: clear the selection"));
 
         // While something runs the key is for that.
         document().setSelection({0});

@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(steps(), 0);
         drawLine(view);
         QCOMPARE(steps(), 1);
-        QCOMPARE(document().history().undoText(), QString("Internal line"));
+        QCOMPARE(document().history().undoText(), QString("Add internal line"));
         QCOMPARE(lines().size(), std::size_t{1});
         QVERIFY(!lines()[0].closed);
         QCOMPARE(drawn().size(), std::size_t{1});
@@ -131,11 +131,11 @@ private slots:
             drag(*view, at(*view, 0, {161, 102, 0}), at(*view, 0, {161, 42, 0}));
             QVERIFY(isDone());
             QCOMPARE(steps(), before + 1);
-            QCOMPARE(document().history().undoText(), QString("Move of an internal line"));
+            QCOMPARE(document().history().undoText(), QString("Move internal line"));
             QVERIFY(std::abs(drawn().at(0).length - 120) < 1.5);
             QTest::keyClick(view, Qt::Key_Delete);
             QVERIFY(isDone());
-            QCOMPARE(document().history().undoText(), QString("Removal of an internal line"));
+            QCOMPARE(document().history().undoText(), QString("Delete internal line"));
             QVERIFY(lines().empty() && drawn().empty());
         }
     }

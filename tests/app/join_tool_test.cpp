@@ -58,7 +58,7 @@ private slots:
         QVERIFY(waitForPieces(2));
         QCOMPARE(document().garment()->pieces, start->pieces);
         QVERIFY(document().loading().seams.cuts.empty());
-        QCOMPARE(document().history().undoText(), QString("Removal of cut 1"));
+        QCOMPARE(document().history().undoText(), QString("Remove cut 1"));
         while (document().history().canUndo()) {
             document().history().undo();
         }

@@ -118,7 +118,7 @@ private slots:
 
     void theCardAsksAndLayersAreMaterials() {
         QVERIFY(fixture_.window().card().isVisible());
-        QVERIFY2(fixture_.window().card().sentence().contains("holds 2 layers of cloth"),
+        QVERIFY2(fixture_.window().card().sentence().contains("contains 2 layers of cloth"),
                  qPrintable(fixture_.window().card().sentence()));
         QCOMPARE(document().pieceCount(), 4);
         QCOMPARE(materials(), QStringList({"", "", "Lining", "Lining"}));
@@ -206,7 +206,7 @@ private slots:
         QCOMPARE(document().selection(), Document::Selection{0});
         chooseMaterial("Lining");
         QCOMPARE(materials(), QStringList({"Lining", "", "Lining", "Lining"}));
-        QCOMPARE(document().history().undoText(), QString("Material of front: Lining"));
+        QCOMPARE(document().history().undoText(), QString("Set material of front to Lining"));
     }
 
     void alikePiecesAreSelectedTogether() {

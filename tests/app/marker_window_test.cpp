@@ -142,7 +142,7 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("closed.obj")));
         fixture_.action(ActionId::LayOnCloth).trigger();
         QVERIFY(comes([this] { return desk().stage() == MarkerDesk::Stage::Nothing; }));
-        QVERIFY(desk().problem().contains("Nothing is flat"));
+        QVERIFY(desk().problem().contains("no flat pieces"));
         QVERIFY(!find<QPushButton>("markerSave").isEnabled());
     }
 
@@ -266,7 +266,7 @@ private slots:
         QVERIFY(desk().misplaced().size() >= 2);
         QVERIFY(plan().kept.empty());
         QVERIFY(!find<QPushButton>("markerSave").isEnabled());
-        QVERIFY(find<QLabel>("markerFigures").text().contains("lie on others"));
+        QVERIFY(find<QLabel>("markerFigures").text().contains("overlap others"));
         QTest::keyClick(&view(), Qt::Key_Escape);
         QVERIFY(!view().isDragging());
         QVERIFY(window().isVisible());
@@ -626,7 +626,7 @@ private slots:
         fixture_.open();
         openSheets();
         layOnCloth();
-        QCOMPARE(window().windowTitle(), QString::fromUtf8("Auf Stoff legen"));
+        QCOMPARE(window().windowTitle(), QString::fromUtf8("Schnittbild"));
         QVERIFY(find<QLabel>("markerDetails").text().contains("Teile"));
     }
 };

@@ -75,7 +75,7 @@ private slots:
         SceneView& view = inPattern ? patternView() : garmentView();
         addAt(view, 0.33);
         QCOMPARE(steps(), 1);
-        QCOMPARE(document().history().undoText(), QString("Notch"));
+        QCOMPARE(document().history().undoText(), QString("Add notch"));
         QVERIFY(std::abs(byHand() - 0.33) < 0.01);
         for (const PatternPiece& piece : document().derived().pattern->pieces) {
             QVERIFY(std::ranges::any_of(piece.notches, [](const PieceNotch& notch) {
@@ -100,7 +100,7 @@ private slots:
             const QPointF from = onSide(*view, 1, byHand()), to = onSide(*view, 1, 0.41);
             drag(*view, from, to);
             QCOMPARE(steps(), before + 1);
-            QCOMPARE(document().history().undoText(), QString("Notch moved"));
+            QCOMPARE(document().history().undoText(), QString("Move notch"));
             QVERIFY(isDone());
             QVERIFY2(std::abs(byHand() - 0.41) < 0.01, qPrintable(QString::number(byHand())));
             QCOMPARE(lines().notches->notches.size(), std::size_t(1));
@@ -144,7 +144,7 @@ private slots:
         moveTo(patternView(), onSide(patternView(), 0, notch.share));
         QTest::keyClick(&patternView(), Qt::Key_Delete);
         QVERIFY(isDone());
-        QCOMPARE(document().history().undoText(), QString("Removal of a notch"));
+        QCOMPARE(document().history().undoText(), QString("Delete notch"));
         QCOMPARE(notches().size(), count - 2);
         QVERIFY(!lines().notches->notches.at(0).isThere);
         document().history().undo();

@@ -109,12 +109,12 @@ private:
 
     void divideByIslands() {
         const int before = flatCount();
-        QPushButton* divide = cardButton("Divide by UV islands");
+        QPushButton* divide = cardButton("Split by UV islands");
         QVERIFY(divide);
         QTest::mouseClick(divide, Qt::LeftButton);
         QVERIFY(fixture_.waitForResults());
         QVERIFY(flatCount() > before);
-        QVERIFY(!cardButton("Divide by UV islands"));
+        QVERIFY(!cardButton("Split by UV islands"));
     }
 
     void chooseInMenuBar(const char* name, ActionId id) {

@@ -209,7 +209,7 @@ private slots:
         QVERIFY(legend.shareSentence().isEmpty() && legend.endShareText(true).isEmpty());
         legend.histogram->bins[3] = 1;
         QVERIFY(shown(0, 0).startsWith("0 % + 0 % ="));
-        QVERIFY(legend.shareSentence().startsWith("all of the cloth is within"));
+        QVERIFY(legend.shareSentence().startsWith("all cloth is within"));
     }
 
     void lackOfMemoryIsSaidAndTheNextQuestionIsAsked() {

@@ -106,7 +106,7 @@ private slots:
         QCOMPARE(said(0).quantity, 3);
         QCOMPARE(said(1).quantity, 3);
         QCOMPARE(said(2).quantity, 1);
-        QCOMPARE(lastStep(), QString("Quantity of 2 pieces: 3"));
+        QCOMPARE(lastStep(), QString("Set quantity of 2 pieces to 3"));
         pair().click();
         QVERIFY(said(0).mirroredPair && said(1).mirroredPair && !said(2).mirroredPair);
     }

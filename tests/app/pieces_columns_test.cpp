@@ -84,7 +84,7 @@ private slots:
         QCOMPARE(settings(0).quantity, 2);
         QCOMPARE(settings(1).quantity, 1);
         QCOMPARE(steps(), 1);
-        QCOMPARE(lastStep(), QString("Quantity of front: 2"));
+        QCOMPARE(lastStep(), QString("Set quantity of front to 2"));
         QCOMPARE(cell(0, PiecesModel::Quantity).data().toString(), QString("2"));
         doubleClick(cell(0, PiecesModel::Quantity));
         typeQuantity("2");
@@ -138,7 +138,7 @@ private slots:
         QCOMPARE(settings(0).quantity, 6);
         QCOMPARE(settings(1).quantity, 1);
         QCOMPARE(settings(2).quantity, 6);
-        QCOMPARE(lastStep(), QString("Quantity of 2 pieces: 6"));
+        QCOMPARE(lastStep(), QString("Set quantity of 2 pieces to 6"));
         clickBox(cell(0, PiecesModel::Pair));
         QVERIFY(settings(0).mirroredPair && !settings(1).mirroredPair && settings(2).mirroredPair);
         QCOMPARE(steps(), 2);
@@ -152,9 +152,9 @@ private slots:
         click(cell(0, PiecesModel::Name));
         clickBox(cell(1, PiecesModel::Pair));
         QVERIFY(!settings(0).mirroredPair && settings(1).mirroredPair);
-        QCOMPARE(lastStep(), QString("Mirrored pair: back"));
+        QCOMPARE(lastStep(), QString("Set mirrored pair for back"));
         clickBox(cell(1, PiecesModel::Pair));
-        QCOMPARE(lastStep(), QString("No mirrored pair: back"));
+        QCOMPARE(lastStep(), QString("Clear mirrored pair for back"));
         QCOMPARE(steps(), 2);
     }
 
@@ -186,10 +186,10 @@ private slots:
         fixture_.action(ActionId::MethodCurvature).trigger();
         QCOMPARE(method.data().toString(), QString("Least distortion"));
         QVERIFY(method.data(Qt::ForegroundRole).isValid());
-        QVERIFY(method.data(Qt::ToolTipRole).toString().contains("anew"));
+        QVERIFY(method.data(Qt::ToolTipRole).toString().contains("out of date"));
         fixture_.action(ActionId::FlattenAgain).trigger();
         QTRY_COMPARE_WITH_TIMEOUT(cell(0, PiecesModel::Method).data().toString(),
-                                  QString("Angles follow the curvature"), test::kPatience);
+                                  QString("Angles from curvature"), test::kPatience);
         QVERIFY(!cell(0, PiecesModel::Method).data(Qt::ForegroundRole).isValid());
     }
 

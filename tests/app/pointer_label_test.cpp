@@ -183,9 +183,9 @@ private slots:
         const QString inches = label(patternView()).text();
         LengthDisplay::instance().choose(LengthUnit::Millimetre);
         QVERIFY2(inches.contains(" in"), qPrintable(inches));
-        QVERIFY(!label(patternView()).text().contains("on the garment"));
+        QVERIFY(!label(patternView()).text().contains("in 3D"));
         test::setResults(document(), PieceResults(2), document().scene());
-        QVERIFY(label(patternView()).text().contains("on the garment"));  // nothing is flat
+        QVERIFY(label(patternView()).text().contains("in 3D"));  // nothing is flat
     }
 
     void aStretchIsSewnToWhatLiesOnIt() {

@@ -134,7 +134,7 @@ private slots:
         QSignalSpy failed(&fixture_.window().garmentActions(), &GarmentActions::failed);
         click("printNow");
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, test::kPatience);
-        QVERIFY(failed[0][0].toString().contains("takes nothing to print"));
+        QVERIFY(failed[0][0].toString().contains("does not accept"));
     }
 
     void theDesktopsDialogOpensAndCanBeLeft() {

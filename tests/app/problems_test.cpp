@@ -139,17 +139,17 @@ private slots:
 
     void clothWithStatedGrainIsReadyToCut() {
         QVERIFY(open("sheets.obj"));
-        QCOMPARE(verdict(), QString("No faults, 2 doubts"));
+        QCOMPARE(verdict(), QString("No errors, 2 warnings"));
         QCOMPARE(dockTitle(), QString("Problems (2)"));
         QCOMPARE(findings(FindingKind::GrainMissing).size(), std::size_t(2));
         setGrain(document(), "Turn", {{0, 1.0}, {1, 1.0}});
         QVERIFY(waitForAnswer());
         QCOMPARE(verdict(), QString("Ready to cut"));
         QCOMPARE(dockTitle(), QString("Problems"));
-        QVERIFY(fixture_.find<QLabel>("problemsEmpty").text().contains("Nothing stands"));
+        QVERIFY(fixture_.find<QLabel>("problemsEmpty").text().contains("seams match"));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(waitForAnswer());
-        QCOMPARE(verdict(), QString("No faults, 2 doubts"));
+        QCOMPARE(verdict(), QString("No errors, 2 warnings"));
     }
 
     void whatIsSaidOfTheMarkerIsLookedAtAndWhereCopiesLieIsNot() {
@@ -190,7 +190,7 @@ private slots:
         fixture_.workspace().setMethod(Method::Natural);
         QVERIFY(open("cap.obj"));
         QCOMPARE(findings(FindingKind::SeamLengths).size(), std::size_t(1));
-        QVERIFY2(verdict().contains("fault"), qPrintable(verdict()));
+        QVERIFY2(verdict().contains("error"), qPrintable(verdict()));
         document().setSelection({0});
         fixture_.action(ActionId::Frame).trigger();
         const Eigen::Vector2d before = middleOfSheet();
@@ -356,13 +356,13 @@ private slots:
     void severitiesCanBeHidden() {
         QVERIFY(open("sheets.obj"));
         auto& doubts = fixture_.find<QToolButton>("showDoubts");
-        QCOMPARE(doubts.text(), QString("2 doubts"));
+        QCOMPARE(doubts.text(), QString("2 warnings"));
         QVERIFY(!fixture_.find<QToolButton>("showFaults").isEnabled());
         fixture_.action(ActionId::ReadyToCut).trigger();
         QTest::mouseClick(&doubts, Qt::LeftButton);
         QCOMPARE(table().model()->rowCount(), 0);
         QVERIFY(fixture_.find<QLabel>("problemsEmpty").text().contains("hidden"));
-        QCOMPARE(verdict(), QString("No faults, 2 doubts"));
+        QCOMPARE(verdict(), QString("No errors, 2 warnings"));
         QTest::mouseClick(&doubts, Qt::LeftButton);
         QVERIFY(table().model()->rowCount() > 0);
     }
@@ -384,7 +384,7 @@ private slots:
         QCOMPARE(verdict(), QString("Not flattened yet"));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(waitForAnswer());
-        QCOMPARE(verdict(), QString("No faults, 2 doubts"));
+        QCOMPARE(verdict(), QString("No errors, 2 warnings"));
     }
 
     void exportTellsOfFaultsThatAreLeft() {
@@ -403,7 +403,7 @@ private slots:
         QVERIFY(setFabric(typed));
         write("b.svg");
         const QString message = fixture_.window().statusBar()->currentMessage();
-        QVERIFY2(message.contains("faults left"), qPrintable(message));
+        QVERIFY2(message.contains("errors left"), qPrintable(message));
     }
 
     void manyChangesAreAnsweredOnce() {

@@ -134,7 +134,7 @@ private slots:
             if (!box) {
                 return;
             }
-            QVERIFY(box->text().startsWith("dress.toile was changed by another program"));
+            QVERIFY(box->text().startsWith("Another program has changed dress.toile"));
             if (key != 0) {
                 QTest::keyClick(box, Qt::Key(key));
             }

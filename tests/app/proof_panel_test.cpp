@@ -361,7 +361,7 @@ private slots:
         QVERIFY(!warp.isVisible());
         find<QToolButton>("proofMeasured").click();
         QVERIFY(warp.isVisible());
-        QVERIFY2(warp.text().startsWith("As the fabric"), qPrintable(warp.text()));
+        QVERIFY2(warp.text().startsWith("From fabric"), qPrintable(warp.text()));
         const auto type = [&warp](const QString& text) {
             warp.setFocus();
             warp.selectAll();
@@ -472,7 +472,7 @@ private slots:
         QVERIFY(fixture_.waitForResults());
         QVERIFY(fixture_.garmentPicture() != designed);
         QVERIFY(fixture_.patternPicture() == flat);  // in its own colours
-        QVERIFY(find<ColourBar>("colourBar").summary().contains("being sewn"));
+        QVERIFY(find<ColourBar>("colourBar").summary().contains("sewing"));
         // On the way to the pattern it is not in the way.
         find<QSlider>("morphSlider").setFocus();
         QTest::keyClick(&find<QSlider>("morphSlider"), Qt::Key_End);

@@ -181,7 +181,7 @@ private slots:
         click("proposalsMake");
         QVERIFY(!isThere());
         QVERIFY(fixture_.waitForResults());
-        QCOMPARE(document().history().undoText(), QString("Proposed cuts"));
+        QCOMPARE(document().history().undoText(), QString("Make proposed cuts"));
         QCOMPARE(ownCuts(), taken);
         QCOMPARE(document().pieceCount(), 4);
         for (int piece = 0; piece < 4; ++piece) {
@@ -194,7 +194,7 @@ private slots:
         }));
         QTRY_COMPARE(namesOfPieces(),
                      (QStringList{"back", "front", "left sleeve", "right sleeve"}));
-        QCOMPARE(document().history().undoText(), QString("Proposed cuts"));
+        QCOMPARE(document().history().undoText(), QString("Make proposed cuts"));
         fixture_.action(ActionId::Undo).trigger();
         QVERIFY(fixture_.waitForResults());
         QCOMPARE(document().pieceCount(), 1);
@@ -504,7 +504,7 @@ private slots:
         fixture_.action(ActionId::ProposeCuts).trigger();
         QCOMPARE(proposals().state(), CutProposals::State::Known);
         QVERIFY(proposals().lines().empty());
-        QVERIFY2(saying().startsWith("No cuts can be proposed here. moebius"),
+        QVERIFY2(saying().startsWith("No cuts can be proposed for this piece. moebius"),
                  qPrintable(saying()));
     }
 

@@ -91,7 +91,7 @@ private slots:
         QVERIFY(waitForReference());
         QVERIFY(panels.isEnabled() && panels.isChecked() && showsColumns());
         QCOMPARE(noted.count(), 1);
-        QVERIFY(noted[0][0].toString().contains("3 of 3 pieces paired"));
+        QVERIFY(noted[0][0].toString().contains("3 of 3 pieces matched"));
         QCOMPARE(inTable(0, Qt::DisplayRole).toString(), QString("0.00"));
         QVERIFY(inTable(0, Qt::ToolTipRole).toString().contains("front", Qt::CaseInsensitive));
         const QImage with = fixture_->patternPicture();
@@ -171,7 +171,7 @@ private slots:
         QVERIFY(waitUntilFlat());
         QVERIFY(waitForReference());
         QCOMPARE(noted.count(), 1);  // once the pieces are flat
-        QVERIFY(noted[0][0].toString().contains("3 of 3 pieces paired"));
+        QVERIFY(noted[0][0].toString().contains("3 of 3 pieces matched"));
         QVERIFY(document().state().reference.path == file("dress.dxf"));
         QVERIFY(document().referenceFit(1));
         QVERIFY(document().view().referencePanels);
@@ -264,9 +264,9 @@ private slots:
         QVERIFY(waitForReference());
         QVERIFY(!document().referenceFit(0) && !document().referenceFit(1));
         const QString said = noted.last()[0].toString();
-        QVERIFY2(said.contains("0 of 3 pieces paired"), qPrintable(said));
-        QVERIFY2(said.contains("fits several: front"), qPrintable(said));
-        QVERIFY2(said.contains("without a partner: back, cap"), qPrintable(said));
+        QVERIFY2(said.contains("0 of 3 pieces matched"), qPrintable(said));
+        QVERIFY2(said.contains("several matches: front"), qPrintable(said));
+        QVERIFY2(said.contains("no match: back, cap"), qPrintable(said));
         const QString tip = inTable(0, Qt::ToolTipRole).toString();
         QVERIFY2(tip.endsWith(": LEFT, RIGHT"), qPrintable(tip));
         const QImage with = fixture_->patternPicture();

@@ -308,12 +308,12 @@ private slots:
         QColor colour;
         for (int column = 0; column < pieces.columnCount(); ++column) {
             const QModelIndex index = pieces.index(0, column);
-            if (index.data().toString().contains("beyond any material")) {
+            if (index.data().toString().contains("exceeds any fabric")) {
                 status = index.data().toString();
                 colour = index.data(Qt::ForegroundRole).value<QBrush>().color();
             }
         }
-        QCOMPARE(status, QString("Flat, beyond any material"));
+        QCOMPARE(status, QString("Flat, exceeds any fabric"));
         QVERIFY(colour.red() > 150 && colour.green() > 90 && colour.blue() < 60);  // amber
         const QModelIndex button = rowWith(Remedy::ProposeCuts);
         QVERIFY(button.isValid());

@@ -240,7 +240,7 @@ private slots:
         QVERIFY(list().count() > 0);
         QCOMPARE(list().currentItem()->text(), QString("Export pattern…"));
         QVERIFY(!list().currentItem()->flags().testFlag(Qt::ItemIsEnabled));
-        QVERIFY(fixture_.find<QLabel>("commandTip").text().startsWith("Not possible now"));
+        QVERIFY(fixture_.find<QLabel>("commandTip").text().startsWith("Not available now"));
         QTest::keyClick(&line(), Qt::Key_Return);
         QVERIFY(palette().isVisible());
         QTest::keyClick(&line(), Qt::Key_Escape);
@@ -346,7 +346,7 @@ private slots:
             ToolBox& tools = window().tools();
             tools.choose(id);
             for (const ViewKind view : {ViewKind::Garment, ViewKind::Pattern}) {
-                QVERIFY(tools.current().hint(view).contains("Esc: back to selecting"));
+                QVERIFY(tools.current().hint(view).contains("Esc: leave the tool"));
             }
             const QKeyEvent escape(QEvent::KeyPress, Qt::Key_Escape, Qt::NoModifier);
             QVERIFY(tools.current().wants(escape));

@@ -28,16 +28,13 @@ bool liesOn(const Piece& whole, const PieceRim& rim, const Eigen::Vector3d& poin
 QString CutTool::hint(ViewKind) const {
     if (draft_.isEmpty()) {
         return tr(
-            "Click: begin the cut, on an edge to open it there · Alt+click: around the tube there "
-            "· "
-            "Ctrl+click: along the mesh's edges · Esc: back to selecting");
+            "Click: start the cut; on an edge, it opens there · Alt+click: cut around a tube · "
+            "Ctrl+click: follow mesh edges · Esc: leave the tool");
     }
-    return hasEnough()
-               ? tr("Click: go on · Alt: no snapping · Double click or Enter: cut · Backspace: "
-                    "take "
-                    "the last point back · Esc: throw the cut away")
-               : tr("Click: next point · Alt: no snapping · Ctrl+click: along the mesh's edges · "
-                    "Backspace: take the point back · Esc: throw the cut away");
+    return hasEnough() ? tr("Click: next point · Alt: no snapping · Double click or Enter: cut · "
+                            "Backspace: remove the last point · Esc: discard the cut")
+                       : tr("Click: next point · Alt: no snapping · Ctrl+click: follow mesh edges "
+                            "· Backspace: remove the point · Esc: discard the cut");
 }
 
 bool LoopTool::fits(const ClothPoint& point) const {
@@ -47,30 +44,29 @@ bool LoopTool::fits(const ClothPoint& point) const {
 QString LoopTool::hint(ViewKind) const {
     if (draft_.isEmpty()) {
         return tr(
-            "Click: begin a closed cut · Alt+click: around the tube there · Ctrl+click: along the "
-            "mesh's edges · Esc: back to selecting");
+            "Click: start a closed cut · Alt+click: cut around a tube · Ctrl+click: follow mesh "
+            "edges · Esc: leave the tool");
     }
-    return hasEnough()
-               ? tr("Click: go on · Click the first point, double click or Enter: cut · "
-                    "Backspace: take the last point back · Esc: throw the cut away")
-               : tr("Click: next point, of three or more · Backspace: take the last point back · "
-                    "Esc: throw the cut away");
+    return hasEnough() ? tr("Click: next point · Click the first point, double click or Enter: cut "
+                            "· Backspace: remove the last point · Esc: discard the cut")
+                       : tr("Click: next point (three or more) · Backspace: remove the last point "
+                            "· Esc: discard the cut");
 }
 
 QString DartTool::hint(ViewKind) const {
     if (hasEnough()) {
         return tr(
-            "Enter: cut the dart that is proposed · Drag from an edge: another one · Esc: "
-            "throw the dart away");
+            "Enter: cut the proposed dart · Drag from an edge: draw another · Esc: discard the "
+            "dart");
     }
     return draft_.isEmpty() ? tr("Drag from an edge to the dart's tip, or click the edge and then "
-                                 "the tip · Esc: back to selecting")
-                            : tr("Click: the dart's tip · Ctrl+click: along the mesh's edges · "
-                                 "Backspace or Esc: throw the dart away");
+                                 "the tip · Esc: leave the tool")
+                            : tr("Click: tip of the dart · Ctrl+click: follow mesh edges · "
+                                 "Backspace or Esc: discard the dart");
 }
 
 QString DartTool::remark(const ClothPoint& point) const {
-    return draft_.isEmpty() && !point.isOnRim() ? tr("a dart begins at an edge") : QString();
+    return draft_.isEmpty() && !point.isOnRim() ? tr("a dart must start at an edge") : QString();
 }
 
 bool DartTool::press(ToolView& view, const Pointer& pointer) {

@@ -33,11 +33,11 @@ double distanceToArrow(const SheetMap& onScreen, const GrainArrow& arrow, const 
 
 QString GrainTool::hint(ViewKind view) const {
     if (view == ViewKind::Garment) {
-        return tr("Turn the grain in the pattern view · Esc: back to selecting");
+        return tr("Turn the grain in the pattern view · Esc: leave the tool");
     }
-    return turning_ ? tr("Drag: turn the grain · Alt: snap the other way · Esc: take it back")
-                    : tr("Drag on a piece: turn its grain · Alt: snap the other way · "
-                         "Click: select · Esc: back to selecting");
+    return turning_ ? tr("Drag: turn the grain · Alt: toggle snapping · Esc: cancel")
+                    : tr("Drag on a piece: turn its grain · Alt: toggle snapping · Click: select · "
+                         "Esc: leave the tool");
 }
 
 Qt::CursorShape GrainTool::cursor(ViewKind view) const {
@@ -118,7 +118,7 @@ void GrainTool::drag(ToolView& view, const Pointer& pointer) {
             snappedAngle(wrappedAngle(angle), std::numbers::pi / 4, turning.edges, kSnappingAngle);
     }
     turning.now = wrappedAngle(angle);
-    setGrain(document_, tr("Grain of %1"),
+    setGrain(document_, tr("Turn grain of %1"),
              {{turning.piece, directionOnPiece(placementOf(document_, turning.piece), angle)}},
              turning.gesture);
 }
@@ -173,7 +173,7 @@ void GrainTool::cancel() {
     // For another garment there is nothing to undo. Besides, the document may be in the middle of
     // an undo step when this is called.
     if (turning.moved && !isStale(turning)) {
-        setGrain(document_, tr("Grain of %1"), turning.before, turning.gesture);
+        setGrain(document_, tr("Turn grain of %1"), turning.before, turning.gesture);
     }
     emit changed();
 }

@@ -56,23 +56,22 @@ bool isSeenAt(const ToolView& view, const Document& document, const QPointF& pix
 
 QString InternalLineTool::hint(ViewKind) const {
     if (moving_) {
-        return tr("Drag: move the point · Esc: take it back");
+        return tr("Drag: move the point · Esc: cancel");
     }
     if (draft_.isEmpty()) {
         return tr(
-            "Click: begin a line · Click a line: select it · Drag a point: move it · Del: "
-            "take the line away · Esc: back to selecting");
+            "Click: start a line · Click a line: select it · Drag a point: move it · Del: delete "
+            "the line · Esc: leave the tool");
     }
     return draft_.points().size() < kMinClosed
-               ? tr("Click: next point · Double click or Enter: end the line · Backspace: take the "
-                    "last point back · Esc: throw the line away")
+               ? tr("Click: next point · Double click or Enter: end the line · Backspace: remove "
+                    "the last point · Esc: discard the line")
                : tr("Click: next point · Click the first point: close the line · Double click or "
-                    "Enter: end it · Backspace: take the last point back · Esc: throw the line "
-                    "away");
+                    "Enter: end it · Backspace: remove the last point · Esc: discard the line");
 }
 
 QString InternalLineTool::elsewhere() const {
-    return tr("another piece: a line stays on one");
+    return tr("a line must stay on one piece");
 }
 
 const std::vector<InternalLine>& InternalLineTool::lines() const {
@@ -207,7 +206,7 @@ void InternalLineTool::release(ToolView&, const Pointer&) {
             next = withInternalLineAsImage(std::move(next), *document.garment(), document.results(),
                                            *editSymmetry(document), from.line, *image);
         }
-        document.setLines(std::move(next), tr("Move of an internal line"));
+        document.setLines(std::move(next), tr("Move internal line"));
         select(from.line);
     }
     emit changed();
@@ -257,7 +256,7 @@ void InternalLineTool::make(bool closed) {
         }
     }
     document.setView(&ViewState::internalLines, true);
-    document.setLines(std::move(next), tr("Internal line"));
+    document.setLines(std::move(next), tr("Add internal line"));
     select(made);
 }
 
@@ -276,7 +275,7 @@ void InternalLineTool::key(ToolView& view, const QKeyEvent& event) {
                 next = withoutInternalLine(std::move(next), *image - (*image > *line ? 1 : 0));
             }
             select(std::nullopt);
-            document.setLines(std::move(next), tr("Removal of an internal line"));
+            document.setLines(std::move(next), tr("Delete internal line"));
         }
     } else if (moving_) {
         moving_.reset();

@@ -19,9 +19,7 @@ constexpr double kSeamRadius = 8;
 }  // namespace
 
 QString JoinTool::hint(ViewKind) const {
-    return tr(
-        "Click a seam: join the cloth on both sides of it, so that it becomes one · Esc: back to "
-        "selecting");
+    return tr("Click a seam: join the cloth on both sides · Esc: leave the tool");
 }
 
 std::optional<int> JoinTool::seamAt(const ToolView& view, const Pointer& pointer) const {

@@ -47,12 +47,12 @@ MeasureTool::MeasureTool(Document& document, PathFinder& finder)
 QString MeasureTool::hint(ViewKind) const {
     if (draft_.isEmpty()) {
         return tr(
-            "Click: measure from here · Esc: back to selecting · two places on an edge are "
-            "measured along it too");
+            "Click: start measuring · Esc: leave the tool · two points on an edge are also "
+            "measured along it");
     }
-    return isEnded_ ? tr("Click: measure anew · Ctrl+C: copy · Esc: clear the measure")
-                    : tr("Click: next place · Double click or Enter: end here · Backspace: take "
-                         "the last place back · Ctrl+C: copy · Esc: clear the measure");
+    return isEnded_ ? tr("Click: new measurement · Ctrl+C: copy · Esc: clear it")
+                    : tr("Click: next point · Double click or Enter: end here · Backspace: remove "
+                         "the last point · Ctrl+C: copy · Esc: clear the measurement");
 }
 
 void MeasureTool::click(ToolView& view, const Pointer& pointer) {

@@ -68,9 +68,9 @@ QStringList noteOf(const QString& name, const Seam& seam, double share) {
 }  // namespace
 
 QString NotchTool::hint(ViewKind) const {
-    return moving_ ? tr("Drag: move the notch along its seam · Esc: take it back")
+    return moving_ ? tr("Drag: move the notch along its seam · Esc: cancel")
                    : tr("Click a seam: add a notch · Drag a notch: move it · Ctrl+click or Del: "
-                        "take it away · Esc: back to selecting");
+                        "delete it · Esc: leave the tool");
 }
 
 Qt::CursorShape NotchTool::cursor(ViewKind) const {
@@ -225,7 +225,7 @@ void NotchTool::release(ToolView&, const Pointer&) {
         document_.setLines(
             withNotchMoved(document_.state().lines, *document_.garment(), moving->notch,
                            moving->share, document_.derived().symmetry.get()),
-            tr("Notch moved"));
+            tr("Move notch"));
     } else if (moving->removes) {
         remove(moving->notch);
     } else {
@@ -240,7 +240,7 @@ void NotchTool::click(ToolView& view, const Pointer& pointer) {
     if (pointed && !pointed->isNotch && !pointer.modifiers.testFlag(kRemoves)) {
         document_.setView(&ViewState::notches, true);
         document_.setLines(withNotch(document_.state().lines, *document_.garment(), *pointed),
-                           tr("Notch"));
+                           tr("Add notch"));
     }
     emit changed();
 }
@@ -257,7 +257,7 @@ void NotchTool::remove(const SeamNotch& notch) {
     hovered_.reset();
     document_.setLines(withoutNotch(document_.state().lines, *document_.garment(), notch,
                                     document_.derived().symmetry.get()),
-                       tr("Removal of a notch"));
+                       tr("Delete notch"));
     emit changed();
 }
 

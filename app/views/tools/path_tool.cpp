@@ -129,7 +129,7 @@ void PathTool::follow(ToolView& view, const Pointer& pointer, const std::optiona
 }
 
 QString PathTool::elsewhere() const {
-    return tr("another piece: a cut stays on one");
+    return tr("a cut must stay on one piece");
 }
 
 void PathTool::leave(ToolView& view) {
@@ -270,7 +270,7 @@ void PathTool::paint(const ToolView& view, QPainter& painter, const RenderStyle&
     } else if (const auto length = draft_.length(); length && *length > 0) {
         note << lengthWithUnit(*length);
         if (isDetour()) {
-            note << tr("much longer than straight: is it the layer you mean?");
+            note << tr("much longer than a straight line; check the layer");
         }
     }
     paintNote(painter, style, pointer_, note);

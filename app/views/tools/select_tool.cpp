@@ -300,11 +300,11 @@ SelectTool::~SelectTool() = default;
 QString SelectTool::hint(ViewKind view) const {
     const QString keys =
         view == ViewKind::Garment
-            ? tr("Click: select a piece or a seam · Double click: frame a piece, or take an edge "
-                 "from corner to corner · Esc: select nothing")
+            ? tr("Click: select a piece or a seam · Double click: frame a piece, or select an edge "
+                 "from corner to corner · Esc: clear the selection")
             : tr("Click: select a piece or a seam · Drag a piece: move it · Drag the sheet: select "
-                 "by a box · Alt: snap the other way · Arrow keys: %1, with Shift %2 · Esc: "
-                 "select nothing")
+                 "with a box · Alt: toggle snapping · Arrow keys: %1, with Shift %2 · Esc: clear "
+                 "the selection")
                   .arg(lengthWithUnit(nudgeLength(false)), lengthWithUnit(nudgeLength(true)));
     if (view == ViewKind::Garment && workspace_.proposals().isOpen()) {
         return tr("Click a dashed line: select the proposed cut · Drag a handle: move it · Esc: "
