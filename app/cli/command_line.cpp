@@ -67,7 +67,12 @@ int run(const Answer<Arguments>& typed, std::ostream& out, Messages& messages) {
 int runCommand(const Answer<Arguments>& typed) {
     Messages messages(std::cerr);
     try {
-        return run(typed, std::cout, messages);
+        const int status = run(typed, std::cout, messages);
+        if (std::cout.flush()) {
+            return status;
+        }
+        messages.add("standard output cannot be written (a full disk or a closed pipe).");
+        return kExitUnreadable;
     } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
         messages.add(std::string("stopped by an unexpected error (") + fault.what() + ").");
         return kExitUnreadable;

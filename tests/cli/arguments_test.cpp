@@ -327,6 +327,10 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"--overlay", "magic"},
         {"--panel", "wardrobe"},
         {"--nonsense"},
+        {"batch", "list.txt", "-o", ""},
+        {"flatten", "", "-o", "a.svg"},
+        {"flatten", "a.obj", "-o", "a.svg", "-o", ""},
+        {"compare", "a.obj", "--pattern", ""},
     };
     for (const auto& typed : wrong) {
         const Shown a = refused(typed);
@@ -424,8 +428,9 @@ TEST(Arguments, AnOptionThatIsSaidTwiceIsCalledThat) {
 TEST(Arguments, AnOlderNameWorksAndIsNotInTheHelp) {
     EXPECT_EQ(parse({"info", "a.obj", "--max-strain", "2.5"}).load.enoughStrain, 0.025);
     EXPECT_EQ(parse({"info", "--help"}).message.find("--enough"), std::string::npos);
-    EXPECT_EQ(refused({"info", "a.obj", "--enough", "3", "--max-strain", "4"}).message,
-              "toile: --max-strain is given more than once; give it once; see toile info --help.\n");
+    EXPECT_EQ(
+        refused({"info", "a.obj", "--enough", "3", "--max-strain", "4"}).message,
+        "toile: --max-strain is given more than once; give it once; see toile info --help.\n");
 }
 
 TEST(Arguments, EveryHelpIsGroupedBySubjectAndEndsWithAnExample) {
