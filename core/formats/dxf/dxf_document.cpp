@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/formats/dxf/dxf_text.h"
+#include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
@@ -78,6 +80,9 @@ public:
     void take(DxfGroup group) {
         if (group.code > 0 && group.code < 9 && hasDxfEscapes(group.value)) {
             group.value = document_.decoded->emplace_back(withoutDxfEscapes(group.value));
+        }
+        if (group.code >= 10 && group.code < 60 && io::hasDecimalComma(group.value)) {
+            document_.decimalComma = group.value;
         }
         if (group.code == 0) {
             finish();
@@ -256,7 +261,7 @@ private:
     bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false, isExternal_ = false;
 };
 
-Error malformedDxf(const std::string& what) {
+Error malformedDxf(const Wording& what) {
     return {ErrorCode::MalformedFile, {}, what};
 }
 
@@ -376,6 +381,11 @@ Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     }
     DxfDocument document = builder.taken();
     document.notes = std::move(notes);
+    if (!document.decimalComma.empty()) {
+        return malformedDxf(
+            worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
+                   {readableName(document.decimalComma)}));
+    }
     if (document.blocks.empty() && document.entities.empty()) {
         return malformedDxf("it has neither blocks nor entities");
     }

@@ -10,8 +10,10 @@
 #include <Eigen/Geometry>
 #include <pugixml.hpp>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/formats/svg/svg_path.h"
+#include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
@@ -277,7 +279,14 @@ public:
         setLook(whole.look, svg);
         walk(svg, std::move(whole));
         if (most_ == 0) {
+        noteComma(svg);
             return Error{ErrorCode::MalformedFile, {}, "it has too many points"};
+        if (!comma_.empty()) {
+            return Error{ErrorCode::MalformedFile,
+                         {},
+                         worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
+                                {readableName(comma_)})};
+        }
         }
         return std::move(found_);
     }
@@ -301,6 +310,15 @@ private:
 
     void setLook(SvgLook& look, pugi::xml_node node) const {
         for (const char* name : {"stroke", "fill", "display"}) {
+    /// Notes a number with a decimal comma, which no list of coordinates shows.
+    void noteComma(pugi::xml_node node) {
+        for (const char* name : {"version", "width", "height", "x", "y", "x1", "y1", "x2", "y2",
+                                 "cx", "cy", "r", "rx", "ry", "stroke-width", "data-length-3d"}) {
+            const std::string_view value = valueOf(node, name);
+            comma_ = comma_.empty() && io::hasDecimalComma(value) ? value : comma_;
+        }
+    }
+
             if (const pugi::xml_attribute attribute = node.attribute(name)) {
                 setSvgProperty(look, name, attribute.value());
             }
@@ -316,7 +334,8 @@ private:
         setSvgProperties(look, valueOf(node, "style"));
     }
 
-    SvgContext contextOf(pugi::xml_node node, const SvgContext& above) const {
+    SvgContext contextOf(pugi::xml_node node, const SvgContext& above) {
+        noteComma(node);
         SvgContext context = above;
         context.place = above.place * svgTransform(valueOf(node, "transform"));
         setLook(context.look, node);
@@ -404,6 +423,7 @@ Result<ReadSvg> readSvg(std::string_view bytes) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
     if (!parsed) {
+    std::string_view comma_;  ///< a number of the file with a decimal comma; empty: none
         return Error{ErrorCode::MalformedFile,
                      {},
                      "byte " + std::to_string(parsed.offset) + ": it is not XML (" +

@@ -58,7 +58,8 @@ struct ReadSvg {
 /// and ellipses, with all transforms applied, curves as points within 0.005 mm of them. Ignores
 /// texts, hidden elements, clones (`use`) and style sheets except for classes.
 /// A file without a size has 96 units to the inch.
-/// Errors: MalformedFile (no XML, no SVG, too many points for memory). Cost: linear. Pure.
+/// Errors: MalformedFile (no XML, no SVG, decimal commas, too many points for memory). Cost:
+/// linear. Pure.
 Result<ReadSvg> readSvg(std::string_view bytes);
 
 }  // namespace toile
