@@ -210,6 +210,7 @@ void describeCheck(OptionArchive& at, Arguments& arguments) {
     describeSelfContact(at, arguments.prove.plan.settings, "--prove");
     at.flag("--json", arguments.json, "Print JSON");
     describeLines(at, arguments.lines);
+    describeHalf(at, arguments);
     describeMethod(at, arguments.options);
     describeReading(at, arguments);
 }

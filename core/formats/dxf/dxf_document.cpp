@@ -459,11 +459,21 @@ DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double ex
         return judged(LengthUnit::Inch, worded("its text says Units: %1", {Wording(units)}),
                       extent);
     }
+    const auto header = headerUnit(document);
     if (word.starts_with("metric")) {
+        // Some programs draw METRIC files in centimetres (two of CLO 2024, nests of Optitex).
+        if (!header && !isUsual(LengthUnit::Millimetre, extent) &&
+            isUsual(LengthUnit::Centimetre, extent)) {
+            return {LengthUnit::Centimetre,
+                    worded("its text says Units: %1, which some programs use for cm; in mm the "
+                           "largest piece would be %2 mm",
+                           {Wording(units), figure(extent)}),
+                    true};
+        }
         return judged(LengthUnit::Millimetre, worded("its text says Units: %1", {Wording(units)}),
                       extent);
     }
-    if (const auto header = headerUnit(document)) {
+    if (header) {
         return judged(*header,
                       worded("$INSUNITS %1",
                              {Wording(std::string(document.header.at("$INSUNITS").front().value))}),

@@ -263,7 +263,7 @@ std::string shapeData(pugi::xml_node node) {
 /// Properties that elements inherit from their groups.
 struct SvgContext {
     Eigen::Affine2d place;
-    std::string layer{}, piece{};
+    std::string layer{}, piece{}, label{};
     bool isLayer = false;  ///< `layer` is a layer; else it is the outermost group
     SvgLook look{};
 };
@@ -277,16 +277,16 @@ public:
         readClasses(svg);
         SvgContext whole{page.place};
         setLook(whole.look, svg);
-        walk(svg, std::move(whole));
-        if (most_ == 0) {
         noteComma(svg);
-            return Error{ErrorCode::MalformedFile, {}, "it has too many points"};
+        walk(svg, std::move(whole));
         if (!comma_.empty()) {
             return Error{ErrorCode::MalformedFile,
                          {},
                          worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
                                 {readableName(comma_)})};
         }
+        if (most_ == 0) {
+            return Error{ErrorCode::MalformedFile, {}, "it has too many points"};
         }
         return std::move(found_);
     }
@@ -308,8 +308,6 @@ private:
         classes_ = svgClasses(css);
     }
 
-    void setLook(SvgLook& look, pugi::xml_node node) const {
-        for (const char* name : {"stroke", "fill", "display"}) {
     /// Notes a number with a decimal comma, which no list of coordinates shows.
     void noteComma(pugi::xml_node node) {
         for (const char* name : {"version", "width", "height", "x", "y", "x1", "y1", "x2", "y2",
@@ -319,6 +317,8 @@ private:
         }
     }
 
+    void setLook(SvgLook& look, pugi::xml_node node) const {
+        for (const char* name : {"stroke", "fill", "display"}) {
             if (const pugi::xml_attribute attribute = node.attribute(name)) {
                 setSvgProperty(look, name, attribute.value());
             }
@@ -339,6 +339,12 @@ private:
         SvgContext context = above;
         context.place = above.place * svgTransform(valueOf(node, "transform"));
         setLook(context.look, node);
+        std::string_view label = valueOf(node, "inkscape:label");
+        label = label.empty() ? trimmed(node.child("title").text().get()) : label;
+        const bool isLayer = valueOf(node, "inkscape:groupmode") == "layer";
+        if (!label.empty() || isLayer) {
+            context.label = isLayer ? "" : label.substr(0, kLongestSvgName);
+        }
         if (const pugi::xml_attribute piece = node.attribute("data-piece")) {
             context.piece = std::string_view(piece.value()).substr(0, kLongestSvgName);
         }
@@ -394,6 +400,7 @@ private:
             line.layer = context.layer;
             line.id = valueOf(node, "id");
             line.piece = context.piece;
+            line.label = context.label;
             line.stroke = context.look.stroke;
             line.fill = context.look.fill;
             line.text = valueOf(node, "data-text");
@@ -414,6 +421,7 @@ private:
 
     ReadSvg found_;
     std::size_t most_ = kMaxSvgPoints;
+    std::string_view comma_;  ///< a number of the file with a decimal comma; empty: none
     std::map<std::string, SvgLook, std::less<>> classes_;
 };
 
@@ -423,7 +431,6 @@ Result<ReadSvg> readSvg(std::string_view bytes) {
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer(bytes.data(), bytes.size());
     if (!parsed) {
-    std::string_view comma_;  ///< a number of the file with a decimal comma; empty: none
         return Error{ErrorCode::MalformedFile,
                      {},
                      "byte " + std::to_string(parsed.offset) + ": it is not XML (" +

@@ -41,6 +41,7 @@ struct SvgSeam {
 struct SvgLine {
     std::string layer{};  ///< label of the innermost layer, else name or id of the outermost group
     std::string id{};     ///< of the element; its parts share it
+    std::string label{};  ///< its label or title, else that of the innermost group with one
     std::string piece{};  ///< data-piece of the element or an enclosing group
     std::string stroke{}, fill{};    ///< see SvgLook
     std::string text{};              ///< data-text, if the line is part of letters
