@@ -267,6 +267,9 @@ bool writePatterns(const std::vector<fs::path>& outputs, const ExportSource& sou
             isDone = false;
             continue;
         }
+        for (const Wording& note : written->notes) {
+            messages.add(output.string() + ": " + std::string(note));
+        }
         for (const fs::path& file : written->files) {
             out << "wrote " << file.string();
             if (written->readBack && file == written->files.front()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/file.h"
+#include "core/formats/dxf/apparel_dxf.h"
 #include "core/formats/formats.h"
 
 namespace toile {
@@ -11,9 +12,9 @@ namespace {
 
 /// Approximate shares of the export time: creating, then also reading back; the rest is writing.
 constexpr double kMakingShare = 0.5, kReadShare = 0.8;
-
 /// Readers refuse coordinates beyond this, mm: no garment has them, and their digits are lost.
 constexpr double kMaxDrawing = 1e7;
+
 }  // namespace
 
 std::filesystem::path exportedPath(const std::filesystem::path& path, const std::string& beside) {
@@ -41,7 +42,6 @@ Result<Exported> exportFile(const std::filesystem::path& path, const ExportSourc
     if (!format->write) {
         return about({ErrorCode::FormatNotBuilt, {}, format->name});
     }
-    if (progress.isCancelled()) {
     const double size = std::max(source.laid().marker.width, source.laid().marker.height);
     if (format->trueScale && size > kMaxDrawing) {
         return about({ErrorCode::PageTooSmall,
@@ -49,6 +49,7 @@ Result<Exported> exportFile(const std::filesystem::path& path, const ExportSourc
                       worded("%1 mm, while a file holds at most %2 mm; check the garment's unit",
                              {figure(size), figure(kMaxDrawing)})});
     }
+    if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
     const Result<ExportedFiles> made = format->write(source);
@@ -57,6 +58,9 @@ Result<Exported> exportFile(const std::filesystem::path& path, const ExportSourc
     }
     progress.report(kMakingShare);
     Exported done;
+    if (format->id == FormatId::Dxf) {
+        done.notes = renamedNotes(source);
+    }
     if (format->readBack && !progress.isCancelled()) {
         const Result<ReadBack> read = format->readBack(*made, source);
         if (!read) {
