@@ -960,8 +960,8 @@ veraltet</translation>
         <translation>die Datei verletzt die Regeln ihres Formats</translation>
     </message>
     <message>
-        <source>Export the garment as a mesh with faces</source>
-        <translation>Exportieren Sie das Kleidungsstück als Netz mit Flächen</translation>
+        <source>Export the garment as a mesh with faces, or the pattern with closed outlines</source>
+        <translation>Exportieren Sie das Kleidungsstück als Netz mit Flächen, oder den Schnitt mit geschlossenen Umrissen</translation>
     </message>
     <message>
         <source>the project file breaks the rules of its format</source>
@@ -4159,6 +4159,42 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Distance between layers of cloth</source>
         <translation>Abstand zwischen Lagen von Stoff</translation>
     </message>
+    <message>
+        <source>a number has a decimal comma, &quot;%1&quot;; numbers need decimal points</source>
+        <translation>eine Zahl hat ein Dezimalkomma, „%1“; Zahlen brauchen Dezimalpunkte</translation>
+    </message>
+    <message>
+        <source>%1 mm, while a file holds at most %2 mm; check the garment&apos;s unit</source>
+        <translation>%1 mm, eine Datei fasst aber höchstens %2 mm; prüfen Sie die Einheit des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>without texture coordinates: their number does not fit</source>
+        <translation>ohne Texturkoordinaten: ihre Anzahl passt nicht</translation>
+    </message>
+    <message>
+        <source>the mesh lies so far from the origin that its coordinates, which are floats, are %1 apart in the file&apos;s unit; move it to the origin and export it again</source>
+        <translation>das Netz liegt so weit vom Ursprung, dass seine Koordinaten (einfache Genauigkeit) in der Einheit der Datei %1 auseinanderliegen; verschieben Sie es zum Ursprung und exportieren Sie es erneut</translation>
+    </message>
+    <message>
+        <source>subdivision is not applied to %1 of its meshes, and the smooth cloth is smaller; apply it in the modelling program</source>
+        <translation>auf %1 der Netze ist die Unterteilung nicht angewandt, und der glatte Stoff ist kleiner; wenden Sie sie im Modellierprogramm an</translation>
+    </message>
+    <message>
+        <source>its text says Units: %1, which some programs use for cm; in mm the largest piece would be %2 mm</source>
+        <translation>ihr Text sagt Units: %1, was manche Programme für cm verwenden; in mm wäre das größte Teil %2 mm groß</translation>
+    </message>
+    <message>
+        <source>the grade rules in &quot;%1&quot; are not read, only sizes drawn in the DXF file</source>
+        <translation>die Gradierregeln in „%1“ werden nicht gelesen, nur in der DXF-Datei gezeichnete Größen</translation>
+    </message>
+    <message>
+        <source>DXF files hold names in plain Latin letters, so these were changed: %1</source>
+        <translation>DXF-Dateien enthalten Namen nur in einfachen lateinischen Buchstaben, daher wurden diese geändert: %1</translation>
+    </message>
+    <message>
+        <source>Not settled after %1 steps, so all figures are rough. </source>
+        <translation>Nach %1 Schritten nicht zur Ruhe gekommen, daher sind alle Zahlen ungenau. </translation>
+    </message>
 </context>
 <context>
     <name>toile::app</name>
@@ -6076,6 +6112,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Export</source>
         <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm are too large for a picture at any resolution</source>
+        <translation>%1 x %2 mm sind für ein Bild in jeder Auflösung zu groß</translation>
     </message>
     <message>
         <source>%1 x %2 dots; at most %3 dpi fit</source>
