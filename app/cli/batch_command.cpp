@@ -136,6 +136,9 @@ OrderedJson flattenedAndWritten(const BatchEntry& entry, const std::vector<std::
         if (!written) {
             return failedFigures(written.error());
         }
+        for (const Wording& note : written->notes) {
+            figures["notes"].push_back(text(note));
+        }
         for (const std::filesystem::path& file : written->files) {
             figures["outputs"].push_back(text(pathText(file.filename())));
         }

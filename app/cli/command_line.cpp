@@ -67,8 +67,13 @@ int run(const Answer<Arguments>& typed, std::ostream& out, Messages& messages) {
 int runCommand(const Answer<Arguments>& typed) {
     Messages messages(std::cerr);
     try {
-        return run(typed, std::cout, messages);
-    } catch (const std::exception& fault) {  // out of memory, or a bug: still report one sentence
+        const int status = run(typed, std::cout, messages);
+        if (std::cout.flush()) {
+            return status;
+        }
+        messages.add("standard output cannot be written (a full disk or a closed pipe).");
+        return kExitUnreadable;
+    } catch (const std::exception& fault) {  // out of memory, or a bug: still one sentence
         messages.add(std::string("stopped by an unexpected error (") + fault.what() + ").");
         return kExitUnreadable;
     }
@@ -261,6 +266,9 @@ bool writePatterns(const std::vector<fs::path>& outputs, const ExportSource& sou
             messages.add(written.error());
             isDone = false;
             continue;
+        }
+        for (const Wording& note : written->notes) {
+            messages.add(output.string() + ": " + std::string(note));
         }
         for (const fs::path& file : written->files) {
             out << "wrote " << file.string();

@@ -210,6 +210,7 @@ void describeCheck(OptionArchive& at, Arguments& arguments) {
     describeSelfContact(at, arguments.prove.plan.settings, "--prove");
     at.flag("--json", arguments.json, "Print JSON");
     describeLines(at, arguments.lines);
+    describeHalf(at, arguments);
     describeMethod(at, arguments.options);
     describeReading(at, arguments);
 }
@@ -566,7 +567,7 @@ constexpr CommandRow kCommandRows[] = {
     {Command::Prove, "prove",
      "Sew the pattern back together and measure its distance from the design (docs/prove.md)",
      "Exit status 1: the pattern has a fault, such as a mirrored piece or a seam whose sides do\n"
-     "not fit, or a piece failed. Press Ctrl-C to stop.",
+     "not fit, a piece failed, or the cloth has not settled. Press Ctrl-C to stop.",
      "toile prove dress.obj --fabric denim --gravity --report proof.json", describeProve},
     {Command::Info, "info", "Describe a garment or pattern file", "",
      "toile info dress.obj --auto-cut --advice", describeInfo},

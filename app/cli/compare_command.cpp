@@ -123,11 +123,10 @@ void printPairs(const Pattern& pattern, const PatternFile& file, const PatternMa
                  "in the file mm", "length %", "area %", "mirrored"});
     for (const PieceMatch& pair : match.pairs) {
         const FilePiece& other = file.pieces[static_cast<std::size_t>(pair.filePiece)];
-        const bool isDoubtful = !pair.rivals.empty();
         for (const LineMatch& line : pair.lines) {
             table.add({pattern.pieces[static_cast<std::size_t>(pair.piece)].name,
                        other.name + (other.size.empty() ? "" : " (" + other.size + ")"),
-                       std::string(name(pair.by)) + (isDoubtful ? "?" : ""), linesText(line),
+                       std::string(name(pair.by)) + (pair.isDoubtful() ? "?" : ""), linesText(line),
                        fixed(line.fit.mean, kMatchDecimals),
                        fixed(line.fit.farthest, kMatchDecimals), fixed(line.lengthOurs, 1),
                        fixed(line.lengthTheirs, 1), changeText(line.lengthOurs, line.lengthTheirs),
@@ -153,6 +152,10 @@ void printRest(const Pattern& pattern, const PatternFile& file, const PatternMat
         if (!pair.rivals.empty()) {
             out << shownText(ourPiece(pair.piece)) << " fits " << listOf(pair.rivals, filePiece)
                 << " about as well as \"" << shownText(filePiece(pair.filePiece)) << "\"\n";
+        } else if (pair.isDoubtful()) {
+            out << shownText(ourPiece(pair.piece)) << " may not be \""
+                << shownText(filePiece(pair.filePiece))
+                << "\": their sizes or shapes differ much\n";
         }
     }
     if (!match.alone.empty()) {

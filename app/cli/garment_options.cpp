@@ -237,8 +237,7 @@ void describeExporting(OptionArchive& at, ExportOptions& options) {
     }
 }
 
-void describeFlattening(OptionArchive& at, Arguments& arguments) {
-    describeLines(at, arguments.lines);
+void describeHalf(OptionArchive& at, Arguments& arguments) {
     at.add("--half", "",
            "Draw symmetric pieces by half, on the fold, and one piece of each mirrored pair. "
            "Implies --mirror auto",
@@ -249,6 +248,11 @@ void describeFlattening(OptionArchive& at, Arguments& arguments) {
                                                                                  : mirror;
                return {};
            });
+}
+
+void describeFlattening(OptionArchive& at, Arguments& arguments) {
+    describeLines(at, arguments.lines);
+    describeHalf(at, arguments);
     describeLabels(at, arguments.lines);
     describeMethod(at, arguments.options);
     describeReading(at, arguments);

@@ -15,6 +15,8 @@ void describeMethod(OptionArchive& at, FlattenOptions& options, bool isOne = tru
 /// Options for drawing outlines and adding to them.
 /// @param hasPreset  whether to add `--pattern`; false: the command uses that name for a file
 void describeLines(OptionArchive& at, LineSettings& lines, bool hasPreset = true);
+/// Symmetric pieces by half. After `describeLines`, whose mirroring it may turn on.
+void describeHalf(OptionArchive& at, Arguments& arguments);
 /// The texts on all labels.
 void describeLabels(OptionArchive& at, LineSettings& lines);
 /// The options of file formats.

@@ -42,9 +42,12 @@ std::vector<UserCut> ownCutsOf(const Garment& garment, const std::shared_ptr<con
     return record == garment.cutRecords.end() ? std::vector<UserCut>{} : record->requested;
 }
 
+/// Seconds after which advice reports each flattening, and does no more of them.
+constexpr double kLongAdvice = 5, kMaxAdvice = 60;
+
 void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserCut>& own,
-              const PolygonSoup& soup, const Arguments& arguments, Progress& progress,
-              std::ostream& out) {
+              const PolygonSoup& soup, const Arguments& arguments, const Stopwatch& watch,
+              Progress& progress, std::ostream& out, Messages& messages) {
     const CutAdvice advice = adviseCuts(
         piece, own,
         {arguments.load.isFrontSwapped, arguments.load.enoughStrain, fileBorders(*piece, soup)},
@@ -55,6 +58,13 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
         return;
     }
     const auto solvedAfter = [&](std::size_t count) {
+        if (watch.seconds() > kMaxAdvice) {
+            return std::string("-");
+        }
+        if (watch.seconds() > kLongAdvice) {
+            messages.add(fixed(watch.seconds(), 0) + " s: flattening " + shownText(piece->name) +
+                         " with " + counted(static_cast<long long>(count), "more cut"));
+        }
         const auto solved = solvedStrain(piece, own, advice, count, arguments.options, progress);
         return solved ? percent(solved->mean) : std::string("-");
     };
@@ -76,9 +86,10 @@ void printFor(const std::shared_ptr<const Piece>& piece, const std::vector<UserC
 
 /// For each piece before Toile's own cuts, prints the cuts that reduce strain most and the
 /// remaining strain: predicted for all, computed for the best five.
-/// Cost: that of `adviseCuts`, and six flattenings of each piece.
+/// Cost: that of `adviseCuts`, and six flattenings of each piece, but no more after a minute.
 void printAdvice(const Arguments& arguments, const Garment& garment, Progress& progress,
-                 std::ostream& out) {
+                 std::ostream& out, Messages& messages) {
+    const Stopwatch watch;
     for (const auto& piece : garment.uncut) {
         if (piece->defect && !isOpenable(*piece)) {
             out << piece->name << ": cuts do not help because " << describe(piece->defect->code)
@@ -86,8 +97,12 @@ void printAdvice(const Arguments& arguments, const Garment& garment, Progress& p
             continue;
         }
         printFor(piece, ownCutsOf(garment, piece),
-                 *garment.files[static_cast<std::size_t>(piece->file)]->soup, arguments, progress,
-                 out);
+                 *garment.files[static_cast<std::size_t>(piece->file)]->soup, arguments, watch,
+                 progress, out, messages);
+    }
+    if (watch.seconds() > kMaxAdvice) {
+        messages.add("the strain of the remaining cuts is only predicted: flattening took " +
+                     fixed(kMaxAdvice, 0) + " s. Use a coarser mesh to have all solved.");
     }
 }
 
@@ -419,7 +434,7 @@ int runInfo(const Arguments& arguments, std::ostream& out, Messages& messages) {
         printAssumptions(*garment, out);
         if (arguments.advice) {
             out << '\n';
-            printAdvice(arguments, *garment, progress, out);
+            printAdvice(arguments, *garment, progress, out, messages);
         }
     }
     int status = reportProblems(*garment, messages) ? kExitSomeFailed : kExitDone;

@@ -72,11 +72,11 @@ MarkerPlan planOf(const Arguments& arguments, const std::string& material, const
 /// Starts a nester with a first layout. Ctrl-C cancels that; later it only ends the search.
 Result<MarkerNester> begun(const std::shared_ptr<const Pattern>& pattern,
                            const std::string& material, const Fabric& fabric,
-                           const MarkerPlan& plan, int threads) {
+                           const MarkerPlan& plan, const MarkerArguments& typed) {
     Progress progress;
     const Interruptible interruptible(progress);
     return MarkerNester::make(pattern, material, fabric, plan.settings, plan.kept, progress,
-                              threads);
+                              typed.threads, typed.seconds);
 }
 
 void search(MarkerNester& nester, const MarkerArguments& typed, Progress& progress,
@@ -213,6 +213,7 @@ int nestInstance(const Arguments& arguments, std::ostream& out, Messages& messag
     options.gap = typed.settings.gap;
     options.border = typed.settings.border;
     options.threads = typed.threads;
+    options.hasteAfter = typed.seconds.value_or(options.hasteAfter);
     const Stopwatch watch;
     Progress progress;
     const Interruptible interruptible(progress);
@@ -293,7 +294,7 @@ int runMarker(const Arguments& arguments, std::ostream& out, Messages& messages)
         const auto pattern = std::make_shared<const Pattern>(patternOnCloth(whole, plan.settings));
         const Fabric fabric = fabricOf(material, pattern->materials,
                                        arguments.fabric.value_or(fabricPresets().front()));
-        auto nester = begun(pattern, material, fabric, plan, typed.threads);
+        auto nester = begun(pattern, material, fabric, plan, typed);
         if (!nester) {
             return refuse(nester.error(), messages);
         }

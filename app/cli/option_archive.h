@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <concepts>
@@ -152,12 +153,12 @@ public:
         return numberOf<Number>(names, unit, range, help, [&target](Number n) { target = n; });
     }
 
-    /// A text or path.
+    /// A text or path; a path must not be empty.
     template <class Text>
     Option& text(const char* names, const char* value, Text& target, const char* help) {
         return add(names, value, help, [&target](const Words& typed) -> std::string {
             target = typed.front();
-            return {};
+            return wrongPath<Text>(typed);
         });
     }
     /// Texts or paths; the option may be repeated.
@@ -166,7 +167,7 @@ public:
                   const std::string& help) {
         Option& row = add(names, value, help, [&target](const Words& typed) -> std::string {
             target.assign(typed.begin(), typed.end());
-            return {};
+            return wrongPath<Text>(typed);
         });
         row.isRepeated = true;
         return row;
@@ -212,6 +213,14 @@ public:
     const std::deque<Option>& rows() const { return rows_; }
 
 private:
+    /// An empty path would mean the current folder, usually from a variable that is not set.
+    template <class Text>
+    static std::string wrongPath(const Words& typed) {
+        const bool isEmpty = std::is_same_v<Text, std::filesystem::path> &&
+                             std::ranges::find(typed, "") != typed.end();
+        return isEmpty ? "needs a name, not an empty text" : "";
+    }
+
     std::deque<Option> rows_;  ///< a deque, so that adding a row keeps references to others valid
     const char* heading_ = nullptr;
     OptionGroup group_ = kForTerminal;

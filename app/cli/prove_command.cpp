@@ -272,7 +272,13 @@ int runProve(const Arguments& arguments, std::ostream& out, Messages& messages) 
     } else {
         printProof(*garment, **proof, out);
     }
-    status = (*proof)->faults.empty() ? status : kExitSomeFailed;
+    if (!(*proof)->hasSettled) {
+        messages.add("doubt: the cloth has not settled after " +
+                     counted((*proof)->iterations, "step") +
+                     ", so the figures are not reliable. Use longer edges with --edge.");
+    }
+    const bool isDone = (*proof)->faults.empty() && (*proof)->hasSettled;
+    status = isDone ? status : kExitSomeFailed;
     if (const auto written = writeProofFiles(arguments, source, *proof, messages); !written) {
         return refuse(written.error(), messages);
     }

@@ -114,10 +114,14 @@ Result<QImage> pictureOf(const Drawing& drawing, double dpi) {
     if (!(width <= kMaxDots && height <= kMaxDots && width * height <= kMaxOfPicture)) {
         const double most = std::min(
             {kMaxDots / width, kMaxDots / height, std::sqrt(kMaxOfPicture / (width * height))});
+        const double fitting = std::floor(most * dpi);
         return Error{ErrorCode::PageTooSmall,
                      {},
-                     worded("%1 x %2 pixels; the maximum is %3 dpi",
-                            {figure(width), figure(height), figure(std::floor(most * dpi))})};
+                     fitting < 1
+                         ? worded("%1 x %2 mm are too large for a picture at any resolution",
+                                  {figure(drawing.width), figure(drawing.height)})
+                         : worded("%1 x %2 pixels; the maximum is %3 dpi",
+                                  {figure(width), figure(height), figure(fitting)})};
     }
     QImage picture(static_cast<int>(width), static_cast<int>(height), QImage::Format_RGB32);
     if (picture.isNull()) {

@@ -367,8 +367,14 @@ void Workspace::exportTo(const std::filesystem::path& path, const ExportOptions&
                          const Document::Selection& only) {
     Q_ASSERT(canExport());
     writing_.start(exportJob(document_, path, options, only, [this](const Exported& written) {
-        emit exported(textOf(written.files.front()),
-                      written.readBack ? readBackText(*written.readBack) : QString());
+        QStringList said;
+        if (written.readBack) {
+            said << readBackText(*written.readBack);
+        }
+        for (const Wording& note : written.notes) {
+            said << wordingText(note);
+        }
+        emit exported(textOf(written.files.front()), said.join("; "));
     }));
 }
 

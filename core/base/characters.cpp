@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/characters.h"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 #include "core/base/wording.h"
 
@@ -55,6 +57,43 @@ constexpr Word<char32_t> kOthers[] = {
     {0x132, "IJ"}, {0x133, "ij"}, {0x152, "OE"},  {0x153, "oe"}, {0x2013, "-"},  // dashes
     {0x2014, "-"}, {0x2019, "'"}, {0x1E9E, "SS"}, {0xA0, " "},  // blank that does not break
 };
+
+/// Latin letters for Greek from U+03B1 and Cyrillic from U+0430 on, small letters, as in passports
+/// (ICAO 9303); empty for a letter without a sound of its own.
+constexpr std::string_view kGreek[] = {"a", "v", "g", "d", "e",  "z",  "i", "th", "i",
+                                       "k", "l", "m", "n", "x",  "o",  "p", "r",  "s",
+                                       "s", "t", "y", "f", "ch", "ps", "o"};
+constexpr std::string_view kCyrillic[] = {
+    "a", "b", "v", "g", "d", "e",  "zh", "z",  "i",  "i",    "k",  "l", "m", "n", "o",  "p",
+    "r", "s", "t", "u", "f", "kh", "ts", "ch", "sh", "shch", "ie", "y", "",  "e", "iu", "ia"};
+constexpr Word<char32_t> kMoreLetters[] = {
+    {0x3AC, "a"}, {0x3AD, "e"}, {0x3AE, "i"},  {0x3AF, "i"},  {0x3CA, "i"},  {0x3CB, "y"},
+    {0x3CC, "o"}, {0x3CD, "y"}, {0x3CE, "o"},  {0x390, "i"},  {0x3B0, "y"},  {0x450, "e"},
+    {0x451, "e"}, {0x452, "d"}, {0x453, "g"},  {0x454, "ie"}, {0x455, "dz"}, {0x456, "i"},
+    {0x457, "i"}, {0x458, "j"}, {0x459, "lj"}, {0x45A, "nj"}, {0x45B, "c"},  {0x45C, "k"},
+    {0x45D, "i"}, {0x45E, "u"}, {0x45F, "dz"}, {0x491, "g"},  {0x386, "A"},  {0x388, "E"},
+    {0x389, "I"}, {0x38A, "I"}, {0x38C, "O"},  {0x38E, "Y"},  {0x38F, "O"},  {0x490, "G"}};
+
+/// The Latin letters of a Greek or Cyrillic one; nothing for other characters.
+std::optional<std::string> latinLetters(char32_t c) {
+    const bool isCapital = (c >= 0x391 && c <= 0x3AB) || (c >= 0x400 && c < 0x430);
+    const char32_t small = isCapital ? c + (c >= 0x400 && c < 0x410 ? 0x50 : 0x20) : c;
+    const auto more = std::ranges::find(kMoreLetters, small, &Word<char32_t>::first);
+    std::string letters;
+    if (more != std::end(kMoreLetters)) {
+        letters = more->second;
+    } else if (small >= 0x3B1 && small <= 0x3C9) {
+        letters = kGreek[small - 0x3B1];
+    } else if (small >= 0x430 && small <= 0x44F) {
+        letters = kCyrillic[small - 0x430];
+    } else {
+        return {};
+    }
+    if (small != c && !letters.empty()) {
+        letters.front() = static_cast<char>(letters.front() - 'a' + 'A');
+    }
+    return letters;
+}
 
 std::string_view severalLetters(char32_t c) {
     const auto known = std::ranges::find(kOthers, c, &Word<char32_t>::first);
@@ -139,6 +178,8 @@ std::string asciiText(std::string_view text) {
             out += static_cast<char>(c);
         } else if (c >= 0xC0 && c < 0x180 && kLatin[c - 0xC0] != '*') {
             out += kLatin[c - 0xC0];
+        } else if (const auto letters = latinLetters(c)) {
+            out += *letters;
         } else if (!isCombiningMark(c)) {
             out += severalLetters(c);
         }

@@ -28,7 +28,7 @@ inline constexpr std::size_t kMaxShown = 120;
 std::string shownText(std::string_view bytes, std::size_t most = kMaxShown);
 
 /// Printable ASCII: Latin letters lose their accents ("Rücken" becomes "Rucken", "ß" becomes
-/// "ss"), every other character becomes '_'.
+/// "ss"), Greek and Cyrillic letters become Latin ones, every other character becomes '_'.
 std::string asciiText(std::string_view text);
 
 }  // namespace toile

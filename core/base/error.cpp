@@ -46,7 +46,7 @@ constexpr Words kWords[] = {
     {MalformedFile, "malformed-file", TR("the file breaks the rules of its format"),
      TR("Export it again from the program that made it")},
     {NoGeometry, "no-geometry", TR("the file contains no usable geometry"),
-     TR("Export the garment as a mesh with faces")},
+     TR("Export the garment as a mesh with faces, or the pattern with closed outlines")},
     {MalformedProject, "malformed-project", TR("the project file breaks the rules of its format"),
      TR("Open an older copy, or correct this place in a text editor")},
     {NewerProject, "newer-project", TR("the project was saved by a newer version of Toile"),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/export_file.h"
 
+#include <algorithm>
+
 #include "core/base/file.h"
+#include "core/formats/dxf/apparel_dxf.h"
 #include "core/formats/formats.h"
 
 namespace toile {
@@ -9,6 +12,8 @@ namespace {
 
 /// Approximate shares of the export time: creating, then also reading back; the rest is writing.
 constexpr double kMakingShare = 0.5, kReadShare = 0.8;
+/// Readers refuse coordinates beyond this, mm: no garment has them, and their digits are lost.
+constexpr double kMaxDrawing = 1e7;
 
 }  // namespace
 
@@ -37,6 +42,13 @@ Result<Exported> exportFile(const std::filesystem::path& path, const ExportSourc
     if (!format->write) {
         return about({ErrorCode::FormatNotBuilt, {}, format->name});
     }
+    const double size = std::max(source.laid().marker.width, source.laid().marker.height);
+    if (format->trueScale && size > kMaxDrawing) {
+        return about({ErrorCode::PageTooSmall,
+                      {},
+                      worded("%1 mm, while a file holds at most %2 mm; check the garment's unit",
+                             {figure(size), figure(kMaxDrawing)})});
+    }
     if (progress.isCancelled()) {
         return Error{ErrorCode::Cancelled};
     }
@@ -46,6 +58,9 @@ Result<Exported> exportFile(const std::filesystem::path& path, const ExportSourc
     }
     progress.report(kMakingShare);
     Exported done;
+    if (format->id == FormatId::Dxf) {
+        done.notes = renamedNotes(source);
+    }
     if (format->readBack && !progress.isCancelled()) {
         const Result<ReadBack> read = format->readBack(*made, source);
         if (!read) {

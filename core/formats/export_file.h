@@ -16,6 +16,7 @@ namespace toile {
 struct Exported {
     std::vector<std::filesystem::path> files;  ///< the requested one first
     std::optional<ReadBack> readBack{};        ///< none for a format without `readBack`
+    std::vector<Wording> notes{};              ///< on content that the format cannot hold
 };
 
 /// Writes an export in the format of its file name (`formatOf`), with its additional files. The

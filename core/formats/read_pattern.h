@@ -13,7 +13,8 @@ namespace toile {
 
 enum class PatternFileKind { Dxf, Svg, GarmentCode };
 
-/// Kind of a pattern file by its extension, in any case; none for other extensions.
+/// Kind of a pattern file by its extension, in any case; a .json file is one of GarmentCode if its
+/// name or its content says so. None for other files.
 std::optional<PatternFileKind> patternFileKind(const std::filesystem::path& path);
 
 /// Reads a pattern from memory.

@@ -62,7 +62,8 @@ constexpr Format kFormats[] = {{".glb", translatable("binary glTF")},
                                {".fbx", "FBX"},
                                {".dae", "Collada"},
                                {".3mf", translatable("a ZIP archive, as 3MF is")}};
-constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf"};
+/// A .vrm file is a .glb file with data of avatars, which Toile ignores.
+constexpr std::string_view kEndings[] = {".glb", ".gltf", ".fbx", ".dae", ".3mf", ".vrm"};
 
 /// Whether the first bytes of a file fit the format of this ending.
 bool beginsAs(std::string_view ending, std::string_view bytes) {
@@ -396,8 +397,9 @@ private:
 /// Opens the file itself and, read-only, files that `pathBelow` finds in its folder.
 class FolderFiles : public Assimp::DefaultIOSystem {
 public:
-    FolderFiles(std::filesystem::path file, std::string& refused)
-        : file_(std::move(file)), refused_(refused) {}
+    /// @param called  the name under which assimp opens the file
+    FolderFiles(std::filesystem::path file, std::string called, std::string& refused)
+        : file_(std::move(file)), called_(std::move(called)), refused_(refused) {}
 
     bool Exists(const char* name) const override { return !find(name).empty(); }
     Assimp::IOStream* Open(const char* name, const char* mode) override {
@@ -409,8 +411,8 @@ private:
     /// The path of a regular file, or nothing. URIs can contain escapes.
     std::string find(const char* name) const {
         std::error_code unknown;
-        if (file_ == name) {
-            return std::filesystem::is_regular_file(file_, unknown) ? name : "";
+        if (called_ == name) {
+            return std::filesystem::is_regular_file(file_, unknown) ? file_.string() : "";
         }
         for (const std::string& written : {std::string(name), io::withoutEscapes(name)}) {
             if (std::filesystem::exists(written, unknown)) {
@@ -426,6 +428,7 @@ private:
     }
 
     std::filesystem::path file_;
+    std::string called_;
     std::string& refused_;  ///< the first name that points outside the folder
 };
 
@@ -462,12 +465,14 @@ Result<PolygonSoup> readScene(const std::filesystem::path& path, std::string_vie
     std::string outside;
     Assimp::Importer importer;
     keepImportersOf(ending, importer);
-    importer.SetIOHandler(new FolderFiles(path, outside));  // owned by the importer
+    const bool isCalledSo = equalsIgnoringCase(path.extension().string(), ending);
+    const std::string called = path.string() + (isCalledSo ? "" : std::string(ending));
+    importer.SetIOHandler(new FolderFiles(path, called, outside));  // owned by the importer
     importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);  // not their ids
 #ifdef AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION  // newer versions turn FBX files to y up
     importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_IGNORE_UP_DIRECTION, true);
 #endif
-    const aiScene* const scene = importer.ReadFile(path.string(), 0);
+    const aiScene* const scene = importer.ReadFile(called, 0);
     if (!outside.empty()) {
         return Error{ErrorCode::FileUnreadable, Subject::file(name),
                      worded(kElsewhere, {shownText(outside)})};
@@ -514,7 +519,8 @@ Result<PolygonSoup> readWithAssimp(const std::filesystem::path& path, std::strin
     const auto* const known = std::ranges::find_if(kEndings, [&path](std::string_view ending) {
         return equalsIgnoringCase(path.extension().string(), ending);
     });
-    const std::string_view ending = known == std::end(kEndings) ? kEndings[0] : *known;
+    const std::string_view ending =
+        known == std::end(kEndings) || *known == ".vrm" ? kEndings[0] : *known;
     const Subject subject = Subject::file(name);
     if (!beginsAs(ending, bytes)) {
         return Error{ErrorCode::MalformedFile, subject, otherContent(ending, bytes)};

@@ -13,6 +13,7 @@
 
 #include "core/base/result.h"
 #include "core/base/wording.h"
+#include "core/geometry/point_index.h"
 #include "core/io/soup.h"
 #include "core/io/soup_builder.h"
 #include "core/io/text_cursor.h"
@@ -345,6 +346,11 @@ int cornerList(const io::PlyElement& face) {
     return indexOf(face, true, {"vertex_indices", "vertex_index"});
 }
 
+/// Texture coordinates by corner: u, v of the first corner, then of the next.
+int cornerUvList(const io::PlyElement& face) {
+    return indexOf(face, true, {"texcoord", "texture_coordinates", "tex_coords"});
+}
+
 bool isIndex(double value) {
     return value >= 0 && value <= std::numeric_limits<int>::max() && value == std::floor(value);
 }
@@ -369,6 +375,8 @@ public:
     }
 
     Result<PolygonSoup> read() {
+        const auto face = std::ranges::find(header_.elements, "face", &io::PlyElement::name);
+        hasCornerUvs_ = face != header_.elements.end() && cornerUvList(*face) >= 0;
         bool hasVertices = false, hasFaces = false;
         for (const io::PlyElement& element : header_.elements) {
             Result<void> done;
@@ -376,13 +384,16 @@ public:
                 done = readVertices(element);
             } else {
                 const bool faces = element.name == "face" && !std::exchange(hasFaces, true);
-                done = readFaces(element, faces ? cornerList(element) : -1);
+                areStrips_ = element.name == "tristrips";
+                done = readFaces(element, faces || areStrips_ ? cornerList(element) : -1);
             }
             if (!done) {
                 return done.error();
             }
         }
-        if (!soup_.uvs.empty()) {
+        if (hasCornerUvs_) {
+            soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
+        } else if (!soup_.uvs.empty()) {
             soup_.cornerUvs = soup_.corners;
         }
         if (soup_.positionText.empty()) {
@@ -434,7 +445,7 @@ private:
         if (keepText) {
             soup_.positionText.push_back(span);
         }
-        if (layout.hasUv()) {
+        if (layout.hasUv() && !hasCornerUvs_) {
             soup_.uvs.emplace_back(values[layout.u], values[layout.v]);
         }
     }
@@ -442,17 +453,23 @@ private:
     /// Reads the faces whose corners the given property lists; skips the element if that is -1.
     /// Records without properties take no space, whatever their count.
     Result<void> readFaces(const io::PlyElement& element, int list) {
+        const int uvList = list >= 0 && !areStrips_ ? cornerUvList(element) : -1;
         for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             bool readable = true;
             double unused = 0;
             for (int k = 0; k < static_cast<int>(element.properties.size()); ++k) {
                 const io::PlyProperty& property = element.properties[static_cast<std::size_t>(k)];
-                if (k == list ? !readCorners(property, readable)
-                              : !readProperty(property, unused)) {
+                const bool isRead = k == list     ? readCorners(property, readable)
+                                    : k == uvList ? readList(property, faceUvs_)
+                                                  : readProperty(property, unused);
+                if (!isRead) {
                     return truncated(element, i);
                 }
             }
-            if (list >= 0 && readable) {
+            if (list >= 0 && readable && areStrips_) {
+                divideStrips(numbers_.place(i));
+            } else if (list >= 0 && readable) {
+                addFaceUvs(numbers_.place(i));
                 builder_.endFace(numbers_.place(i));
             } else if (list >= 0) {
                 builder_.dropUnreadableFace(numbers_.place(i));
@@ -465,17 +482,78 @@ private:
     }
 
     bool readCorners(const io::PlyProperty& property, bool& readable) {
-        std::size_t count = 0;
-        double index = 0;
         numbers_.takeUnreadable();  // words in the record's other properties: ignored
-        if (!readCount(property, count)) {
-            return false;
-        }
-        for (; count > 0 && numbers_.next(property.type, index); --count) {
+        const bool isComplete = readList(property, indices_);
+        for (const double index : indices_) {
             soup_.corners.push_back(cornerIndex(index));
         }
         readable = numbers_.takeUnreadable().empty();
+        return isComplete;
+    }
+
+    bool readList(const io::PlyProperty& property, std::vector<double>& values) {
+        std::size_t count = 0;
+        double value = 0;
+        values.clear();
+        if (!readCount(property, count)) {
+            return false;
+        }
+        for (; count > 0 && numbers_.next(property.type, value); --count) {
+            values.push_back(value);
+        }
         return count == 0;
+    }
+
+    /// Merges equal texture coordinates of one position, so that islands are connected by index.
+    void addFaceUvs(int place) {
+        if (!hasCornerUvs_) {
+            return;
+        }
+        const auto first = static_cast<std::size_t>(soup_.faceStart.back());
+        soup_.cornerUvs.resize(first, io::kNoUv);
+        if (faceUvs_.size() != 2 * (soup_.corners.size() - first)) {
+            builder_.counter().add(
+                ErrorCode::IndexOutOfRange, "face",
+                toile::translatable("without texture coordinates: their number does not fit"),
+                place);
+            faceUvs_.clear();
+        }
+        for (std::size_t k = 0; 2 * k < faceUvs_.size(); ++k) {
+            const double u = faceUvs_[2 * k], v = faceUvs_[2 * k + 1];
+            const auto [uv, isNew] =
+                uvIndex_.insert({static_cast<double>(soup_.corners[first + k]), u, v});
+            soup_.cornerUvs.push_back(uv);
+            if (isNew) {
+                soup_.uvs.emplace_back(u, v);
+            }
+        }
+        soup_.cornerUvs.resize(soup_.corners.size(), io::kNoUv);
+        faceUvs_.clear();
+    }
+
+    /// Divides strips of triangles: each corner makes a triangle with the two before it, every
+    /// second one reversed; an index below 0 begins the next strip.
+    void divideStrips(int place) {
+        const auto first = static_cast<std::size_t>(soup_.faceStart.back());
+        const std::vector<int> strip(soup_.corners.begin() + soup_.faceStart.back(),
+                                     soup_.corners.end());
+        soup_.corners.resize(first);
+        for (std::size_t k = 0, begin = 0; k < strip.size(); ++k) {
+            if (strip[k] == io::kNoSuchPosition) {
+                begin = k + 1;
+                continue;
+            }
+            if (k < begin + 2) {
+                continue;
+            }
+            const bool isReversed = (k - begin) % 2 == 1;
+            const int a = strip[k - 2], b = strip[k - 1], c = strip[k];
+            if (a != b && b != c && c != a) {
+                soup_.corners.insert(soup_.corners.end(),
+                                     {isReversed ? b : a, isReversed ? a : b, c});
+                builder_.endFace(place);
+            }
+        }
     }
 
     /// A plain number, or a list, which is skipped.
@@ -518,6 +596,11 @@ private:
     PolygonSoup& soup_;
     const Progress& progress_;
     Numbers numbers_;
+    bool hasCornerUvs_ = false;              ///< the faces have texture coordinates by corner
+    bool areStrips_ = false;                 ///< the faces being read are strips of triangles
+    std::vector<double> indices_, faceUvs_;  ///< of the current record
+    std::vector<Eigen::Vector3d> uvs_;       ///< position index, u, v
+    geometry::PointIndex uvIndex_{uvs_};
 };
 
 }  // namespace

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "core/base/characters.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
@@ -242,6 +244,28 @@ Result<PolygonSoup> readZipped(const std::string& archive, const std::string& na
     return io::joinedSoups(std::move(soups));
 }
 
+/// Adds a note if the coordinates are floats, and too coarse at their distance from the origin.
+void noteFloats(PolygonSoup& soup, const std::string& name) {
+    constexpr double kCoarse = 1e-4;  // of the largest extent
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& position : soup.positions) {
+        if (position.allFinite()) {
+            box.extend(position);
+        }
+        if (position.allFinite() && position != position.cast<float>().cast<double>()) {
+            return;
+        }
+    }
+    const double step = 2 * precisionOfFloats(soup);
+    if (!box.isEmpty() && step > kCoarse * box.sizes().maxCoeff()) {
+        soup.problems.push_back(
+            {ErrorCode::VerticesWelded, Subject::file(name),
+             worded("the mesh lies so far from the origin that its coordinates, which are floats, "
+                    "are %1 apart in the file's unit; move it to the origin and export it again",
+                    {figure(step, 3)})});
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> readableEndings() {
@@ -278,6 +302,10 @@ Result<PolygonSoup> readSoup(const std::filesystem::path& path, Progress& progre
                                              name, ending, progress);
     if (soup) {
         soup->contentHash = *hash;
+        if (isForAssimp(ending) || equalsIgnoringCase(ending, ".stl") ||
+            equalsIgnoringCase(ending, ".ply")) {
+            noteFloats(*soup, name);
+        }
     }
     return soup;
 }

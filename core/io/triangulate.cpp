@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -237,12 +239,39 @@ private:
                 return false;
             }
         }
-        if (repeatsCorner()) {
-            counter_.add(ErrorCode::DegenerateFaceRecord, "face",
-                         toile::translatable("left out: a corner is repeated"), face_ + 1);
+        isBridged_ = repeatsCorner();
+        if (isBridged_ && !hasBridges()) {
+            leaveOutRepeated();
             return false;
         }
         return true;
+    }
+
+    void leaveOutRepeated() {
+        counter_.add(ErrorCode::DegenerateFaceRecord, "face",
+                     toile::translatable("left out: a corner is repeated"), face_ + 1);
+    }
+
+    /// Whether the polygon has holes that edges walked in both directions join to its rim, and no
+    /// other repeated corners.
+    bool hasBridges() {
+        constexpr int kMinCorners = 8;  // a triangle in a triangle, and the bridge
+        if (cornerCount() < kMinCorners || cornerCount() > kMaxEarCorners) {
+            return false;
+        }
+        std::set<std::pair<int, int>> edges;
+        for (int i = 0; i < cornerCount(); ++i) {
+            edges.emplace(vertex(i), vertex((i + 1) % cornerCount()));
+        }
+        std::map<int, int> walked;  // per corner: how often it occurs, or 0 at the end of a bridge
+        for (int i = 0; i < cornerCount(); ++i) {
+            ++walked[vertex(i)];
+        }
+        for (const auto& [from, to] : edges) {
+            walked[from] = from != to && edges.contains({to, from}) ? 0 : walked[from];
+        }
+        return static_cast<int>(edges.size()) == cornerCount() &&
+               std::ranges::all_of(walked, [](const auto& corner) { return corner.second < 2; });
     }
 
     bool repeatsCorner() {
@@ -314,6 +343,14 @@ private:
         const Vector3d n = normal();
         const geometry::EarTriangles triangles =
             n.isZero(0) ? geometry::EarTriangles{} : geometry::clipEars(projected(n));
+        const auto repeats = [this](const std::array<int, 3>& corners) {
+            const int a = vertex(corners[0]), b = vertex(corners[1]), c = vertex(corners[2]);
+            return a == b || b == c || c == a;
+        };
+        if (isBridged_ && (triangles.empty() || std::ranges::any_of(triangles, repeats))) {
+            leaveOutRepeated();
+            return;
+        }
         if (triangles.empty()) {
             fan(kCrossing);
         }
@@ -360,6 +397,7 @@ private:
     io::ProblemCounter counter_{"face"};
     Triangulation result_;
     int face_ = 0;
+    bool isBridged_ = false;  ///< corners of the face are repeated where bridges to holes end
     std::vector<int> sorted_;
     std::vector<Vector3d> local_;
 };

@@ -227,7 +227,18 @@ public:
         if (const char* wrong = readAll(stage_.prims, Matrix4d::Identity(), {}, false, progress)) {
             return builder_.malformed(wrong);
         }
-        return progress.isCancelled() ? builder_.cancelled() : builder_.finish();
+        if (progress.isCancelled()) {
+            return builder_.cancelled();
+        }
+        auto soup = builder_.finish();
+        if (soup && cages_ > 0) {
+            soup->problems.push_back(
+                {ErrorCode::OutputDiffers, Subject::file(builder_.name()),
+                 worded("subdivision is not applied to %1 of its meshes, and the smooth cloth is "
+                        "smaller; apply it in the modelling program",
+                        {figure(cages_)})});
+        }
+        return soup;
     }
 
 private:
@@ -303,6 +314,8 @@ private:
             pointCount > kMaxFaceCorners - soup_.positions.size()) {
             return "the corners of a mesh do not match its face counts";
         }
+        const std::string* scheme = prim.find("subdivisionScheme");  // default: catmullClark
+        cages_ += scheme && *scheme == "none" ? 0 : 1;
         const std::string* called = prim.find("toile:name");
         objects_.change(called ? *called : prim.name, soup_.faceCount());
         const int first = static_cast<int>(soup_.positions.size());
@@ -349,6 +362,7 @@ private:
     io::SoupBuilder builder_;
     PolygonSoup& soup_;
     double scale_ = 1;
+    int cages_ = 0;              ///< meshes that USD viewers show subdivided
     std::vector<Vector3d> uvs_;  ///< position index, u, v
     geometry::PointIndex uvIndex_{uvs_};
     io::FaceNames objects_{soup_.objects, soup_.faceObject};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,7 @@ public:
     /// @param pattern  from `patternOnCloth`  @param fabric  of this material
     /// @param kept  placed copies; those of other pieces, or beyond the number to cut, are ignored
     /// @param threads  0: as many as the machine has; the marker does not depend on it
+    /// @param seconds  after which the first marker is laid in haste; none: never
     /// Kept copies stay even if they overlap others, or are too close to them or to an edge; other
     /// copies move away. Pieces that are too large or find no room are left out, with a note.
     /// Errors: PageTooSmall naming the cloth if its width and border leave no room; MalformedFile
@@ -79,7 +81,7 @@ public:
                                      const std::string& material, const Fabric& fabric,
                                      const MarkerSettings& settings,
                                      const std::vector<KeptCopy>& kept, const Progress& progress,
-                                     int threads = 0);
+                                     int threads = 0, std::optional<double> seconds = {});
     ~MarkerNester();
     MarkerNester(MarkerNester&&) noexcept;
     MarkerNester& operator=(MarkerNester&&) noexcept;

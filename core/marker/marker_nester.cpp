@@ -358,7 +358,7 @@ Result<MarkerNester> MarkerNester::make(std::shared_ptr<const Pattern> pattern,
                                         const std::string& material, const Fabric& fabric,
                                         const MarkerSettings& settings,
                                         const std::vector<KeptCopy>& kept, const Progress& progress,
-                                        int threads) {
+                                        int threads, std::optional<double> seconds) {
     const std::string& name = material.empty() ? pattern->name : material;
     if (auto error = wrongCopies(name, leastCopies(*pattern, material, settings))) {
         return *std::move(error);
@@ -369,6 +369,7 @@ Result<MarkerNester> MarkerNester::make(std::shared_ptr<const Pattern> pattern,
     options.border = settings.border;
     options.seed = settings.seed;
     options.threads = threads;
+    options.hasteAfter = seconds.value_or(options.hasteAfter);
     auto nester = firstNest(items, options, progress);
     if (!nester) {
         return nester.error();

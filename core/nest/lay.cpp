@@ -27,8 +27,7 @@ Lay::Lay(const Problem& problem, const std::vector<Pose>& poses, double length)
       right_(all()),
       top_(all()),
       excess_(all()),
-      losses_(all() * all()),
-      weights_(all() * all(), 1) {
+      pairs_(all()) {
     for (std::size_t k = count(); k < all(); ++k) {
         shapes_[k] = &problem.obstacles[k - count()].shape;
         setBox(k);
@@ -40,8 +39,8 @@ double Lay::loss() const {
     double sum = 0;
     for (std::size_t a = 0; a < all(); ++a) {
         sum += excess_[a];
-        for (std::size_t b = 0; b < a; ++b) {
-            sum += losses_[a * all() + b];
+        for (const Pair& pair : pairs_[a]) {
+            sum += pair.other < a ? pair.loss : 0;
         }
     }
     return sum;
@@ -49,8 +48,8 @@ double Lay::loss() const {
 
 double Lay::weightedLossOf(std::size_t copy) const {
     double sum = excess_[copy];
-    for (std::size_t k = copy * all(); k < (copy + 1) * all(); ++k) {
-        sum += losses_[k] * weights_[k];
+    for (const Pair& pair : pairs_[copy]) {
+        sum += pair.loss * pair.weight;
     }
     return sum;
 }
@@ -74,11 +73,15 @@ double Lay::lossAt(std::size_t copy, const Shape& shape, double x, double y, dou
         found += meetsAlong & meetsAcross & unsigned{other != copy};
     }
     double sum = 0;
-    const double* const weights = &weights_[copy * all()];
+    auto pair = pairs_[copy].begin();
     for (std::size_t k = 0; k < found; ++k) {
         const std::size_t other = near[k];
         if (const double loss = lossWith(copy, shape, x, y, other); loss > 0) {
-            sum += weights[other] * loss;
+            while (pair != pairs_[copy].end() && pair->other < other) {
+                ++pair;
+            }
+            const bool isKnown = pair != pairs_[copy].end() && pair->other == other;
+            sum += isKnown ? pair->weight * loss : loss;
             if (sum >= enough) {
                 break;
             }
@@ -133,8 +136,23 @@ void Lay::updateLosses(std::size_t copy) {
         const bool meet = other != copy && !areFixed && left_[other] < right_[copy] &&
                           right_[other] > left_[copy] && bottom_[other] < top_[copy] &&
                           top_[other] > bottom_[copy];
-        lossOf(copy, other) = lossOf(other, copy) =
+        const double loss =
             meet ? lossWith(copy, *shapes_[copy], poses_[copy].x, poses_[copy].y, other) : 0;
+        setLoss(copy, other, loss);
+        setLoss(other, copy, loss);
+    }
+}
+
+void Lay::setLoss(std::size_t a, std::size_t b, double loss) {
+    std::vector<Pair>& pairs = pairs_[a];
+    const auto at = std::ranges::lower_bound(pairs, b, {}, &Pair::other);
+    const bool isKnown = at != pairs.end() && at->other == b;
+    if (isKnown && loss == 0 && at->weight == 1) {
+        pairs.erase(at);
+    } else if (isKnown) {
+        at->loss = loss;
+    } else if (loss != 0) {
+        pairs.insert(at, {b, loss, 1});
     }
 }
 
@@ -154,17 +172,30 @@ void Lay::placeAll(const std::vector<Pose>& poses, double length) {
 }
 
 void Lay::resetWeights() {
-    std::ranges::fill(weights_, 1.0);
+    for (std::vector<Pair>& pairs : pairs_) {
+        std::erase_if(pairs, [](const Pair& pair) { return pair.loss == 0; });
+        for (Pair& pair : pairs) {
+            pair.weight = 1;
+        }
+    }
 }
 
 void Lay::raiseWeights() {
-    const double most = losses_.empty() ? 0 : *std::ranges::max_element(losses_);
-    for (std::size_t k = 0; k < losses_.size(); ++k) {
-        weights_[k] =
-            losses_[k] > 0
-                ? std::min(kMaxWeight, weights_[k] * (kMinGrowth + (kMaxLayGrowth - kMinGrowth) *
-                                                                       losses_[k] / most))
-                : std::max(1.0, weights_[k] * kFading);
+    double most = 0;
+    for (const std::vector<Pair>& pairs : pairs_) {
+        for (const Pair& pair : pairs) {
+            most = std::max(most, pair.loss);
+        }
+    }
+    for (std::vector<Pair>& pairs : pairs_) {
+        for (Pair& pair : pairs) {
+            pair.weight = pair.loss > 0
+                              ? std::min(kMaxWeight,
+                                         pair.weight * (kMinGrowth + (kMaxLayGrowth - kMinGrowth) *
+                                                                         pair.loss / most))
+                              : std::max(1.0, pair.weight * kFading);
+        }
+        std::erase_if(pairs, [](const Pair& pair) { return pair.loss == 0 && pair.weight == 1; });
     }
 }
 

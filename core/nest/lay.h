@@ -53,7 +53,7 @@ public:
 private:
     /// Number of copies and obstacles.
     std::size_t all() const { return poses_.size(); }
-    double& lossOf(std::size_t a, std::size_t b) { return losses_[a * all() + b]; }
+    void setLoss(std::size_t a, std::size_t b, double loss);
     /// Loss of a copy with this shape at (x, y) with a copy or obstacle; 0: no collision.
     double lossWith(std::size_t copy, const Shape& shape, double x, double y,
                     std::size_t other) const;
@@ -68,7 +68,12 @@ private:
     std::vector<const Shape*> shapes_;
     std::vector<double> left_, bottom_, right_, top_;  ///< of all boxes
     std::vector<double> excess_;                       ///< of copies too large for the strip
-    std::vector<double> losses_, weights_;             ///< of pairs, symmetric
+    /// Of each copy and obstacle: pairs with a loss, or with a weight above 1, by the other.
+    struct Pair {
+        std::size_t other;
+        double loss, weight;
+    };
+    std::vector<std::vector<Pair>> pairs_;
 };
 
 }  // namespace toile::nest

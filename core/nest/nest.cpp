@@ -104,6 +104,7 @@ constexpr int kEvenRows = 20;              // rows added beside obstacles
 /// For more copies than this, a place is searched only from near the last copy of the same item on,
 /// in fewer rows: all else was tried for that one.
 constexpr std::size_t kManyCopies = 150, kMaxRowsOfMany = 30;
+constexpr std::size_t kMaxRowsInHaste = 4;
 constexpr int kOrdersTried = 8;         // if the cloth ends
 constexpr double kMinStepShare = 1e-3;  // of the strip's width
 
@@ -111,8 +112,10 @@ constexpr double kMinStepShare = 1e-3;  // of the strip's width
 class FirstNest {
 public:
     /// @param byBoxes  keep boxes apart: for shapes whose overlap only exact arithmetic detects
-    FirstNest(const Problem& problem, bool byBoxes, const Progress& progress)
+    FirstNest(const Problem& problem, const NestOptions& options, bool byBoxes,
+              const Progress& progress)
         : problem_(problem),
+          options_(options),
           progress_(progress),
           byBoxes_(byBoxes),
           poses_(problem.copies.size()),
@@ -142,10 +145,14 @@ public:
 
 private:
     bool areMany() const { return poses_.size() > kManyCopies; }
+    bool isHasty() const { return options_.watch.seconds() > options_.hasteAfter; }
 
     /// Where the search for a place starts: the left of a copy's box.
     double from(std::size_t copy, const Shape& shape) const {
         const double last = nearest_[static_cast<std::size_t>(problem_.copies[copy].item)];
+        if (isHasty() && std::isinf(problem_.stretches.back().to)) {  // behind all others
+            return std::max(problem_.low, laid_.end());
+        }
         return std::max(problem_.low, areMany() ? last - (shape.box.right - shape.box.left) : 0);
     }
 
@@ -154,8 +161,9 @@ private:
         const Item& item = problem_.itemOf(copy);
         std::optional<Pose> best;
         double end = HUGE_VAL, left = 0;
-        const int turns = item.tolerance > 0 ? kTurnsTried : 0;
-        for (std::size_t v = 0; v < item.variants.size(); ++v) {
+        const bool inHaste = isHasty();
+        const int turns = item.tolerance > 0 && !inHaste ? kTurnsTried : 0;
+        for (std::size_t v = 0; v < item.variants.size() && !(inHaste && best); ++v) {
             for (int k = -turns; k <= turns; ++k) {
                 Pose pose{static_cast<int>(v), turns > 0 ? item.tolerance * k / turns : 0};
                 Shape own;
@@ -241,7 +249,9 @@ private:
             }
         }
         std::vector<double> list(places.begin(), places.end());
-        const std::size_t limit = areMany() ? kMaxRowsOfMany : kMaxRowsTried;
+        const std::size_t limit = isHasty()   ? kMaxRowsInHaste
+                                  : areMany() ? kMaxRowsOfMany
+                                              : kMaxRowsTried;
         if (list.size() > limit) {  // evenly chosen, including the edges
             for (std::size_t k = 0; k < limit; ++k) {
                 list[k] = list[k * (list.size() - 1) / (limit - 1)];
@@ -295,8 +305,10 @@ private:
 
     const Obstacle* obstacleUnder(std::size_t copy, const Shape& shape, const Pose& pose) const {
         const auto item = static_cast<std::size_t>(problem_.copies[copy].item);
+        const double left = pose.x + shape.box.left, right = pose.x + shape.box.right;
         const auto under = std::ranges::find_if(problem_.obstacles, [&](const Obstacle& obstacle) {
-            return obstacle.isFor[item] &&
+            return obstacle.shape.box.left < right && obstacle.shape.box.right > left &&
+                   obstacle.isFor[item] &&
                    doCollide(bareOf(shape), obstacle.shape, -pose.x, -pose.y);
         });
         if (under != problem_.obstacles.end()) {
@@ -306,6 +318,7 @@ private:
     }
 
     const Problem& problem_;
+    const NestOptions& options_;
     const Progress& progress_;
     bool byBoxes_;
     std::vector<Pose> poses_;
@@ -330,14 +343,15 @@ std::vector<std::size_t> orderOf(const Problem& problem) {
 /// A first valid nest: the largest copies first, each as far to the left as possible.
 /// Errors: PageTooSmall naming the item of a copy that finds no room; Cancelled.
 Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
-                        const Progress& progress) {
+                        const NestOptions& options, const Progress& progress) {
+    const auto isHasty = [&options] { return options.watch.seconds() > options.hasteAfter; };
     auto order = orderOf(problem);
     const auto isMovable = [&](std::size_t copy) { return !problem.itemOf(copy).isFixed; };
     std::optional<std::size_t> failed;
     std::vector<Pose> poses;
-    for (int k = 0; k < kOrdersTried; ++k) {
+    for (int k = 0; k < (isHasty() ? 1 : kOrdersTried); ++k) {
         for (const bool byBoxes : {false, true}) {
-            FirstNest nest(problem, byBoxes, progress);
+            FirstNest nest(problem, options, byBoxes, progress);
             failed = nest.lay(order);
             if (progress.isCancelled()) {
                 return Error{ErrorCode::Cancelled};
@@ -362,7 +376,7 @@ Result<Found> firstNest(const Problem& problem, const NestInstance& instance,
         }
         std::rotate(first, at, at + 1);
     }
-    if (!poses.empty()) {
+    if (!poses.empty() && !isHasty()) {
         if (auto found = crowdedNest(problem, poses, progress)) {
             return *std::move(found);
         }
@@ -453,7 +467,7 @@ Result<Nester> Nester::make(NestInstance instance, const NestOptions& options,
     state->instance = std::move(instance);
     state->options = options;
     state->problem = std::move(*problem);
-    const auto start = nest::firstNest(state->problem, state->instance, progress);
+    const auto start = nest::firstNest(state->problem, state->instance, options, progress);
     if (!start) {
         return start.error();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -86,6 +87,10 @@ struct NestOptions {
     /// Places that each search tries in a round; the nest depends on it, too.
     std::int64_t evaluations = 50'000;
     int threads = 0;  ///< number of threads, 0: all cores; does not affect the nest
+    /// Seconds since these options were made after which the first nest is laid in haste, in few
+    /// places per copy; then it depends on the machine's speed.
+    double hasteAfter = std::numeric_limits<double>::infinity();
+    Stopwatch watch{};
 };
 
 struct NestResult {

@@ -31,10 +31,23 @@ struct Circle {
 };
 
 /// Distance to the boundary and the circles; negative outside the area or in a circle.
-double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& circles) {
+/// @param enough  if the distance is less, the result may be any number from it to this
+double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& circles,
+              double enough) {
+    double toCircles = HUGE_VAL;
+    for (const Circle& circle : circles) {
+        toCircles = std::min(toCircles, (p - circle.centre).norm() - circle.radius);
+    }
+    if (toCircles <= enough) {
+        return toCircles;
+    }
+    const double enoughSquare = enough > 0 ? enough * enough : -1;
     double square = HUGE_VAL;
     bool isIn = false;
     for (const Polygon& ring : rings) {
+        if (square <= enoughSquare) {
+            return enough;
+        }
         for (Eigen::Index k = 0; k < ring.rows(); ++k) {
             const Vector2d a = ring.row(k), b = ring.row((k + 1) % ring.rows());
             const Vector2d way = a + geometry::nearestShare(p, a, b) * (b - a) - p;
@@ -45,17 +58,18 @@ double roomAt(const Vector2d& p, const Rings& rings, const std::vector<Circle>& 
             }
         }
     }
-    double room = isIn ? std::sqrt(square) : -std::sqrt(square);
-    for (const Circle& circle : circles) {
-        room = std::min(room, (p - circle.centre).norm() - circle.radius);
-    }
-    return room;
+    return std::min(toCircles, isIn ? std::sqrt(square) : -std::sqrt(square));
 }
 
 /// The largest circle in the remaining area, to 2 %: subdivides squares, most promising first.
 Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
     constexpr double kTolerance = 0.02;
-    constexpr int kMaxCircleSquares = 2000;
+    constexpr Eigen::Index kMaxSquares = 2000, kMinSquares = 50, kMaxSteps = 160'000;
+    Eigen::Index points = 1;
+    for (const Polygon& ring : rings) {
+        points += ring.rows();
+    }
+    const Eigen::Index most = std::clamp(kMaxSteps / points, kMinSquares, kMaxSquares);
     struct Square {
         Vector2d centre;
         double half, room;
@@ -67,14 +81,17 @@ Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
     Circle best;
     std::priority_queue<Square> squares;
     const auto add = [&](const Vector2d& centre, double size) {
-        const Square square{centre, size, roomAt(centre, rings, circles)};
+        // A square that cannot have a better circle needs no exact distance.
+        const double enough =
+            std::min(best.radius, best.radius * (1 + kTolerance) - size * std::sqrt(2.0));
+        const Square square{centre, size, roomAt(centre, rings, circles, enough)};
         if (square.room > best.radius) {
             best = {centre, square.room};
         }
         squares.push(square);
     };
     add((low + high) / 2, half);
-    for (int k = 0; k < kMaxCircleSquares && !squares.empty(); ++k) {
+    for (Eigen::Index k = 0; k < most && !squares.empty(); ++k) {
         const Square square = squares.top();
         squares.pop();
         if (square.most() <= best.radius * (1 + kTolerance)) {

@@ -252,9 +252,13 @@ Wording typedFigure(double value) {
 }  // namespace
 
 Wording sentence(const Proof& proof, const Garment& garment) {
-    Wording stated =
-        worded("The sewn pattern is %1 mm from the design on average, 95 % within %2 mm",
-               {figure(proof.gap.mean, 1), figure(proof.gap.most95, 1)});
+    Wording stated;
+    if (!proof.hasSettled && proof.iterations > 0) {
+        stated = worded("Not settled after %1 steps, so all figures are rough. ",
+                        {figure(proof.iterations)});
+    }
+    stated += worded("The sewn pattern is %1 mm from the design on average, 95 % within %2 mm",
+                     {figure(proof.gap.mean, 1), figure(proof.gap.most95, 1)});
     stated += tellingPlace(proof, garment);
     if (proof.freeShare >= kReportedFree) {
         stated += worded(". %1 % hangs free", {figure(100 * proof.freeShare)});

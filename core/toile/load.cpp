@@ -257,6 +257,24 @@ bool isDividedAlike(const GarmentInputs& inputs, GarmentInputs before) {
     return inputs == before;
 }
 
+/// The error for files without a usable face, with the reasons that their readers give.
+Error noFaceLeft(const GarmentInputs& inputs,
+                 const std::vector<std::shared_ptr<SourceFile>>& files) {
+    Error error{ErrorCode::NoGeometry, {}, worded("no usable face is left")};
+    if (!inputs.files.empty()) {
+        error.subject = Subject::file(inputs.files.front().path.string());
+    }
+    for (const auto& file : files) {
+        for (const Error& problem : file->problems) {
+            if (problem.code == ErrorCode::NonFinitePosition ||
+                problem.code == ErrorCode::DegenerateFaceRecord) {
+                error.detail = worded("%1; %2", {error.detail, problem.detail});
+            }
+        }
+    }
+    return error;
+}
+
 /// The garment up to its uncut pieces.
 Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progress,
                             const Garment* before) {
@@ -280,10 +298,7 @@ Result<Garment> divideFiles(const GarmentInputs& inputs, const Progress& progres
         progress.report(static_cast<double>(k + 1) / count);
     }
     if (uncut.empty()) {
-        return Error{
-            ErrorCode::NoGeometry,
-            inputs.files.empty() ? Subject{} : Subject::file(inputs.files.front().path.string()),
-            worded("no usable face is left")};
+        return noFaceLeft(inputs, files);
     }
     garment.files.assign(files.begin(), files.end());
     identify(uncut, garment.files, inputs.loading.known);

@@ -960,8 +960,8 @@ veraltet</translation>
         <translation>die Datei verletzt die Regeln ihres Formats</translation>
     </message>
     <message>
-        <source>Export the garment as a mesh with faces</source>
-        <translation>Exportieren Sie das Kleidungsstück als Netz mit Flächen</translation>
+        <source>Export the garment as a mesh with faces, or the pattern with closed outlines</source>
+        <translation>Exportieren Sie das Kleidungsstück als Netz mit Flächen, oder den Schnitt mit geschlossenen Umrissen</translation>
     </message>
     <message>
         <source>the project file breaks the rules of its format</source>

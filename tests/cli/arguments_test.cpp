@@ -327,6 +327,10 @@ TEST(Arguments, WrongUsageIsStatusTwoWithASentence) {
         {"--overlay", "magic"},
         {"--panel", "wardrobe"},
         {"--nonsense"},
+        {"batch", "list.txt", "-o", ""},
+        {"flatten", "", "-o", "a.svg"},
+        {"flatten", "a.obj", "-o", "a.svg", "-o", ""},
+        {"compare", "a.obj", "--pattern", ""},
     };
     for (const auto& typed : wrong) {
         const Shown a = refused(typed);

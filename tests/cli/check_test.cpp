@@ -31,6 +31,12 @@ TEST(Check, FlatClothHasDoubtsAndNoFaults) {
     EXPECT_EQ(run.err, "");
 }
 
+TEST(Check, TakesAPatternByHalf) {
+    const auto run = test::toileRun({"check", kSample, "--unit", "mm", "--pattern", "--half"});
+    EXPECT_LE(run.status, 1) << run.err;
+    EXPECT_NE(run.out.find("doubt"), std::string::npos) << run.out;
+}
+
 TEST(Check, AProjectBringsItsGrainAndItsFabric) {
     const test::TemporaryFolder folder;
     Project project;

@@ -24,6 +24,36 @@ TEST(Contract, HelpAndVersionNeedNoDisplay) {
     EXPECT_EQ(version.out, "toile " TOILE_VERSION "\n");
 }
 
+TEST(Contract, OutputThatCannotBeWrittenIsStatus3) {
+    for (const char* words : {"--help", "--version", "info --help"}) {
+        const auto full =
+            test::run("sh", {"-c", std::string(TOILE_PROGRAM) + ' ' + words + " >/dev/full"});
+        EXPECT_EQ(full.status, 3) << words;
+        EXPECT_TRUE(full.err.starts_with("toile: standard output cannot be written")) << full.err;
+    }
+}
+
+TEST(Contract, AGarmentBeyondAllSizesIsToldApartFromABug) {
+    const test::TemporaryFolder folder;
+    folder.write("huge.obj", "v 0 0 0\nv 1e30 0 0\nv 0 1e30 0\nf 1 2 3\n");
+    for (const char* ending : {"svg", "dxf", "pdf", "plt"}) {
+        const auto run =
+            test::toileRun({"flatten", (folder / "huge.obj").string(), "--unit", "mm", "-o",
+                            (folder / (std::string("huge.") + ending)).string()});
+        EXPECT_EQ(run.status, 3) << ending;
+        EXPECT_EQ(run.err.find("report this"), std::string::npos) << run.err;
+        EXPECT_NE(run.err.find("check the garment's unit"), std::string::npos) << run.err;
+    }
+}
+
+TEST(Contract, DecimalCommasAreNamedWhereNoFaceIsLeft) {
+    const test::TemporaryFolder folder;
+    folder.write("commas.obj", "v 0,5 0 0\nv 100,5 0 0\nv 0 100,5 0\nf 1 2 3\n");
+    const auto run = test::toileRun({"info", (folder / "commas.obj").string()});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_NE(run.err.find("decimal commas"), std::string::npos) << run.err;
+}
+
 TEST(Contract, FlattenWritesEveryFormatAndPrintsATable) {
     const test::TemporaryFolder folder;
     const auto run =

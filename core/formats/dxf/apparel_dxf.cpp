@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/version.h"
 #include "core/formats/dxf/apparel_pieces.h"
@@ -287,7 +288,8 @@ private:
         out_.number(50, angle < 0 ? angle / kDegree + 360 : angle / kDegree);
     }
 
-    void addLabel(const DrawnBlock& block) {
+    /// @param name  of the piece in the file, used if the label's own has no letters there
+    void addLabel(const DrawnBlock& block, const std::string& name) {
         for (std::size_t k = block.text; k < block.text + block.textCount; ++k) {
             const DrawnText& text = drawing_.texts[k];
             if (text.layer != LayerKind::Text) {
@@ -295,7 +297,9 @@ private:
             }
             Eigen::Vector2d middle = text.position - Eigen::Vector2d(0, 0.5 * text.height);
             for (const std::string& words : text.lines) {
-                const std::string line = dxfText(words);
+                const std::string plain = dxfText(words);
+                const bool isLost = plain.find_first_not_of(" _") == std::string::npos;
+                const std::string& line = isLost && !plain.empty() ? name : plain;
                 const double width = textExtent({line}, text.height).x();
                 addText(kTextLayer, line, middle - Eigen::Vector2d(0.5 * width, 0), text.height);
                 middle.y() -= kLineSpacing * text.height;
@@ -320,7 +324,7 @@ private:
             out_.flatPoint(10, drill);
             out_.length(30, kDrillDiameter);
         }
-        addLabel(block);
+        addLabel(block, piece.name);
         endBlock();
     }
 
@@ -352,6 +356,28 @@ private:
 };
 
 }  // namespace
+
+std::vector<Wording> renamedNotes(const ExportSource& source) {
+    constexpr std::size_t kMaxListed = 10;
+    const Pattern& pattern = source.laid().pattern;
+    const Drawing& drawing = source.drawing();
+    const bool isPlain = source.options().dxf.profile == DxfProfile::Plain;
+    const std::vector<std::string> names = apparelNames(pattern, drawing);
+    std::vector<std::string> changed;
+    std::set<int> seen;
+    for (std::size_t b = 0; b < names.size(); ++b) {
+        const int index = drawing.blocks[b].piece;
+        const std::string& name = pattern.pieces[static_cast<std::size_t>(index)].name;
+        if (asciiText(name) != name && seen.insert(index).second) {
+            changed.push_back(name + " = " + (isPlain ? dxfText(name) : names[b]));
+        }
+    }
+    if (changed.empty()) {
+        return {};
+    }
+    return {worded("DXF files hold names in plain Latin letters, so these were changed: %1",
+                   {quotedList(changed, kMaxListed)})};
+}
 
 std::string writeApparelDxf(const ExportSource& source) {
     const ApparelDrawing made = apparelDrawing(source);

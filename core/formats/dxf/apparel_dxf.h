@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/wording.h"
 #include "core/formats/dxf/apparel_pieces.h"
 #include "core/formats/export_source.h"
 
@@ -25,6 +26,10 @@ std::vector<std::string> styleTexts(const ExportSource& source);
 
 /// A table of grade rules (.rul) with one size, as named in the style's texts.
 std::string writeRuleTable(const ExportSource& source);
+
+/// Lists pieces whose names a DXF file cannot hold, each with its name there, in one note.
+/// Cost: linear. Pure.
+std::vector<Wording> renamedNotes(const ExportSource& source);
 
 /// DXF R12 ASCII for pattern programs, in the profiles Astm (ASTM D6673) and Aama (ANSI/AAMA-292):
 /// an empty HEADER and no TABLES, as AccuMark requires, one BLOCK for each piece, inserted at 0,0,

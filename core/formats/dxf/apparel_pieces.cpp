@@ -249,17 +249,29 @@ ApparelDrawing apparelDrawing(const ExportSource& source) {
     return made;
 }
 
+std::vector<std::string> apparelNames(const Pattern& pattern, const Drawing& drawing) {
+    std::set<std::string> taken{kControlName};
+    std::vector<std::string> names;
+    for (const DrawnBlock& block : drawing.blocks) {
+        const PatternPiece& piece = pieceOf(pattern, block);
+        const std::string number =
+            piece.number > 0 ? "piece-" + std::to_string(piece.number) : piece.slug;
+        names.push_back(freeName(apparelName(piece.name, number), taken));
+    }
+    return names;
+}
+
 std::vector<ApparelPiece> apparelPieces(const ExportSource& source, const ApparelDrawing& made) {
     const Pattern& pattern = source.laid().pattern;
     const Drawing& drawing = made.drawing;
     const std::vector<KeyPoints> keys = keyPoints(drawing, pattern, source.garment());
-    std::set<std::string> names{kControlName};
+    const std::vector<std::string> names = apparelNames(pattern, drawing);
     std::vector<ApparelPiece> pieces;
     for (std::size_t b = 0; b < drawing.blocks.size(); ++b) {
         const DrawnBlock& block = drawing.blocks[b];
         const PatternPiece& piece = pieceOf(pattern, block);
         ApparelPiece& out = pieces.emplace_back();
-        out.name = freeName(apparelName(piece.name, piece.slug), names);
+        out.name = names[b];
         out.block = b;
         out.middle = middleOf(drawing, block);
         out.grain = grainOfBlock(drawing, block, piece, out.middle);

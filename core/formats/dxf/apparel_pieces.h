@@ -77,6 +77,10 @@ struct ApparelDrawing {
 /// Cost: that of `findDarts`, and linear. Pure.
 ApparelDrawing apparelDrawing(const ExportSource& source);
 
+/// A name for each block, unique and made by `apparelName`. A name without usable characters
+/// becomes the piece's number: PIECE-7. Pure.
+std::vector<std::string> apparelNames(const Pattern& pattern, const Drawing& drawing);
+
 /// One piece for each block.  Cost: that of `keyPoints`. Pure.
 std::vector<ApparelPiece> apparelPieces(const ExportSource& source, const ApparelDrawing& drawing);
 

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/formats/dxf/dxf_text.h"
+#include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
@@ -78,6 +80,9 @@ public:
     void take(DxfGroup group) {
         if (group.code > 0 && group.code < 9 && hasDxfEscapes(group.value)) {
             group.value = document_.decoded->emplace_back(withoutDxfEscapes(group.value));
+        }
+        if (group.code >= 10 && group.code < 60 && io::hasDecimalComma(group.value)) {
+            document_.decimalComma = group.value;
         }
         if (group.code == 0) {
             finish();
@@ -256,7 +261,7 @@ private:
     bool isSectionName_ = false, isInBlock_ = false, isInPolyline_ = false, isExternal_ = false;
 };
 
-Error malformedDxf(const std::string& what) {
+Error malformedDxf(const Wording& what) {
     return {ErrorCode::MalformedFile, {}, what};
 }
 
@@ -376,6 +381,11 @@ Result<DxfDocument> readDxfDocument(std::string_view bytes) {
     }
     DxfDocument document = builder.taken();
     document.notes = std::move(notes);
+    if (!document.decimalComma.empty()) {
+        return malformedDxf(
+            worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
+                   {readableName(document.decimalComma)}));
+    }
     if (document.blocks.empty() && document.entities.empty()) {
         return malformedDxf("it has neither blocks nor entities");
     }
@@ -449,11 +459,21 @@ DxfUnit dxfUnit(const DxfDocument& document, const std::string& units, double ex
         return judged(LengthUnit::Inch, worded("its text says Units: %1", {Wording(units)}),
                       extent);
     }
+    const auto header = headerUnit(document);
     if (word.starts_with("metric")) {
+        // Some programs draw METRIC files in centimetres (two of CLO 2024, nests of Optitex).
+        if (!header && !isUsual(LengthUnit::Millimetre, extent) &&
+            isUsual(LengthUnit::Centimetre, extent)) {
+            return {LengthUnit::Centimetre,
+                    worded("its text says Units: %1, which some programs use for cm; in mm the "
+                           "largest piece would be %2 mm",
+                           {Wording(units), figure(extent)}),
+                    true};
+        }
         return judged(LengthUnit::Millimetre, worded("its text says Units: %1", {Wording(units)}),
                       extent);
     }
-    if (const auto header = headerUnit(document)) {
+    if (header) {
         return judged(*header,
                       worded("$INSUNITS %1",
                              {Wording(std::string(document.header.at("$INSUNITS").front().value))}),

@@ -60,8 +60,9 @@ struct DxfDocument {
     std::map<std::string_view, int> layers{};  ///< LAYER table: name to colour
     std::vector<DxfBlock> blocks{};
     std::vector<DxfEntity> entities{};
-    bool hasEnd = false;           ///< EOF
-    std::vector<Wording> notes{};  ///< on the code page
+    bool hasEnd = false;              ///< EOF
+    std::string_view decimalComma{};  ///< a number with one; empty: none
+    std::vector<Wording> notes{};     ///< on the code page
     std::shared_ptr<std::deque<std::string>> decoded{};
 };
 

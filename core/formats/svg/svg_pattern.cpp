@@ -131,10 +131,18 @@ std::vector<FilePiece> outerPieces(const ReadSvg& svg) {
             FilePiece& piece = pieces.emplace_back();
             piece.cut = line.points;
             piece.id = readableName(line.line->id);
-            piece.name = piece.id.empty() ? "piece " + std::to_string(pieces.size()) : piece.id;
+            piece.name = line.line->label.empty() ? piece.id : readableName(line.line->label);
+            piece.name = piece.name.empty() ? "piece " + std::to_string(pieces.size()) : piece.name;
             ++piece.layers[layerText(*line.line)];
             boxes.push_back(box);
         }
+    }
+    std::map<std::string, int> called;
+    for (const FilePiece& piece : pieces) {
+        ++called[piece.name];
+    }
+    for (FilePiece& piece : pieces) {  // a label that several have is their group's
+        piece.name = called[piece.name] > 1 && !piece.id.empty() ? piece.id : piece.name;
     }
     return pieces;
 }

@@ -10,8 +10,10 @@
 #include <Eigen/Geometry>
 #include <pugixml.hpp>
 
+#include "core/base/characters.h"
 #include "core/base/text.h"
 #include "core/formats/svg/svg_path.h"
+#include "core/io/text_cursor.h"
 
 namespace toile {
 namespace {
@@ -261,7 +263,7 @@ std::string shapeData(pugi::xml_node node) {
 /// Properties that elements inherit from their groups.
 struct SvgContext {
     Eigen::Affine2d place;
-    std::string layer{}, piece{};
+    std::string layer{}, piece{}, label{};
     bool isLayer = false;  ///< `layer` is a layer; else it is the outermost group
     SvgLook look{};
 };
@@ -275,7 +277,14 @@ public:
         readClasses(svg);
         SvgContext whole{page.place};
         setLook(whole.look, svg);
+        noteComma(svg);
         walk(svg, std::move(whole));
+        if (!comma_.empty()) {
+            return Error{ErrorCode::MalformedFile,
+                         {},
+                         worded("a number has a decimal comma, \"%1\"; numbers need decimal points",
+                                {readableName(comma_)})};
+        }
         if (most_ == 0) {
             return Error{ErrorCode::MalformedFile, {}, "it has too many points"};
         }
@@ -299,6 +308,15 @@ private:
         classes_ = svgClasses(css);
     }
 
+    /// Notes a number with a decimal comma, which no list of coordinates shows.
+    void noteComma(pugi::xml_node node) {
+        for (const char* name : {"version", "width", "height", "x", "y", "x1", "y1", "x2", "y2",
+                                 "cx", "cy", "r", "rx", "ry", "stroke-width", "data-length-3d"}) {
+            const std::string_view value = valueOf(node, name);
+            comma_ = comma_.empty() && io::hasDecimalComma(value) ? value : comma_;
+        }
+    }
+
     void setLook(SvgLook& look, pugi::xml_node node) const {
         for (const char* name : {"stroke", "fill", "display"}) {
             if (const pugi::xml_attribute attribute = node.attribute(name)) {
@@ -316,10 +334,17 @@ private:
         setSvgProperties(look, valueOf(node, "style"));
     }
 
-    SvgContext contextOf(pugi::xml_node node, const SvgContext& above) const {
+    SvgContext contextOf(pugi::xml_node node, const SvgContext& above) {
+        noteComma(node);
         SvgContext context = above;
         context.place = above.place * svgTransform(valueOf(node, "transform"));
         setLook(context.look, node);
+        std::string_view label = valueOf(node, "inkscape:label");
+        label = label.empty() ? trimmed(node.child("title").text().get()) : label;
+        const bool isLayer = valueOf(node, "inkscape:groupmode") == "layer";
+        if (!label.empty() || isLayer) {
+            context.label = isLayer ? "" : label.substr(0, kLongestSvgName);
+        }
         if (const pugi::xml_attribute piece = node.attribute("data-piece")) {
             context.piece = std::string_view(piece.value()).substr(0, kLongestSvgName);
         }
@@ -375,6 +400,7 @@ private:
             line.layer = context.layer;
             line.id = valueOf(node, "id");
             line.piece = context.piece;
+            line.label = context.label;
             line.stroke = context.look.stroke;
             line.fill = context.look.fill;
             line.text = valueOf(node, "data-text");
@@ -395,6 +421,7 @@ private:
 
     ReadSvg found_;
     std::size_t most_ = kMaxSvgPoints;
+    std::string_view comma_;  ///< a number of the file with a decimal comma; empty: none
     std::map<std::string, SvgLook, std::less<>> classes_;
 };
 

@@ -41,6 +41,7 @@ struct SvgSeam {
 struct SvgLine {
     std::string layer{};  ///< label of the innermost layer, else name or id of the outermost group
     std::string id{};     ///< of the element; its parts share it
+    std::string label{};  ///< its label or title, else that of the innermost group with one
     std::string piece{};  ///< data-piece of the element or an enclosing group
     std::string stroke{}, fill{};    ///< see SvgLook
     std::string text{};              ///< data-text, if the line is part of letters
@@ -58,7 +59,8 @@ struct ReadSvg {
 /// and ellipses, with all transforms applied, curves as points within 0.005 mm of them. Ignores
 /// texts, hidden elements, clones (`use`) and style sheets except for classes.
 /// A file without a size has 96 units to the inch.
-/// Errors: MalformedFile (no XML, no SVG, too many points for memory). Cost: linear. Pure.
+/// Errors: MalformedFile (no XML, no SVG, decimal commas, too many points for memory). Cost:
+/// linear. Pure.
 Result<ReadSvg> readSvg(std::string_view bytes);
 
 }  // namespace toile

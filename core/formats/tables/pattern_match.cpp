@@ -175,9 +175,11 @@ namespace {
 constexpr Word<MatchedBy> kMatchedByWords[] = {
     {MatchedBy::Id, "id"}, {MatchedBy::Name, "name"}, {MatchedBy::Shape, "shape"}};
 
-/// Shapes do not match if their lengths, or the roots of their areas, differ by more than this
-/// factor.
-constexpr double kMaxRatio = 1.5;
+/// Largest differences of the lengths and areas of pieces matched by shape.
+constexpr double kMaxMatchLength = 0.15, kMaxMatchArea = 0.25;
+/// Differences beyond which a match is doubtful: of length, area, and the mean distance as a
+/// fraction of the root of the area.
+constexpr double kDoubtLength = 0.05, kDoubtArea = 0.08, kDoubtDistance = 0.03;
 /// Largest rough distance of matching shapes, as a fraction of the root of the area.
 constexpr double kMaxMatchApart = 0.25;
 /// A rival's distance is at most this factor times the match's distance plus this many mm.
@@ -186,6 +188,11 @@ constexpr double kRivalShare = 1.25, kRivalLength = 1;
 constexpr double kForMirrored = 0.5;
 /// Larger files are not matched by shape: patterns have up to a few hundred pieces.
 constexpr std::size_t kMaxMatchCandidates = 1000;
+
+/// Whether the larger size exceeds the other by at most this share.
+bool isNear(double size, double other, double share) {
+    return std::max(size, other) <= (1 + share) * std::min(size, other);
+}
 
 class PatternMatcher {
 public:
@@ -266,11 +273,9 @@ private:
     };
 
     static bool isAlike(const Points2& a, const Points2& b) {
-        const double lengths = geometry::perimeterOf(a) / geometry::perimeterOf(b);
-        const double areas =
-            std::sqrt(std::abs(geometry::signedAreaOf(a) / geometry::signedAreaOf(b)));
-        return lengths < kMaxRatio && lengths > 1 / kMaxRatio && areas < kMaxRatio &&
-               areas > 1 / kMaxRatio;
+        return isNear(geometry::perimeterOf(a), geometry::perimeterOf(b), kMaxMatchLength) &&
+               isNear(std::abs(geometry::signedAreaOf(a)), std::abs(geometry::signedAreaOf(b)),
+                      kMaxMatchArea);
     }
 
     /// The line whose shape is compared.
@@ -352,6 +357,14 @@ private:
 };
 
 }  // namespace
+
+bool PieceMatch::isDoubtful() const {
+    return !rivals.empty() || std::ranges::any_of(lines, [](const LineMatch& line) {
+        return !isNear(line.lengthOurs, line.lengthTheirs, kDoubtLength) ||
+               !isNear(line.areaOurs, line.areaTheirs, kDoubtArea) ||
+               line.fit.mean > kDoubtDistance * std::sqrt(line.areaOurs);
+    });
+}
 
 std::string_view name(MatchedBy by) {
     return wordOf(kMatchedByWords, by);

@@ -62,6 +62,10 @@ struct PieceMatch {
     std::vector<LineMatch> lines{};
     /// If matched by shape: other pieces of the file that fit about as well.
     std::vector<int> rivals{};
+
+    /// Whether the pieces may not be the same: there are rivals, or length, area or shape differ by
+    /// more than flattening the same piece in two ways explains.
+    bool isDoubtful() const;
 };
 
 struct PatternMatch {
@@ -71,7 +75,8 @@ struct PatternMatch {
 };
 
 /// Matches pieces by the file's id (our slug or id), else by name, ignoring case and punctuation,
-/// else by shape, best fit first, mirrored if that fits better. Uses only the sample size
+/// else by shape, best fit first, mirrored if that fits better. Shapes whose lengths differ by more
+/// than 15 % or areas by more than 25 % do not match. Uses only the sample size
 /// (`sampleOf`) of a file with several sizes.
 /// @param pattern  with whole pieces, not halves on the fold
 /// Cost: pairs by shape times `roughDistance`, and `fitLine` for each pair. Pure.

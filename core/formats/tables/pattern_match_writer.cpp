@@ -71,6 +71,7 @@ std::string writePatternMatch(const Pattern& pattern, const PatternFile& file,
         entry["file_piece"] = text(other.name);
         entry["file_size"] = textOrNull(other.size);
         entry["paired_by"] = text(name(pair.by));
+        entry["doubtful"] = pair.isDoubtful();
         entry["also_fits"] = Json::array();
         for (const int rival : pair.rivals) {
             entry["also_fits"].push_back(text(filePieceOf(file, rival).name));

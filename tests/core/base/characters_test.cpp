@@ -9,6 +9,8 @@ namespace {
 TEST(AsciiText, TakesAccentsOffLatinLetters) {
     EXPECT_EQ(asciiText("Rückenteil groß"), "Ruckenteil gross");
     EXPECT_EQ(asciiText("Ærmet Œuvre Łódź Çağ ñ ÿ Ÿ Å"), "AErmet OEuvre Lodz Cag n y Y A");
+    EXPECT_EQ(asciiText("Перед Щит ёлка объём"), "Pered Shchit elka obieem");
+    EXPECT_EQ(asciiText("Μανίκι Ψηλό Άνω"), "Maniki Psilo Ano");
     EXPECT_EQ(asciiText("cafe\xCC\x81"), "cafe");  // an accent of its own
     EXPECT_EQ(asciiText("plain-1_2 (3)"), "plain-1_2 (3)");
 }

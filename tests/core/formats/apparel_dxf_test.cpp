@@ -145,6 +145,33 @@ TEST(ApparelDxf, NamesPiecesInCapitalsOfAscii) {
                                                "THE_VERY_SAME_NAME-3", "CONTROL-2"}));
 }
 
+TEST(ApparelDxf, NumbersPiecesWithoutLatinLettersAndSaysSo) {
+    Pattern pattern = test::sewingPattern();
+    const char* names[] = {"前片", "Перед", "كم", "back"};
+    for (std::size_t k = 0; k < 4; ++k) {
+        pattern.pieces[k].name = names[k];
+        pattern.pieces[k].slug = "piece-" + std::to_string(9 - k);
+        pattern.pieces[k].number = static_cast<int>(k) + 1;
+    }
+    const test::ExportedGarment made = test::exported(pattern);
+    const ExportOptions options = test::dxfOptions(DxfProfile::Astm);
+    const std::string bytes = test::dxfOf(made, options);
+    const auto document = readDxfDocument(bytes);
+    ASSERT_TRUE(document);
+    std::vector<std::string> written;
+    for (const DxfBlock& block : document->blocks) {
+        written.emplace_back(block.name);
+    }
+    EXPECT_EQ(written, (std::vector<std::string>{"PIECE-1", "PERED", "PIECE-3", "BACK"}));
+    EXPECT_EQ(bytes.find("___"), std::string::npos);  // labels too
+    const auto notes = renamedNotes(made.source(options));
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(
+        std::string(notes.front()).find("\"前片 = PIECE-1\", \"Перед = PERED\", \"كم = PIECE-3\""),
+        std::string::npos)
+        << std::string(notes.front());
+}
+
 TEST(ApparelDxf, SaysHowOftenAPieceIsCut) {
     Pattern pattern = test::sewingPattern();
     pattern.label = {"38 / M", "3 May"};

@@ -45,6 +45,15 @@ TEST(DxfDocument, HoldsBlocksEntitiesAndTheirGroups) {
     EXPECT_FALSE(document->entities[1].closed);
 }
 
+TEST(DxfDocument, RefusesDecimalCommas) {
+    std::string commas(kSmall);
+    commas.replace(commas.find("4.25"), 4, "4,25");
+    const auto document = readDxfDocument(commas);
+    ASSERT_FALSE(document);
+    EXPECT_NE(sentence(document.error()).find("\"4,25\""), std::string::npos)
+        << sentence(document.error());
+}
+
 TEST(DxfDocument, TakesEitherEndOfLine) {
     std::string unix(kSmall);
     std::erase(unix, '\r');

@@ -12,6 +12,7 @@
 #include "tests/core/formats/dxf_builder.h"
 #include "tests/core/formats/export_fixtures.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
 
 namespace toile {
 namespace {
@@ -241,7 +242,8 @@ TEST(DxfPattern, JudgesTheUnitByWhatItSaysAndByTheSize) {
         LengthUnit unit;
         bool inDoubt;
     } cases[] = {{600, "METRIC", nullptr, LengthUnit::Millimetre, false},
-                 {100, "METRIC", nullptr, LengthUnit::Millimetre, true},
+                 {100, "METRIC", nullptr, LengthUnit::Centimetre, true},
+                 {100, "METRIC", "4", LengthUnit::Millimetre, true},
                  {40, "METRIC", nullptr, LengthUnit::Centimetre, true},
                  {24, "ENGLISH", nullptr, LengthUnit::Inch, false},
                  {118, "english", nullptr, LengthUnit::Inch, true},
@@ -407,6 +409,19 @@ std::string optitexFile(double unit, std::string_view insUnits, std::string_view
         text.text("Units: " + std::string(units));
     }
     return text.end().take();
+}
+
+TEST(DxfPattern, SaysThatARuleTableBesideItIsNotRead) {
+    const test::TemporaryFolder folder;
+    const auto path = folder.write("a.dxf", squareFile(600, "METRIC"));
+    const auto alone = readPatternFile(path);
+    ASSERT_TRUE(alone);
+    EXPECT_TRUE(alone->notes.empty());
+    folder.write("a.rul", "Size List: 36 38\r\n");
+    const auto graded = readPatternFile(path);
+    ASSERT_TRUE(graded);
+    ASSERT_EQ(graded->notes.size(), 1U);
+    EXPECT_NE(std::string(graded->notes.front()).find("\"a.rul\""), std::string::npos);
 }
 
 TEST(DxfPattern, ReadsANestOfOptitexInCentimetresThatSaysMetric) {

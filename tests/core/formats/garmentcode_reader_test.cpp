@@ -7,8 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/formats/read_pattern.h"
 #include "core/geometry/polygon.h"
 #include "tests/core/support/shared_data.h"
+#include "tests/core/support/temporary_folder.h"
 
 namespace toile {
 namespace {
@@ -50,6 +52,16 @@ TEST(GarmentCodeReader, ReadsPanelsStitchesAndPlacesInMillimetres) {
     ASSERT_EQ(file.pieces.size(), 1U);
     EXPECT_DOUBLE_EQ(geometry::signedAreaOf(file.pieces.front().sew), 1e4);
     EXPECT_EQ(file.pieces.front().cut.rows(), 0);
+}
+
+TEST(GarmentCodeReader, RecognisesFilesByTheirContent) {
+    const test::TemporaryFolder folder;
+    const auto named = folder.write("default_pattern.json", squareWith(""));
+    const auto file = readPatternFile(named);
+    ASSERT_TRUE(file) << sentence(file.error());
+    EXPECT_EQ(file->pieces.size(), 1U);
+    EXPECT_FALSE(patternFileKind(folder.write("report.json", "{\"pieces\":[]}")));
+    EXPECT_FALSE(patternFileKind(folder / "none.json"));
 }
 
 TEST(GarmentCodeReader, ReadsBothFormsOfAQuadraticCurveAlike) {

@@ -111,6 +111,26 @@ TEST(PatternMatch, NamesWhatFitsAsWell) {
     EXPECT_EQ(match.aloneInFile, std::vector<int>{1});
 }
 
+TEST(PatternMatch, LeavesUnrelatedShapesAloneAndDoubtsLargeDifferences) {
+    const Points2 panel = test::rectangle(0, 0, 300, 200);
+    // A fifth longer and 49 % larger: another piece.
+    const PatternMatch other = matchPatterns(patternOfLines({{"a", panel}}),
+                                             fileOf({{"x", test::rectangle(0, 0, 370, 242)}}));
+    EXPECT_TRUE(other.pairs.empty());
+    EXPECT_EQ(other.alone, std::vector<int>{0});
+    EXPECT_EQ(other.aloneInFile, std::vector<int>{0});
+    const auto isDoubtful = [&panel](const std::string& name, double width) {
+        const PatternMatch match = matchPatterns(
+            patternOfLines({{"a", panel}}), fileOf({{name, test::rectangle(0, 0, width, 200)}}));
+        EXPECT_EQ(match.pairs.size(), 1U);
+        return !match.pairs.empty() && match.pairs.front().isDoubtful();
+    };
+    EXPECT_FALSE(isDoubtful("x", 303));
+    EXPECT_TRUE(isDoubtful("x", 340));
+    EXPECT_FALSE(isDoubtful("a", 303));
+    EXPECT_TRUE(isDoubtful("a", 450));  // paired by its name, however little they are alike
+}
+
 TEST(PatternMatch, ComparesLineWithLine) {
     Pattern pattern = patternOfLines({{"a", test::rectangle(0, 0, 300, 100)}});
     PatternFile file = fileOf({{"a", test::rectangle(0, 0, 300, 100)}});

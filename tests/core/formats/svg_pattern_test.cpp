@@ -54,6 +54,27 @@ TEST(SvgPattern, TakesOuterLinesForPieces) {
     EXPECT_NE(none.error().detail.pattern(), nullptr);  // in other languages too
 }
 
+TEST(SvgPattern, TakesLabelsAndTitlesForNames) {
+    const auto file = readSvgPattern(
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='i' width='500mm' height='300mm' "
+        "viewBox='0 0 500 300'><title>a skirt</title>"
+        "<g inkscape:groupmode='layer' inkscape:label='Layer 1'>"
+        "<path id='path7' inkscape:label='Front' d='M0,0 H200 V200 H0 Z'/>"
+        "<path id='path8' d='M210,0 H300 V200 H210 Z'><title>Back</title></path>"
+        "<g inkscape:label='Collar'><path id='path9' d='M310,0 H350 V200 H310 Z'/></g>"
+        "<g inkscape:label='Pockets'><path id='left' d='M400,0 H430 V90 H400 Z'/>"
+        "<path id='right' d='M440,0 H470 V80 H440 Z'/></g>"
+        "<path id='path10' d='M360,0 H390 V200 H360 Z'/></g></svg>");
+    ASSERT_TRUE(file);
+    std::vector<std::string> names;
+    for (const FilePiece& piece : file->pieces) {
+        names.push_back(piece.name);
+    }
+    EXPECT_EQ(names,
+              (std::vector<std::string>{"Front", "Back", "Collar", "path10", "left", "right"}));
+    EXPECT_EQ(file->pieces.front().id, "path7");
+}
+
 TEST(SvgPattern, ReadsTheFilesOfOtherPrograms) {
     const struct {
         const char* name;

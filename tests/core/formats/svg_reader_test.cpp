@@ -70,6 +70,19 @@ TEST(ReadSvg, PlacesAreMillimetresFromTheLowerLeftCorner) {
     expectSvgPoints(svg.lines[0], svgPoints({{10, 30}, {30, 30}, {30, 5}}));
 }
 
+TEST(ReadSvg, RefusesDecimalCommas) {
+    for (const char* content : {"<rect x='0,5' y='0' width='10' height='10'/>",
+                                "<g stroke-width='0,3'><path d='M 10,20 L 30,20 30,45 Z'/></g>",
+                                "<circle cx='5' cy='5' r='2,5'/>"}) {
+        const auto svg = readSvg(svgPage(content));
+        ASSERT_FALSE(svg) << content;
+        EXPECT_EQ(svg.error().code, ErrorCode::MalformedFile);
+        EXPECT_NE(sentence(svg.error()).find("decimal comma"), std::string::npos);
+    }
+    // Commas between coordinates are as SVG has them.
+    EXPECT_TRUE(readSvg(svgPage("<text x='1,2,3'>abc</text><path d='M 10,20 L 30,20 30,45 Z'/>")));
+}
+
 TEST(ReadSvg, LettersInBothCasesDrawTheSame) {
     const Points2 expected = svgPoints({{10, 40}, {30, 40}, {30, 20}, {15, 10}});
     for (const char* data : {"M10 10L30 10L30 30L15 40Z", "m10,10h20v20l-15,10z",

@@ -148,6 +148,22 @@ TEST_F(AssimpReader, GltfIsInMetres) {
     EXPECT_EQ(garment.value().pieces[0]->mesh.V(0, 1), 2000);
 }
 
+TEST_F(AssimpReader, AVrmIsReadAsAGlb) {
+    // A binary glTF is a header, the JSON, and the buffer.
+    std::string json = kGltf;
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const auto word = [](std::size_t number) {
+        return bytesOf(static_cast<std::uint32_t>(number));
+    };
+    const std::string glb =
+        "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
+    const auto binary = readAs("a.glb", glb), avatar = readAs("a.VRM", glb);
+    ASSERT_TRUE(binary) << sentence(binary.error());
+    ASSERT_TRUE(avatar) << sentence(avatar.error());
+    expectSameMesh(*avatar, *binary);
+    EXPECT_EQ(avatar->objects, binary->objects);
+}
+
 TEST_F(AssimpReader, ColladaKeepsPolygonsAndStatesItsUnit) {
     const Result<PolygonSoup> soup = readAs("a.dae", kCollada);
     ASSERT_TRUE(soup) << sentence(soup.error());

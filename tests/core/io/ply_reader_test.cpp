@@ -43,6 +43,36 @@ TEST(PlyReader, ReadsASample) {
     EXPECT_FALSE(binary.text);
 }
 
+TEST(PlyReader, ReadsTextureCoordinatesByCorner) {
+    const std::string header = "element vertex 4\n" + kXyz + "element face 3\n" +
+                               "property list uchar float texcoord\n" + kList;
+    const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    const PolygonSoup soup = readPlySoup(ascii(header, points + "6 0 0 1 0 1 1 3 0 1 2\n"
+                                                                "6 0 0 1 1 0 1 3 0 2 3\n"
+                                                                "2 7 7 3 0 1 3\n"));
+    EXPECT_EQ(soup.cornerUvs, (Corners{0, 1, 2, 0, 2, 3, -1, -1, -1}));
+    EXPECT_EQ(soup.uvs[2], Eigen::Vector2d(1, 1));
+    EXPECT_EQ(detailOf(soup.problems, ErrorCode::IndexOutOfRange),
+              "1 face without texture coordinates: their number does not fit, line 15");
+    // The same vertex twice in the map: the face is on another island.
+    const PolygonSoup islands = readPlySoup(ascii(header, points + "6 0 0 1 0 1 1 3 0 1 2\n"
+                                                                   "6 5 5 6 6 5 6 3 0 2 3\n"
+                                                                   "0 3 0 1 3\n"));
+    EXPECT_EQ(islands.uvs.size(), 6U);
+}
+
+TEST(PlyReader, DividesStripsOfTriangles) {
+    const std::string header =
+        "element vertex 6\n" + kXyz + "element tristrips 1\nproperty list int int vertex_indices\n";
+    const PolygonSoup soup = readPlySoup(
+        ascii(header, "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n9 0 1 2 3 -1 2 3 4 5\n"));
+    ASSERT_EQ(soup.faceCount(), 4);
+    EXPECT_EQ(face(soup, 0), (Corners{0, 1, 2}));
+    EXPECT_EQ(face(soup, 1), (Corners{2, 1, 3}));  // turned the same way
+    EXPECT_EQ(face(soup, 2), (Corners{2, 3, 4}));
+    EXPECT_EQ(face(soup, 3), (Corners{4, 3, 5}));
+}
+
 TEST(PlyReader, FindsTheBodyAfterAnyLineEnd) {
     const std::string bytes = samplePlyBinary();
     const std::size_t body = bytes.find("end_header\n") + 11;

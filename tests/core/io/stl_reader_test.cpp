@@ -9,6 +9,7 @@
 
 #include "core/io/soup.h"
 #include "tests/core/io/soup_checks.h"
+#include "tests/core/support/temporary_folder.h"
 
 namespace toile::test {
 namespace {
@@ -94,6 +95,21 @@ TEST(StlReader, ReadsLooseText) {
         "outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 0 1 endloop endfacet endsolid");
     EXPECT_EQ(soup.corners, (Corners{0, 1, 2, 0, 1, 3}));
     EXPECT_TRUE(soup.problems.empty());
+}
+
+TEST(StlReader, SaysWhenFloatsAreTooCoarseThere) {
+    const auto problemsAt = [](float away) {
+        const TemporaryFolder folder;
+        Progress progress;
+        const auto path =
+            folder.write("a.stl", binary("", {{away, 0, 0, away + 8, 0, 0, away, 8, 0}}));
+        auto soup = readSoup(path, progress);
+        EXPECT_TRUE(soup);
+        return soup ? std::move(soup->problems) : Problems();
+    };
+    EXPECT_TRUE(problemsAt(100).empty());
+    const std::string said = detailOf(problemsAt(16'000'000), ErrorCode::VerticesWelded);
+    EXPECT_NE(said.find("far from the origin"), std::string::npos) << said;
 }
 
 TEST(StlReader, ListsBadFacets) {

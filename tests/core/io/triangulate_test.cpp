@@ -209,6 +209,45 @@ TEST(Triangulate, DividesAPolygonJoinedToItsHole) {
     expectDivided({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}});
 }
 
+TEST(Triangulate, DividesAPolygonWithABridgedHole) {
+    // The corners at both ends of the bridge occur twice, as modelling programs write it.
+    const Polygon places{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 3}, {3, 3}, {3, 1}};
+    const std::vector<int> rim{0, 1, 2, 3, 0, 4, 5, 6, 7, 4};
+    for (std::size_t first = 0; first < rim.size(); ++first) {
+        PolygonSoup soup;
+        for (const Vector2d& place : places) {
+            soup.positions.emplace_back(place.x(), place.y(), 0);
+        }
+        for (std::size_t k = 0; k < rim.size(); ++k) {
+            soup.corners.push_back(rim[(first + k) % rim.size()]);
+        }
+        soup.faceStart.push_back(static_cast<int>(rim.size()));
+        const Triangulation triangles = triangulate(soup, "test");
+        EXPECT_TRUE(triangles.problems.empty());
+        ASSERT_EQ(triangles.F.rows(), 8);
+        EXPECT_NEAR(totalArea(triangles, places), 12, 1e-12);
+        EXPECT_GT(worstShape(triangles, places), kDegenerateHeight);
+    }
+}
+
+TEST(Triangulate, LeavesOutAFaceThatTouchesItselfOtherwise) {
+    // Two squares that share a corner; a square with a spike.
+    const Polygon places{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 2}, {4, 4}, {2, 4}, {-2, 0}};
+    for (const std::vector<int>& rim :
+         {std::vector<int>{0, 1, 2, 4, 5, 6, 2, 3}, std::vector<int>{0, 7, 0, 1, 2, 3}}) {
+        PolygonSoup soup;
+        for (const Vector2d& place : places) {
+            soup.positions.emplace_back(place.x(), place.y(), 0);
+        }
+        soup.corners = rim;
+        soup.faceStart.push_back(static_cast<int>(rim.size()));
+        const Triangulation triangles = triangulate(soup, "test");
+        EXPECT_EQ(triangles.F.rows(), 0);
+        EXPECT_EQ(detailOf(triangles.problems, ErrorCode::DegenerateFaceRecord),
+                  "1 face left out: a corner is repeated, face 1");
+    }
+}
+
 TEST(Triangulate, DividesABentPolygon) {
     PolygonSoup soup;
     std::vector<Vector3d> corners;

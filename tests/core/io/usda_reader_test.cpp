@@ -165,6 +165,19 @@ TEST(UsdReader, UnitAndUpAxisAreTheFiles) {
     expectAt(feet->positions[1], 0.3048, 0, 0);
 }
 
+TEST(UsdReader, SaysThatACageIsReadWithoutSubdivision) {
+    for (const char* scheme : {"", "uniform token subdivisionScheme = \"loop\"\n"}) {
+        const auto cage = readText(withMesh(scheme));
+        ASSERT_TRUE(cage);
+        EXPECT_NE(
+            detailOf(cage->problems, ErrorCode::OutputDiffers).find("subdivision is not applied"),
+            std::string::npos);
+    }
+    const auto plain = readText(withMesh("uniform token subdivisionScheme = \"none\"\n"));
+    ASSERT_TRUE(plain);
+    EXPECT_TRUE(plain->problems.empty());
+}
+
 TEST(UsdReader, OfMovingTransformsTheFirstMomentCounts) {
     const auto soup = readText(
         "#usda 1.0\ndef Mesh \"a\" ( prepend references = @./Bob's shirt).usda@ ) {\n"

@@ -201,6 +201,30 @@ TEST(Nest, TheFirstNestHearsCancel) {
 }
 
 /// Alone it collides with nothing, and still looks for a turn that is short along the strip.
+TEST(Nest, TheFirstNestCanBeLaidInHaste) {
+    NestInstance instance = mixedInstance();
+    instance.items[0].tolerance = 0.2;
+    instance.obstacles.push_back({"hole", {nestRectangle(20, 30)}, {}});
+    NestOptions hasty = quick();
+    hasty.hasteAfter = -1;  // from the start
+    const NestResult result = nested(instance, 0, hasty);
+    EXPECT_TRUE(result.valid);
+    test::expectKeepsRules(instance, hasty, result);
+    // Then rounds improve it like any other.
+    EXPECT_LE(nested(instance, 3, hasty).length, result.length);
+    instance.bands.push_back({400, HUGE_VAL});  // the cloth ends
+    EXPECT_TRUE(nested(instance, 0, hasty).valid);
+}
+
+TEST(Nest, ShapesOfManyCornersAreLaid) {
+    nest::Random random(3);
+    NestInstance instance{
+        "stars", 500, {nestItem("star", test::nestStar(random, 5000, 50, 200), 3)}};
+    const NestResult result = nested(instance, 0);
+    EXPECT_TRUE(result.valid);
+    EXPECT_EQ(result.placements.size(), 3U);
+}
+
 TEST(Nest, ALoneCopyTurnsToItsBestAngle) {
     NestInstance instance{"lone", 80, {nestItem("long", nestRectangle(100, 10))}};
     instance.items[0].tolerance = kPi;

@@ -63,6 +63,17 @@ TEST(ProofWords, NameTheSeamThatPullsMost) {
     EXPECT_TRUE(sentence(proof, garment).ends_with(", 3.1 %. 25 % hangs free"));
 }
 
+TEST(ProofWords, BeginWithClothThatHasNotSettled) {
+    const Garment garment = twoSquares();
+    Proof proof = proofOfSquares(garment, 1);
+    proof.iterations = 200;
+    EXPECT_TRUE(
+        std::string(sentence(proof, garment))
+            .starts_with("Not settled after 200 steps, so all figures are rough. The sewn"));
+    proof.hasSettled = true;
+    EXPECT_TRUE(std::string(sentence(proof, garment)).starts_with("The sewn pattern"));
+}
+
 TEST(ProofWords, SayWhetherTheFabricGives) {
     const Garment garment = twoSquares();
     Proof proof = proofOfSquares(garment, 1);
