@@ -65,6 +65,7 @@ protected:
     Cell cell(int row, int column) const override;
 
 private:
+    QString edgeWord(int row) const;
     void onChanged(DocumentChanges what);
     void measureAll();
     /// Whether the rows are still of the same seams, in the same order.

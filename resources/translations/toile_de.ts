@@ -3812,10 +3812,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite der Saumzugaben</translation>
     </message>
     <message>
-        <source>Allowance along free edges</source>
-        <translation>Zugabe entlang von freien Kanten</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Form</translation>
     </message>
@@ -4158,6 +4154,158 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Distance between layers of cloth</source>
         <translation>Abstand zwischen Lagen von Stoff</translation>
+    </message>
+    <message>
+        <source>Hem</source>
+        <translation>Saum</translation>
+    </message>
+    <message>
+        <source>Cuff</source>
+        <translation>Ärmelende</translation>
+    </message>
+    <message>
+        <source>Neckline</source>
+        <translation>Halsausschnitt</translation>
+    </message>
+    <message>
+        <source>Armhole</source>
+        <translation>Armausschnitt</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Front edge</source>
+        <translation>Vordere Kante</translation>
+    </message>
+    <message>
+        <source>Collar edge</source>
+        <translation>Kragenkante</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>Cuffs</source>
+        <translation>Ärmelenden</translation>
+    </message>
+    <message>
+        <source>Width at cuffs</source>
+        <translation>Breite an Ärmelenden</translation>
+    </message>
+    <message>
+        <source>Allowance along the ends of long sleeves</source>
+        <translation>Zugabe an den Enden langer Ärmel</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Necklines</source>
+        <translation>Halsausschnitte</translation>
+    </message>
+    <message>
+        <source>Width at necklines</source>
+        <translation>Breite an Halsausschnitten</translation>
+    </message>
+    <message>
+        <source>Allowance along necklines without collar</source>
+        <translation>Zugabe an Halsausschnitten ohne Kragen</translation>
+    </message>
+    <message>
+        <source>Armholes</source>
+        <translation>Armausschnitte</translation>
+    </message>
+    <message>
+        <source>Width at armholes</source>
+        <translation>Breite an Armausschnitten</translation>
+    </message>
+    <message>
+        <source>Allowance along armholes without sleeve</source>
+        <translation>Zugabe an Armausschnitten ohne Ärmel</translation>
+    </message>
+    <message>
+        <source>Waists</source>
+        <translation>Taillen</translation>
+    </message>
+    <message>
+        <source>Width at waists</source>
+        <translation>Breite an Taillen</translation>
+    </message>
+    <message>
+        <source>Allowance along the top of trousers and skirts</source>
+        <translation>Zugabe an der Oberkante von Hosen und Röcken</translation>
+    </message>
+    <message>
+        <source>Front edges</source>
+        <translation>Vordere Kanten</translation>
+    </message>
+    <message>
+        <source>Width at front edges</source>
+        <translation>Breite an vorderen Kanten</translation>
+    </message>
+    <message>
+        <source>Allowance along open fronts and plackets</source>
+        <translation>Zugabe an offenen Vorderteilen und Knopfleisten</translation>
+    </message>
+    <message>
+        <source>Collar edges</source>
+        <translation>Kragenkanten</translation>
+    </message>
+    <message>
+        <source>Width at collar edges</source>
+        <translation>Breite an Kragenkanten</translation>
+    </message>
+    <message>
+        <source>Allowance along the free edges of collars and neck bands</source>
+        <translation>Zugabe an den freien Kanten von Kragen und Halsbündchen</translation>
+    </message>
+    <message>
+        <source>Slits</source>
+        <translation>Schlitze</translation>
+    </message>
+    <message>
+        <source>Width at slits</source>
+        <translation>Breite an Schlitzen</translation>
+    </message>
+    <message>
+        <source>Allowance along both edges of slits</source>
+        <translation>Zugabe an beiden Kanten von Schlitzen</translation>
+    </message>
+    <message>
+        <source>Other edges</source>
+        <translation>Andere Kanten</translation>
+    </message>
+    <message>
+        <source>Width at other edges</source>
+        <translation>Breite an anderen Kanten</translation>
+    </message>
+    <message>
+        <source>Allowance along free edges whose kind is unknown</source>
+        <translation>Zugabe an freien Kanten, deren Art unbekannt ist</translation>
+    </message>
+    <message>
+        <source>&amp;Kind of edge</source>
+        <translation>&amp;Art der Kante</translation>
+    </message>
+    <message>
+        <source>Kind of a free edge</source>
+        <translation>Art einer freien Kante</translation>
+    </message>
+    <message>
+        <source>What the free edge is on the worn garment; it decides the usual width of its allowance</source>
+        <translation>Was die freie Kante am getragenen Kleidungsstück ist; danach richtet sich die übliche Breite der Zugabe</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Wie erkannt</translation>
+    </message>
+    <message>
+        <source>Allowance along hems; other free edges have usual widths of their kinds</source>
+        <translation>Zugabe an Säumen; andere freie Kanten haben die üblichen Breiten ihrer Art</translation>
     </message>
 </context>
 <context>
@@ -9975,6 +10123,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Removal of a notch</source>
         <translation>Entfernen eines Knipses</translation>
+    </message>
+    <message>
+        <source>found: %1</source>
+        <translation>erkannt: %1</translation>
     </message>
 </context>
 <context>
