@@ -56,6 +56,26 @@ void describeCutting(OptionArchive& at, Arguments& arguments) {
     at.flag("--swap-front", load.isFrontSwapped, "Swap the detected front and back");
 }
 
+/// @return as `Option::read`
+std::string readEdgeAllowances(const Words& typed, LineSettings& lines) {
+    constexpr Range kWidths{0, kMaxAllowance};
+    AllowanceWidths& widths = lines.allowance ? *lines.allowance : lines.allowance.emplace();
+    for (const std::string& one : typed) {
+        const Words parts = partsOf(one, '=');
+        const auto kind = parseWord(kEdgeKindWords, parts.front());
+        if (!kind || parts.size() != 2) {
+            return one + " is not KIND=MM; KIND is " + wordList(kEdgeKindWords);
+        }
+        const auto width = parseNumber<double>(parts.back());
+        if (!width || !(*width >= kWidths.least && *width <= kWidths.most)) {
+            return outOfRange(parts.back(), kWidths, false);
+        }
+        (*kind == EdgeKind::Hem ? widths.hem
+                                : widths.edges[static_cast<std::size_t>(*kind)].emplace()) = *width;
+    }
+    return {};
+}
+
 }  // namespace
 
 Words methodNames() {
@@ -185,7 +205,12 @@ void describeLines(OptionArchive& at, LineSettings& lines, bool hasPreset) {
     };
     width("--allowance", &AllowanceWidths::seam, "Seam allowance; also sets a hem of 30 mm");
     width("--hem", &AllowanceWidths::hem,
-          "Allowance along free edges; also sets a seam allowance of 10 mm");
+          "Allowance along hems; also sets a seam allowance of 10 mm");
+    at.add("--edge-allowance", "KIND=MM",
+           "Allowance along free edges of a kind; repeat it for several. KIND is " +
+               wordList(kEdgeKindWords),
+           [&lines](const Words& typed) { return readEdgeAllowances(typed, lines); })
+        .isRepeated = true;
     at.add("--notches", "auto|none", "Notches where the two sides of a seam meet",
            [&lines](const Words& typed) -> std::string {
                const auto wanted = parseWord(kNotchesWords, typed.front());

@@ -80,6 +80,31 @@ void printSeamSummary(const Garment& garment, const PieceResults& results, std::
         << shownText(rows.front().seam->name) << ")\n";
 }
 
+/// One line: the widths of allowances beside free edges, by kind, and usual ones that do not fit.
+void printEdges(const Pattern& pattern, std::ostream& out) {
+    std::string text;
+    for (const auto& [kind, word] : kEdgeKindWords) {
+        double least = HUGE_VAL, most = 0, usual = 0;
+        for (const PatternPiece& piece : pattern.pieces) {
+            for (const PatternSegment& segment : piece.segments) {
+                if (segment.seam > 0 && segment.kind == SeamKind::Free && segment.edge == kind) {
+                    const bool isLimited = segment.limit != AllowanceLimit::None;
+                    least = std::min(least, segment.allowance);
+                    most = std::max(most, segment.allowance);
+                    usual = std::max(usual, isLimited ? segment.usualAllowance : 0);
+                }
+            }
+        }
+        if (pattern.hasAllowance && least <= most) {
+            out << (text.empty() ? "free edges: " : ", ") << word << ' '
+                << (least < most ? numberText(least) + " to " : "") << numberText(most) << " mm"
+                << (usual > 0 ? " (usual " + numberText(usual) + " does not fit)" : "");
+            text = "\n";
+        }
+    }
+    out << text;
+}
+
 /// Prints pieces not mirrored because their seams differ too much, and the option that helps.
 void printUnequal(const Garment& garment, const Symmetry* symmetry, std::ostream& out) {
     if (!symmetry || symmetry->kept.empty() || symmetry->unequal.empty()) {
@@ -177,6 +202,11 @@ int runFlatten(const Arguments& arguments, std::ostream& out, Messages& messages
     reportFailures(results, messages);
     const FinishedPattern made = finished(arguments, *garment, results);
     const Pattern& pattern = made.laid.pattern;
+    if (arguments.ledger && pattern.hasAllowance) {
+        out << '\n';
+        printTable(edgeTable(pattern), out);
+    }
+    printEdges(pattern, out);
     printUnequal(*garment, pattern.symmetry.get(), out);
     const auto doubts = findDoubts(*garment, results, fabricsOf(pattern, made.fabric));
     for (const Finding& doubt : doubts) {

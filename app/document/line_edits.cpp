@@ -199,6 +199,7 @@ double allowanceOf(const Garment& garment, const Segment& segment, const LineSet
     if (segment.seam >= 0) {
         kind.kind = garment.seams.seams[static_cast<std::size_t>(segment.seam)].kind;
     }
+    kind.edge = segment.edge();
     kind.isFaced = facingOf(lines, segment).has_value();
     return segment.settings.allowance.value_or(
         usualAllowance(kind, lines.allowance.value_or(AllowanceWidths{})));
@@ -224,6 +225,11 @@ LineSettings withCorner(LineSettings lines, const LineFacts& facts, const Segmen
         }
     }
     return withAllowances(std::move(lines), rule.has_value());
+}
+
+LineSettings withEdgeKind(LineSettings lines, const LineFacts& facts,
+                          const std::vector<SegmentAt>& segments, std::optional<EdgeKind> kind) {
+    return withValue(std::move(lines), facts, segments, &SegmentSettings::edge, kind);
 }
 
 LineSettings withExtension(LineSettings lines, const LineFacts& facts,

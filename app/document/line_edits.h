@@ -44,6 +44,10 @@ LineSettings withAllowance(LineSettings lines, const LineFacts& facts,
 LineSettings withCorner(LineSettings lines, const LineFacts& facts, const SegmentAt& one,
                         const std::optional<SegmentAt>& image, std::optional<CornerRule> rule);
 
+/// With free edges of this kind; none: as found.
+LineSettings withEdgeKind(LineSettings lines, const LineFacts& facts,
+                          const std::vector<SegmentAt>& segments, std::optional<EdgeKind> kind);
+
 /// With free edges extended by this width, mm; none: not extended.
 LineSettings withExtension(LineSettings lines, const LineFacts& facts,
                            const std::vector<SegmentAt>& segments, std::optional<double> width);

@@ -68,7 +68,17 @@ constexpr bool isSigned(Overlay overlay) {
 }
 
 /// The lists below the views, from left to right, and the panels beside them.
-enum class Panel { Pieces, Seams, ProblemList, History, Lines, Symmetry, Proof, Properties, Fabric };
+enum class Panel {
+    Pieces,
+    Seams,
+    ProblemList,
+    History,
+    Lines,
+    Symmetry,
+    Proof,
+    Properties,
+    Fabric
+};
 
 /// Of the two views: in pictures of them.
 enum class ViewsShown { Garment, Pattern, Both };

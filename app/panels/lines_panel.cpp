@@ -104,8 +104,11 @@ QWidget* LinesPanel::makeAdditions() {
     fields_.addRow(*label, "label.date", 1);
     auto* today = makeButton("labelToday", tr("Today"), tr("Put today's date on the labels"), this);
     label->addWidget(today, 1, 2);
+    for (int k = 1; k < static_cast<int>(kEdgeKindCount); ++k) {
+        fields_.addRow(*grid, std::string("allowance.") + kEdgeWidthKeys[k], 4 + k);
+    }
     grid->setColumnStretch(3, 1);
-    grid->setRowStretch(5, 1);
+    grid->setRowStretch(4 + static_cast<int>(kEdgeKindCount), 1);
     connect(today, &QToolButton::clicked, this, [this] {
         auto& date = fields_.at<QLineEdit>("label.date");
         date.setText(QLocale().toString(QDate::currentDate(), QLocale::ShortFormat));
@@ -157,7 +160,12 @@ void LinesPanel::refresh() {
 void LinesPanel::showSettings() {
     const LineSettings& lines = document_.state().lines;
     fields_.setEnabled(document_.garment() != nullptr);
-    fields_.show(kLineFields, lines, proposedLines());
+    LineSettings usual = proposedLines();
+    AllowanceWidths& widths = usual.allowance.emplace(lines.allowance.value_or(AllowanceWidths{}));
+    for (const auto& [kind, word] : kEdgeKindWords) {
+        widths.edges[static_cast<std::size_t>(kind)] = widths.widthOf(kind);
+    }
+    fields_.show(kLineFields, lines, usual);
     notches_ = lines.notches.value_or(notches_);
 }
 

@@ -8,11 +8,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"
+#include "core/pattern/line_fields.h"
+#include "core/pattern/pattern.h"
 
 namespace toile::app {
 
@@ -153,6 +156,18 @@ QVariant SeamsModel::background(int row, int column) const {
     return QBrush(tint);
 }
 
+QString SeamsModel::edgeWord(int row) const {
+    const Seam& free = seam(row);
+    if (const PatternPiece* piece = document_.patternPiece(free.left.piece);
+        piece && free.kind == SeamKind::Free) {
+        const auto edge = std::ranges::find(piece->segments, row + 1, &PatternSegment::seam);
+        if (edge != piece->segments.end() && edge->edge != EdgeKind::Unknown) {
+            return app::tr(kEdgeKindNames[static_cast<std::size_t>(edge->edge)]);
+        }
+    }
+    return kindWord(free.kind);
+}
+
 SeamsModel::Cell SeamsModel::cell(int row, int column) const {
     const Seam& asked = seam(row);
     const auto& measure = measures_[static_cast<std::size_t>(row)];
@@ -169,7 +184,7 @@ SeamsModel::Cell SeamsModel::cell(int row, int column) const {
         case Name:
             return {seamName(document_, row)};
         case Kind:
-            return {kindWord(asked.kind)};
+            return {edgeWord(row)};
         case Length3d: {
             const QString left = lengthNumber(asked.length3d[0]);
             const QString right = lengthNumber(asked.length3d[1]);

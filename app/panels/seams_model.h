@@ -65,6 +65,7 @@ protected:
     Cell cell(int row, int column) const override;
 
 private:
+    QString edgeWord(int row) const;
     void onChanged(const DocumentChange& what);
     void measureAll();
     /// True if the seams and their order are unchanged.

@@ -2,6 +2,7 @@
 #include "app/panels/segment_form.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/line_edits.h"
 #include "app/document/mirrored_edits.h"
@@ -210,7 +212,7 @@ void SegmentForm::show(const LineFacts& facts) {
     SegmentSettings usual;
     usual.length = shown_.length();
     usual.tolerance = document_.state().lines.fairing.value_or(Fairing{}).tolerance;
-    usual.allowance = allowanceOf(*document_.garment(), shown_, document_.state().lines);
+    usual.allowance = usualAllowance();
     fields_.show(kSegmentFields, shown_.settings, usual);
     const auto& around = facts.segments[static_cast<std::size_t>(at->piece)].segments;
     const auto index = static_cast<std::size_t>(at->segment);
@@ -220,6 +222,19 @@ void SegmentForm::show(const LineFacts& facts) {
             .arg(segmentName(document_, around[(index + around.size() - 1) % around.size()])));
     showKinks(facts, *at);
     showTurnPoint(facts);
+}
+
+/// The width without one of its own; in a pattern with allowances as it is limited there.
+double SegmentForm::usualAllowance() const {
+    if (const auto& pattern = document_.derived().pattern;
+        pattern && pattern->hasAllowance && !shown_.settings.allowance) {
+        const auto& segments = pattern->pieces[static_cast<std::size_t>(shown_.at.piece)].segments;
+        const auto found = std::ranges::find(segments, shown_.place, &PatternSegment::place);
+        if (found != segments.end() && found->edge == shown_.edge()) {
+            return found->allowance;
+        }
+    }
+    return allowanceOf(*document_.garment(), shown_, document_.state().lines);
 }
 
 void SegmentForm::showLengths() {
@@ -243,6 +258,12 @@ void SegmentForm::showBeside() {
     const bool isFree = seam && seam->kind == SeamKind::Free, isSewn = seam && !isFree;
     seam_ = isSewn ? shown_.seam : -1;
     fields_.setEnabled("extension", shown_.place.line && isFree);
+    fields_.setEnabled("edge", shown_.place.line && isFree);
+    fields_.at<QComboBox>("edge").setItemText(
+        0, isFree ? tr("found: %1")
+                        .arg(app::tr(kEdgeKindNames[static_cast<std::size_t>(shown_.foundEdge)]))
+                  : QString());
+    shown_.settings.edge = isFree ? shown_.settings.edge : std::nullopt;
     fields_.setEnabled("ease", isSewn);
     shown_.settings.extension = isFree ? shown_.settings.extension : std::nullopt;
     fields_.show(kBesideFields,
@@ -317,6 +338,9 @@ LineSettings SegmentForm::withSettings(const std::string& changed, SegmentSettin
     if (changed == "allowance") {
         return withAllowance(std::move(lines), *facts_, alike(bothSides_->isChecked()),
                              settings.allowance);
+    }
+    if (changed == "edge") {
+        return withEdgeKind(std::move(lines), *facts_, alike(false), settings.edge);
     }
     if (changed == "extension") {
         return withExtension(std::move(lines), *facts_, alike(false), settings.extension);

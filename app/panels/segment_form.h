@@ -32,6 +32,7 @@ private:
     void makeLayout();
     std::optional<SegmentAt> selected(const LineFacts& facts) const;
     void showLengths();
+    double usualAllowance() const;
     void showBeside();
     void showKinks(const LineFacts& facts, const SegmentAt& at);
     void showTurnPoint(const LineFacts& facts);

@@ -96,6 +96,9 @@ std::vector<py::dict> segmentsOf(const PyPatternPiece& self) {
         told["is_fold"] = segment.isFold;
         told["seam"] = segment.seam;
         told["kind"] = std::string(name(segment.kind));
+        if (segment.seam > 0 && segment.kind == SeamKind::Free) {
+            told["edge"] = std::string(wordOf(kEdgeKindWords, segment.edge));
+        }
         told["length"] = segment.length;
         told["allowance"] = segment.allowance;
         segments.push_back(told);

@@ -348,7 +348,8 @@ void SettingFields::apply(const SettingChange& change, const SettingField& of,
     } else if (of.path == group && of.kind == FieldKind::Group) {
         value.number = 1;  // a value of a group that is off switches it on
     } else if (!of.isInForce && (of.group == change.path || of.group == group)) {
-        value = rows_.at(of.path).value();
+        const Row& row = rows_.at(of.path);
+        value = of.isOptional && !row.isSet ? FieldValue{} : row.value();
     }
 }
 

@@ -81,9 +81,11 @@ CornerJoin stepped(const Sides& s) {
 
 /// Ends the first allowance in a line through R; nothing if R is too far, or does not exist.
 std::optional<CornerJoin> endFirst(const Sides& s, bool mirrored) {
-    const double most = kMitreLimit * s.widest() * s.sine;
+    const double reach = kMitreLimit * s.widest();
+    const double most = std::sqrt(reach * reach - s.first.width * s.first.width) * s.sine;
     const double end = s.second.width + (mirrored ? s.first.width * s.cosine : 0);
-    if (s.first.width == 0 || s.sine <= 0 || s.second.width > most || std::abs(end) > most) {
+    if (s.first.width == 0 || s.sine <= 0 || s.second.width > reach * s.sine ||
+        std::abs(end) > most) {
         return std::nullopt;
     }
     const Vector2d root = s.second.width / s.sine * s.first.onward;

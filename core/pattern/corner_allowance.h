@@ -32,8 +32,8 @@ namespace toile {
 ///
 /// If b < a cos t, or a < b cos t, X lies beside a seam line and must not be cut off: mitre and
 /// square become stepped. So do two widths that meet without a turn, under any rule. Right angles
-/// and mirrors without width, or beyond the limit, become mitres. At a concave corner all rules are
-/// alike: the allowances overlap, and their common outer line is cut.
+/// and mirrors without width, or beyond that limit, become mitres. At a concave corner all rules
+/// are alike: the allowances overlap, and their common outer line is cut.
 enum class CornerRule {
     Mitre,
     Square,
@@ -54,8 +54,9 @@ inline constexpr Word<CornerRule> kCornerRuleWords[] = {
     {CornerRule::MirrorSecond, "mirror-second"},
     {CornerRule::Stepped, "stepped"}};
 
-/// Times the greater width: a mitre is cut off at angles below 39 degrees.
-inline constexpr double kMitreLimit = 3;
+/// No join is farther from its corner than this, times the greater width: a mitre is cut off at
+/// angles below 47 degrees.
+inline constexpr double kMitreLimit = 2.5;
 
 /// mm: rounding may separate parts of an allowance that overlap by less.
 inline constexpr double kAllowanceOverlap = 5e-5;

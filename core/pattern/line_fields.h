@@ -22,6 +22,14 @@ inline constexpr const char* kCornerRuleNames[] = {TR("Mitred"),
                                                    TR("Mirrored on this"),
                                                    TR("Stepped")};
 
+inline constexpr const char* kEdgeKindNames[kEdgeKindCount] = {
+    TR("Hem"),        TR("Cuff"),        TR("Neckline"), TR("Armhole"), TR("Waist"),
+    TR("Front edge"), TR("Collar edge"), TR("Slit"),     TR("Unknown")};
+
+/// Keys of the widths along free edges, by EdgeKind; that of hems has its own setting.
+inline constexpr const char* kEdgeWidthKeys[kEdgeKindCount] = {
+    "hem", "cuff", "neckline", "armhole", "waist", "frontEdge", "collarEdge", "slit", "unknown"};
+
 inline constexpr auto kStretchFields = [](auto& at, auto& stretch) {
     at.need("line");
     at.id("line", stretch.line);
@@ -56,6 +64,11 @@ inline constexpr auto kSegmentFields = [](auto& at, auto& chosen) {
     at.field(Setting{"allowance", TR("Allo&wance"), TR("Allowance of a segment"),
                      TR("Width of the cloth beyond the line"), TR("Default")},
              chosen.allowance, 0, kMaxAllowance);
+    at.word(Setting{"edge", TR("&Kind of edge"), TR("Kind of a free edge"),
+                    TR("What the free edge is on the worn garment; sets the usual width of its "
+                       "allowance"),
+                    TR("As found"), kEdgeKindNames},
+            chosen.edge, kEdgeKindWords);
     at.word(Setting{"corner", TR("Corner at its &start"), TR("Corner of an allowance"),
                     TR("How the allowances meet at the start of the segment, anti-clockwise around "
                        "the piece"),
@@ -94,8 +107,14 @@ inline constexpr auto kAllowanceFields = [](auto& at, auto& widths) {
     at.field(Setting{"seam", TR("Seams"), TR("Width of seam allowances"),
                      TR("Allowance along sewn edges")},
              widths.seam, 0, kMaxAllowance);
-    at.field(Setting{"hem", TR("Hems"), TR("Width of hems"), TR("Allowance along free edges")},
+    at.field(Setting{"hem", TR("Hems"), TR("Width of hems"),
+                     TR("Allowance along hems; other free edges have usual widths of their kinds")},
              widths.hem, 0, kMaxAllowance);
+    for (std::size_t k = 1; k < kEdgeKindCount; ++k) {
+        at.field(Setting{kEdgeWidthKeys[k], kEdgeKindNames[k], kEdgeKindNames[k],
+                         TR("Allowance along free edges of this kind"), TR("Usual")},
+                 widths.edges[k], 0, kMaxAllowance);
+    }
 };
 
 inline constexpr auto kNotchFields = [](auto& at, auto& chosen) {

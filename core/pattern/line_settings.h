@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -144,12 +145,48 @@ inline constexpr double kMinFairTolerance = 0.05, kMaxFairTolerance = 20;
 inline constexpr double kMinSmoothing = 2, kMaxSmoothing = 500;
 inline constexpr double kMinSegmentLength = 0.01, kMaxSegmentLength = 1e6;
 
+/// What a free edge is on the worn garment; it decides the width of its allowance.
+enum class EdgeKind {
+    Hem,       ///< of a body, a leg, a skirt or a short sleeve
+    Cuff,      ///< end of a long sleeve
+    Neckline,  ///< without collar or band
+    Armhole,   ///< without sleeve
+    Waist,     ///< top of trousers or a skirt
+    Front,     ///< upright edge of an open front, or of a placket
+    Collar,    ///< free edge of a collar or neck band
+    Slit,      ///< upright edge of a slit from a hem, or of an opening within a seam
+    Unknown,
+};
+
+/// Their names in project files, in reports and on the command line.
+inline constexpr Word<EdgeKind> kEdgeKindWords[] = {{EdgeKind::Hem, "hem"},
+                                                    {EdgeKind::Cuff, "cuff"},
+                                                    {EdgeKind::Neckline, "neckline"},
+                                                    {EdgeKind::Armhole, "armhole"},
+                                                    {EdgeKind::Waist, "waist"},
+                                                    {EdgeKind::Front, "front-edge"},
+                                                    {EdgeKind::Collar, "collar-edge"},
+                                                    {EdgeKind::Slit, "slit"},
+                                                    {EdgeKind::Unknown, "unknown"}};
+inline constexpr std::size_t kEdgeKindCount = std::size(kEdgeKindWords);
+
 /// Width of cloth beyond the seam lines, mm; none at folds of the cloth.
 struct AllowanceWidths {
     double seam = 10;
-    double hem = 30;  ///< for free edges
+    double hem = 30;
+    /// Of free edges by EdgeKind; empty: `widthOf`. That of hems is `hem`.
+    std::array<std::optional<double>, kEdgeKindCount> edges{};
 
     bool operator==(const AllowanceWidths&) const = default;
+
+    const std::optional<double>& of(EdgeKind kind) const {
+        return edges[static_cast<std::size_t>(kind)];
+    }
+    /// The width beside a free edge, set or usual: hems and cuffs (25 mm) are turned up; necklines
+    /// and armholes (7 mm), which curve, are bound, faced or turned; slits (15 mm) have a narrow
+    /// hem; others are sewn to something. Usual widths are no wider than a hem or a seam. An edge
+    /// of unknown kind gets a hem, because cloth can be trimmed but not added.
+    double widthOf(EdgeKind kind) const;
 };
 
 /// Limit of the width of an allowance, mm.
@@ -196,6 +233,7 @@ struct SegmentSettings {
     bool straight = false;              ///< drawn as a straight line
     /// Width of the adjacent allowance, on its own piece; empty: by its kind (AllowanceWidths).
     std::optional<double> allowance{};
+    std::optional<EdgeKind> edge{};  ///< kind of a free edge; empty: as found (edge_kinds.h)
     /// How allowances meet where it starts; empty: mitred, or mirrored at the end of a hem.
     std::optional<CornerRule> corner{};
     /// Width by which a free edge is extended in parallel, mm: a button stand, a turn-up.
@@ -204,7 +242,7 @@ struct SegmentSettings {
     bool operator==(const SegmentSettings&) const = default;
 
     bool saysNothing() const {
-        return !length && !tolerance && !straight && !allowance && !corner && !extension;
+        return !length && !tolerance && !straight && !allowance && !edge && !corner && !extension;
     }
 };
 

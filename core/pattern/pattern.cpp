@@ -101,9 +101,13 @@ void addSegments(PatternPiece& made, const PieceResult& result, const MeasuredOu
             in3d.placeOn(target, segment.at.end) - in3d.placeOn(target, segment.at.start);
         added.isFaced = std::ranges::any_of(
             lines.facings, [&added](const Facing& facing) { return isFaced(added.place, facing); });
+        added.edge = segment.edge();
+        added.foundEdge = segment.foundEdge;
+        added.opening = segment.opening;
         if (lines.allowance) {
-            added.allowance =
-                segment.settings.allowance.value_or(usualAllowance(added, *lines.allowance));
+            added.usualAllowance = usualAllowance(added, *lines.allowance);
+            added.isAllowanceSet = segment.settings.allowance.has_value();
+            added.allowance = segment.settings.allowance.value_or(added.usualAllowance);
         }
         added.corner = segment.settings.corner;
         added.extension = segment.settings.extension.value_or(0);
@@ -211,9 +215,12 @@ Pattern makePattern(const Garment& garment, const PieceResults& results, const L
                 made.statedDarts.emplace(seam.seam, stated->second);
             }
         }
+    }
+    limitAllowances(pattern.pieces);
+    for (PatternPiece& made : pattern.pieces) {
         const bool isExtended = std::ranges::any_of(
             made.segments, [](const auto& segment) { return extensionOf(segment) > 0; });
-        if (lines.allowance || isExtended) {
+        if (made.outline.rows() > 0 && (lines.allowance || isExtended)) {
             addCuttingLine(made);
         }
     }

@@ -63,6 +63,20 @@ struct SeamLine {
     double length3d = 0;  ///< of this side in the garment, mm
 };
 
+/// Why an allowance is narrower than usual (`limitAllowances`).
+enum class AllowanceLimit {
+    None,
+    Width,  ///< the piece is narrow there
+    Curve,  ///< turned in, the edge of a wider one would be too long or too short
+    Size,   ///< the piece is too small for any
+};
+
+/// Their names in reports.
+inline constexpr Word<AllowanceLimit> kAllowanceLimitWords[] = {{AllowanceLimit::None, ""},
+                                                                {AllowanceLimit::Width, "width"},
+                                                                {AllowanceLimit::Curve, "curve"},
+                                                                {AllowanceLimit::Size, "size"}};
+
 /// A stretch of a piece's seam line from one turn point to the next (segments.h).
 struct PatternSegment {
     /// Arc lengths along `PatternPiece::outline` in the plane, mm: `from` within the first turn,
@@ -76,7 +90,13 @@ struct PatternSegment {
     double length = 0;     ///< required length, mm: to - from if lengths are kept
     bool isFaced = false;  ///< a facing is sewn to it (`facingsOf`)
     bool isFold = false;   ///< of a half pattern: the edge on the fold, not a seam line
-    double allowance = 0;  ///< width of the adjacent allowance, mm
+    EdgeKind edge = EdgeKind::Unknown;       ///< of a free edge: its kind, set or found
+    EdgeKind foundEdge = EdgeKind::Unknown;  ///< as found, whatever is set
+    int opening = -1;             ///< of a free edge: number of the opening that it belongs to
+    double allowance = 0;         ///< width of the adjacent allowance, mm
+    double usualAllowance = 0;    ///< the same by its kind alone, before `limitAllowances`
+    bool isAllowanceSet = false;  ///< the user has set `allowance`
+    AllowanceLimit limit = AllowanceLimit::None;
     double extension = 0;  ///< width by which a free edge is extended, mm
     /// Of the allowances where it starts; empty: mitred, or mirrored at the end of a hem.
     std::optional<CornerRule> corner{};

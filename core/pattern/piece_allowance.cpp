@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include <polyclipping/clipper.hpp>
@@ -343,11 +345,29 @@ CappedOutline cappedOutline(const PatternPiece& piece, const std::vector<PieceDa
 
 namespace {
 
-bool isHem(const PatternSegment& segment) {
+bool isFreeEdge(const PatternSegment& segment) {
     return segment.seam > 0 && segment.kind == SeamKind::Free && !segment.isFaced;
 }
 
+/// Whether the allowance is folded up along the edge.
+bool isTurnedUp(const PatternSegment& segment) {
+    return isFreeEdge(segment) &&
+           (segment.edge == EdgeKind::Hem || segment.edge == EdgeKind::Cuff ||
+            segment.edge == EdgeKind::Slit || segment.edge == EdgeKind::Unknown);
+}
+
 }  // namespace
+
+double AllowanceWidths::widthOf(EdgeKind kind) const {
+    constexpr double kCuff = 25, kSlit = 15, kCurved = 7;
+    const bool isHem = kind == EdgeKind::Hem || kind == EdgeKind::Unknown;
+    const bool isCurved = kind == EdgeKind::Neckline || kind == EdgeKind::Armhole;
+    return of(kind).value_or(isHem                    ? hem
+                             : kind == EdgeKind::Cuff ? std::min(kCuff, hem)
+                             : kind == EdgeKind::Slit ? std::min(kSlit, hem)
+                             : isCurved               ? std::min(kCurved, seam)
+                                                      : seam);
+}
 
 double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widths) {
     switch (segment.kind) {
@@ -355,11 +375,108 @@ double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widt
         case SeamKind::Dart:
             return 0;
         case SeamKind::Free:  // too short to be a free edge, or faced: treat as a seam
-            return isHem(segment) ? widths.hem : widths.seam;
+            return isFreeEdge(segment) ? widths.widthOf(segment.edge) : widths.seam;
         case SeamKind::Seam:
             break;
     }
     return widths.seam;
+}
+
+namespace {
+
+/// Width of a piece beside a segment: the lower quartile of distances straight across it, mm.
+double widthBeside(const geometry::Line& outline, const PatternSegment& segment) {
+    constexpr int kRays = 12;
+    constexpr double kBeside = 1e-3;  // mm: nearer crossings are the segment itself
+    std::vector<double> widths;
+    for (int k = 0; k < kRays; ++k) {
+        const double at = segment.from + (segment.to - segment.from) * (k + 3) / (kRays + 5);
+        const Vector2d from = outline.pointAt(at);
+        const Vector2d along = (outline.pointAt(at + 1) - outline.pointAt(at - 1)).transpose();
+        const Vector2d inward = geometry::leftOf(Vector2d(along.normalized()));
+        double nearest = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < outline.count(); ++i) {
+            const Vector2d a = outline.point(i).transpose() - from;
+            const Vector2d edge = outline.point(i + 1).transpose() - from - a;
+            const double sine = geometry::cross(inward, edge);
+            const double share = -geometry::cross(inward, a) / sine;
+            const double distance = geometry::cross(a, edge) / sine;
+            if (sine != 0 && share >= 0 && share <= 1 && distance > kBeside) {
+                nearest = std::min(nearest, distance);
+            }
+        }
+        widths.push_back(nearest);
+    }
+    std::ranges::sort(widths);
+    return widths[widths.size() / 4];
+}
+
+/// The turn of the line within a segment, radians, positive to the left.
+double turnWithin(const geometry::Line& outline, const PatternSegment& segment) {
+    double turn = 0;
+    for (int k = outline.firstAfter(segment.from); outline.placeOf(k) < segment.to - kNoStretch;
+         ++k) {
+        turn += outline.turnAt(k);
+    }
+    return turn;
+}
+
+}  // namespace
+
+void limitAllowances(std::vector<PatternPiece>& pieces) {
+    constexpr double kCurved = 0.03, kTurnedUp = 0.1, kStep = 0.5;
+    constexpr double kLeastCurved = 5, kLeastTurnedUp = 10;  // mm: less cannot be sewn
+    const auto isLimited = [](const PatternSegment& segment) {
+        return isFreeEdge(segment) && !segment.isAllowanceSet && segment.allowance > 0;
+    };
+    struct FreeLength {
+        double length = 0, turn = 0;
+    };
+    std::map<std::pair<int, EdgeKind>, FreeLength> openings;
+    for (PatternPiece& piece : pieces) {
+        if (piece.outline.rows() < 3) {
+            continue;
+        }
+        const auto outline = geometry::Line::closed(piece.outline);
+        const bool isTiny = geometry::signedAreaOf(piece.outline) < kMinAllowanceArea;
+        for (PatternSegment& segment : piece.segments) {
+            if (isTiny && !segment.isAllowanceSet && segment.allowance > 0) {
+                segment.allowance = 0;
+                segment.limit = AllowanceLimit::Size;
+            }
+            if (isLimited(segment)) {
+                FreeLength& edges = openings[{segment.opening, segment.edge}];
+                edges.length += segment.to - segment.from;
+                edges.turn += turnWithin(outline, segment);
+            }
+        }
+    }
+    for (PatternPiece& piece : pieces) {
+        for (PatternSegment& segment : piece.segments) {
+            if (!isLimited(segment)) {
+                continue;
+            }
+            const auto narrow = [&segment](double width, AllowanceLimit limit) {
+                // Rounding may not separate the two sides of a mirrored piece.
+                width = kStep * std::floor(width / kStep + 1e-6);
+                if (width < segment.allowance) {
+                    segment.allowance = width;
+                    segment.limit = limit;
+                }
+            };
+            narrow(widthBeside(geometry::Line::closed(piece.outline), segment) / 2,
+                   AllowanceLimit::Width);
+            const bool isCurved =
+                segment.edge == EdgeKind::Neckline || segment.edge == EdgeKind::Armhole;
+            const FreeLength& edges = openings.at({segment.opening, segment.edge});
+            if (isCurved || isTurnedUp(segment)) {
+                narrow(std::max(isCurved ? kLeastCurved : kLeastTurnedUp,
+                                (isCurved ? kCurved : kTurnedUp) * edges.length /
+                                    std::max(std::abs(edges.turn), 1e-9)),
+                       AllowanceLimit::Curve);
+            }
+        }
+    }
 }
 
 CornerRule cornerOf(const PatternPiece& piece, std::size_t k) {
@@ -369,8 +486,8 @@ CornerRule cornerOf(const PatternPiece& piece, std::size_t k) {
     while (before != k && piece.segments[before].kind == SeamKind::Dart) {
         before = (before + count - 1) % count;  // the line continues over the closed dart
     }
-    const bool afterHem = isHem(piece.segments[before]);
-    if (segment.corner || afterHem == isHem(segment)) {
+    const bool afterHem = isTurnedUp(piece.segments[before]);
+    if (segment.corner || afterHem == isTurnedUp(segment)) {
         return segment.corner.value_or(CornerRule::Mitre);
     }
     return afterHem ? CornerRule::MirrorFirst : CornerRule::MirrorSecond;

@@ -61,9 +61,21 @@ struct CappedOutline {
 /// Cost: linear in the outline, plus darts times segments. Pure.
 CappedOutline cappedOutline(const PatternPiece& piece, const std::vector<PieceDart>& darts);
 
-/// Default width of the allowance of a segment, mm: that of seams; that of hems along free edges
-/// without facing; 0 at folds of the cloth and between the legs of a dart.
+/// Default width of the allowance of a segment, mm: that of seams; that of its kind along a free
+/// edge without facing; 0 at folds of the cloth and between the legs of a dart.
 double usualAllowance(const PatternSegment& segment, const AllowanceWidths& widths);
+
+/// Smallest area of a piece with allowances, mm^2: buttons and other trim have none.
+inline constexpr double kMinAllowanceArea = 200;
+
+/// Narrows allowances that the user has not set, and records why:
+/// - Pieces below `kMinAllowanceArea` have none.
+/// - Beside a free edge, an allowance is at most half as wide as the piece is there.
+/// - If the edges of an opening turn by t over a length l, an allowance w changes the length by
+///   w t. That may be 3 % of l at necklines and armholes, 10 % at edges that are turned up; but an
+///   allowance of 5 mm or 10 mm is left, because less cannot be sewn.
+/// Widths are whole steps of 0.5 mm.  Cost: edges times points of their outlines. Pure.
+void limitAllowances(std::vector<PatternPiece>& pieces);
 
 /// How allowances meet where segment k starts, set or default: where a hem ends beside another
 /// edge, its allowance is shaped so that, folded up, it matches the piece edge to edge.

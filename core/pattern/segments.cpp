@@ -5,12 +5,15 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "core/geometry/line.h"
 #include "core/geometry/segment.h"
+#include "core/pattern/edge_kinds.h"
 #include "core/seam/outline.h"
 #include "core/seam/seam_settings.h"
 
@@ -69,11 +72,12 @@ constexpr double kSameCorner = 5;
 class Divider {
 public:
     Divider(const Garment& garment, int index, const PieceResult& result,
-            const seam::Outline& outline)
+            const seam::Outline& outline, const std::vector<FoundEdge>& edges)
         : garment_(garment),
           piece_(*result.piece),
           index_(index),
           outline_(outline),
+          edges_(edges),
           line_(geometry::Line::closed(result.flat->Q(piece_.boundary, Eigen::all),
                                        outline.line.arc().values())),
           corners_(findCorners(line_.points(), kPlainCorner)) {}
@@ -256,9 +260,24 @@ private:
                 made.isRight = isRight;
             }
         }
+        if (made.seam < 0 || garment_.seams.seams[made.seam].kind == SeamKind::Free) {
+            setEdge(made);
+        }
         made.place = stretchOf(made.at, outline_, piece_);
         made.settings = statedOf(made.place, settings.segments);
         return made;
+    }
+
+    /// Sets the kind that most of a free segment has.
+    void setEdge(Segment& made) const {
+        std::map<std::pair<EdgeKind, int>, double> lengths;
+        for (int k = made.at.first; k < made.at.first + made.at.count; ++k) {
+            const FoundEdge& edge = edges_[outline_.wrapIndex(k)];
+            lengths[{edge.kind, edge.opening}] += outline_.arcOf(k + 1) - outline_.arcOf(k);
+        }
+        const auto most =
+            std::ranges::max_element(lengths, {}, [](const auto& of) { return of.second; });
+        std::tie(made.foundEdge, made.opening) = most->first;
     }
 
     /// The best fit among settings that cover more than half of a segment; of equals the last.
@@ -288,6 +307,7 @@ private:
     const Piece& piece_;
     int index_;
     const seam::Outline& outline_;
+    const std::vector<FoundEdge>& edges_;  ///< of the outline
     geometry::Line line_;
     std::vector<int> corners_;
     std::vector<SideHere> sides_;
@@ -310,10 +330,11 @@ PieceResults exactResults(const Garment& garment, const PieceResults& results) {
 std::vector<OutlineSegments> findSegments(const Garment& garment, const PieceResults& results,
                                           const LineSettings& settings) {
     const seam::Outlines outlines = seam::buildOutlines(garment.pieces);
+    const auto edges = findEdgeKinds(garment, outlines);
     std::vector<OutlineSegments> made(garment.pieces.size());
     for (std::size_t p = 0; p < made.size(); ++p) {
         if (p < results.size() && results[p] && results[p]->flat) {
-            made[p] = Divider(garment, static_cast<int>(p), *results[p], outlines.list[p])
+            made[p] = Divider(garment, static_cast<int>(p), *results[p], outlines.list[p], edges[p])
                           .divided(settings);
         }
     }

@@ -70,7 +70,12 @@ struct Segment {
     bool isRight = false;      ///< side of that seam
     LineStretch place{};       ///< identifies it again, whatever is cut elsewhere
     SegmentSettings settings;  ///< its settings; `place` as above
+    EdgeKind foundEdge =
+        EdgeKind::Unknown;  ///< if it is free: its kind by its place (edge_kinds.h)
+    int opening = -1;       ///< if it is free: number of the garment's opening that it belongs to
 
+    /// Kind of a free edge, set or found.
+    EdgeKind edge() const { return settings.edge.value_or(foundEdge); }
     double length() const { return at.length(); }
 };
 

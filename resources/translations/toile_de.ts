@@ -3640,10 +3640,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <translation>Breite der Saumzugaben</translation>
     </message>
     <message>
-        <source>Allowance along free edges</source>
-        <translation>Zugabe entlang von freien Kanten</translation>
-    </message>
-    <message>
         <source>Form</source>
         <translation>Form</translation>
     </message>
@@ -4154,6 +4150,112 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>the project needs this file, but it is missing</source>
         <translation>das Projekt braucht diese Datei, sie fehlt</translation>
+    </message>
+    <message>
+        <source>DXF files hold names in plain Latin letters, so these were changed: %1</source>
+        <translation>DXF-Dateien enthalten Namen nur in einfachen lateinischen Buchstaben, daher wurden diese geändert: %1</translation>
+    </message>
+    <message>
+        <source>a number has a decimal comma, &quot;%1&quot;; numbers need decimal points</source>
+        <translation>eine Zahl hat ein Dezimalkomma, „%1“; Zahlen brauchen Dezimalpunkte</translation>
+    </message>
+    <message>
+        <source>its text says Units: %1, which some programs use for cm; in mm the largest piece would be %2 mm</source>
+        <translation>ihr Text sagt Units: %1, was manche Programme für cm verwenden; in mm wäre das größte Teil %2 mm groß</translation>
+    </message>
+    <message>
+        <source>%1 mm, while a file holds at most %2 mm; check the garment&apos;s unit</source>
+        <translation>%1 mm, eine Datei fasst aber höchstens %2 mm; prüfen Sie die Einheit des Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>the grade rules in &quot;%1&quot; are not read, only sizes drawn in the DXF file</source>
+        <translation>die Gradierregeln in „%1“ werden nicht gelesen, nur in der DXF-Datei gezeichnete Größen</translation>
+    </message>
+    <message>
+        <source>without texture coordinates: their number does not fit</source>
+        <translation>ohne Texturkoordinaten: ihre Anzahl passt nicht</translation>
+    </message>
+    <message>
+        <source>the mesh lies so far from the origin that its coordinates, which are floats, are %1 apart in the file&apos;s unit; move it to the origin and export it again</source>
+        <translation>das Netz liegt so weit vom Ursprung, dass seine Koordinaten (einfache Genauigkeit) in der Einheit der Datei %1 auseinanderliegen; verschieben Sie es zum Ursprung und exportieren Sie es erneut</translation>
+    </message>
+    <message>
+        <source>Hem</source>
+        <translation>Saum</translation>
+    </message>
+    <message>
+        <source>Cuff</source>
+        <translation>Ärmelende</translation>
+    </message>
+    <message>
+        <source>Neckline</source>
+        <translation>Halsausschnitt</translation>
+    </message>
+    <message>
+        <source>Armhole</source>
+        <translation>Armausschnitt</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Front edge</source>
+        <translation>Vordere Kante</translation>
+    </message>
+    <message>
+        <source>Collar edge</source>
+        <translation>Kragenkante</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>&amp;Kind of edge</source>
+        <translation>&amp;Art der Kante</translation>
+    </message>
+    <message>
+        <source>Kind of a free edge</source>
+        <translation>Art einer freien Kante</translation>
+    </message>
+    <message>
+        <source>What the free edge is on the worn garment; sets the usual width of its allowance</source>
+        <translation>Was die freie Kante am getragenen Kleidungsstück ist; bestimmt die übliche Breite ihrer Zugabe</translation>
+    </message>
+    <message>
+        <source>As found</source>
+        <translation>Wie erkannt</translation>
+    </message>
+    <message>
+        <source>Allowance along hems; other free edges have usual widths of their kinds</source>
+        <translation>Zugabe an Säumen; andere freie Kanten haben die üblichen Breiten ihrer Art</translation>
+    </message>
+    <message>
+        <source>Allowance along free edges of this kind</source>
+        <translation>Zugabe entlang freier Kanten dieser Art</translation>
+    </message>
+    <message>
+        <source>Usual</source>
+        <translation>Üblich</translation>
+    </message>
+    <message>
+        <source>Not settled after %1 steps, so all figures are rough. </source>
+        <translation>Nach %1 Schritten nicht zur Ruhe gekommen, daher sind alle Zahlen ungenau. </translation>
+    </message>
+</context>
+<context>
+    <name>toile::StageReader</name>
+    <message>
+        <source>subdivision is not applied to %1 of its meshes, and the smooth cloth is smaller; apply it in the modelling program</source>
+        <translation>auf %1 der Netze ist die Unterteilung nicht angewandt, und der glatte Stoff ist kleiner; wenden Sie sie im Modellierprogramm an</translation>
+    </message>
+</context>
+<context>
+    <name>toile::SvgReader</name>
+    <message>
+        <source>a number has a decimal comma, &quot;%1&quot;; numbers need decimal points</source>
+        <translation>eine Zahl hat ein Dezimalkomma, „%1“; Zahlen brauchen Dezimalpunkte</translation>
     </message>
 </context>
 <context>
@@ -6948,6 +7050,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Open a project, or one or more files of a garment</source>
         <translation>Ein Projekt oder eine oder mehrere Dateien eines Kleidungsstücks öffnen</translation>
+    </message>
+    <message>
+        <source>%1 x %2 mm are too large for a picture at any resolution</source>
+        <translation>%1 x %2 mm sind für ein Bild in jeder Auflösung zu groß</translation>
     </message>
 </context>
 <context>
@@ -9972,6 +10078,10 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     <message>
         <source>Delete notch</source>
         <translation>Knips löschen</translation>
+    </message>
+    <message>
+        <source>found: %1</source>
+        <translation>erkannt: %1</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Extensions, facings, ease and notches in the form of a segment.
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -124,6 +125,23 @@ private slots:
         QTest::keySequence(&field("segmentExtension"), QKeySequence::Undo);
         QCOMPARE(steps(), 0);
         QVERIFY(isDone());
+    }
+
+    void theKindOfAFreeEdgeIsShownAndChosen() {
+        document().setSeam(seamOf(SeamKind::Free, true));
+        auto& kind = fixture_.find<QComboBox>("segmentEdge");
+        QVERIFY(kind.isEnabled());
+        QCOMPARE(kind.currentIndex(), 0);
+        QCOMPARE(kind.itemText(0), QString("found: Hem"));
+        kind.setFocus();
+        QTest::keyClick(&kind, Qt::Key_Down);  // the first kind is that of hems
+        QVERIFY(isDone());
+        QTest::keyClick(&kind, Qt::Key_Down);
+        QVERIFY(isDone());
+        QVERIFY(lines().segments.at(0).edge == EdgeKind::Cuff);
+        QCOMPARE(field("segmentAllowance").value(), AllowanceWidths{}.widthOf(EdgeKind::Cuff));
+        document().setSeam(seamOf(SeamKind::Seam, false));
+        QVERIFY(!kind.isEnabled());
     }
 
     void aFacingIsAPieceOfItsOwnInFiles() {

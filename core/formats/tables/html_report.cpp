@@ -109,6 +109,7 @@ std::string writeHtmlReport(const ExportSource& source) {
     }
     appendTable(out, pieceTable(source.laid().pattern, source.results()));
     appendTable(out, ledgerTable(source.garment(), source.results()));
+    appendTable(out, edgeTable(source.laid().pattern));
     const WalkedGarment walked = walkGarment(source.garment(), source.results(),
                                              source.laid().pattern, source.lines().notches);
     appendTable(out, walkTable(source.garment(), walked.notches, walked.walks));

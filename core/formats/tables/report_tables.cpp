@@ -144,6 +144,30 @@ ReportTable ledgerTable(const Garment& garment, const PieceResults& results) {
     return table;
 }
 
+ReportTable edgeTable(const Pattern& pattern) {
+    ReportTable table{"Free edges",
+                      "edges",
+                      {"piece", "edge", "length mm", "allowance mm", "usual mm", "limited by"}};
+    for (const PatternPiece& piece : pattern.pieces) {
+        for (const PatternSegment& segment : piece.segments) {
+            if (pattern.hasAllowance && piece.cuttingLine.rows() > 0 && segment.seam > 0 &&
+                segment.kind == SeamKind::Free) {
+                table.rows.push_back(
+                    {piece.name,
+                     std::string(wordOf(kEdgeKindWords, segment.edge)) +
+                         (segment.edge == segment.foundEdge
+                              ? ""
+                              : ", found " +
+                                    std::string(wordOf(kEdgeKindWords, segment.foundEdge))),
+                     fixed(segment.to - segment.from, 1), fixed(segment.allowance, 1),
+                     fixed(segment.usualAllowance, 1),
+                     std::string(wordOf(kAllowanceLimitWords, segment.limit))});
+            }
+        }
+    }
+    return table;
+}
+
 ReportTable walkTable(const Garment& garment, const std::vector<std::vector<Notch>>& notches,
                       const std::vector<SeamWalk>& walks) {
     ReportTable table{

@@ -38,6 +38,10 @@ ReportTable pieceTable(const Pattern& pattern, const PieceResults& results);
 /// The seams, the largest error first: the lengths of both sides in the garment and the pattern.
 ReportTable ledgerTable(const Garment& garment, const PieceResults& results);
 
+/// The free edges of drawn pieces with allowances: their kinds and widths.
+/// @param pattern  as cut
+ReportTable edgeTable(const Pattern& pattern);
+
 /// A row for each station of each seam, with the distance from the previous one.
 ReportTable walkTable(const Garment& garment, const std::vector<std::vector<Notch>>& notches,
                       const std::vector<SeamWalk>& walks);

@@ -153,6 +153,16 @@ Json segmentJson(const PatternSegment& segment, CornerRule corner) {
               {"fold", segment.isFold},
               {"allowance", number(segment.allowance)},
               {"corner", text(wordOf(kCornerRuleWords, corner))}};
+    if (segment.seam > 0 && segment.kind == SeamKind::Free) {
+        json["edge"] = text(wordOf(kEdgeKindWords, segment.edge));
+        if (segment.edge != segment.foundEdge) {
+            json["edge_found"] = text(wordOf(kEdgeKindWords, segment.foundEdge));
+        }
+    }
+    if (segment.limit != AllowanceLimit::None) {
+        json["usual_allowance"] = number(segment.usualAllowance);
+        json["limited_by"] = text(wordOf(kAllowanceLimitWords, segment.limit));
+    }
     if (segment.extension > 0) {
         json["extension"] = number(segment.extension);
     }

@@ -151,14 +151,14 @@ TEST_P(CornersOfCuttingLines, FoldBackOntoThePiece) {
     const Corner k = corner();
     const double most = kMitreLimit * std::max(k.a, k.b);
     const double end = (k.b + k.a * k.c) / k.s;
-    if (k.a >= k.b * k.c && k.b / k.s <= most && std::abs(end) <= most) {
+    if (k.a >= k.b * k.c && k.b / k.s <= most && std::hypot(end, k.a) <= most) {
         const RowVector2d root = k.b / k.s * k.u, tip = end * k.u + k.a * k.m;
         expectOn(k.cut(CornerRule::MirrorFirst), k.by({tip, root}));
         const RowVector2d folded(tip.x(), -tip.y());  // about the first seam line
         EXPECT_NEAR(folded.dot(k.n), k.b, 1e-9);      // on the second cutting line
     }
     const double other = (k.a + k.b * k.c) / k.s;
-    if (k.b >= k.a * k.c && k.a / k.s <= most && std::abs(other) <= most) {
+    if (k.b >= k.a * k.c && k.a / k.s <= most && std::hypot(other, k.b) <= most) {
         const RowVector2d root = -k.a / k.s * k.v, tip = -other * k.v + k.b * k.n;
         expectOn(k.cut(CornerRule::MirrorSecond), k.by({root, tip}));
     }
@@ -224,6 +224,23 @@ TEST(CuttingLine, IsCutOffAtASpike) {
     EXPECT_NEAR(cut.col(0).maxCoeff(), 100 + kMitreLimit * 10, kExact);
     EXPECT_LT(cut.col(1).maxCoeff(), 12);
     EXPECT_EQ(test::troubleWith({seamLine, {{0, 10}, {1, 10}, {2, 10}}}, cut), "");
+}
+
+TEST(CuttingLine, HasNoPointFartherFromTheSeamLineThanTheLimit) {
+    for (int degrees = 8; degrees < 180; degrees += 7) {
+        for (const auto& [a, b] : {std::pair(10.0, 10.0), std::pair(30.0, 7.0),
+                                   std::pair(10.0, 30.0), std::pair(30.0, 25.0)}) {
+            const Corner k{std::numbers::pi * (180 - degrees) / 180, a, b};
+            const Points2 seamLine = asPoints({-400 * k.u, {0, 0}, 400 * k.v});
+            for (int rule = 0; rule < 7; ++rule) {
+                for (const auto& point : k.cut(static_cast<CornerRule>(rule)).rowwise()) {
+                    EXPECT_LE(test::distanceTo(point, seamLine),
+                              kMitreLimit * std::max(a, b) + kExact)
+                        << degrees << " degrees, rule " << rule << ", widths " << a << ", " << b;
+                }
+            }
+        }
+    }
 }
 
 TEST(CuttingLine, TakesVeryShortEdgesAndRepeatedPoints) {

@@ -170,6 +170,7 @@ private:
                 {stretch(), flag() ? std::optional(1000.0 / 7) : std::nullopt,
                  flag() ? std::optional(tolerance()) : std::nullopt, flag(),
                  flag() ? std::optional(100.0 / 7) : std::nullopt,
+                 flag() ? std::optional(static_cast<EdgeKind>(upTo(8))) : std::nullopt,
                  flag() ? std::optional(static_cast<CornerRule>(upTo(6))) : std::nullopt});
             lines.turnPoints.push_back({{random_() | 1U}, number(2), flag(), flag()});
             lines.seamEnds.push_back(
@@ -177,6 +178,7 @@ private:
         }
         if (flag()) {
             lines.allowance = AllowanceWidths{100.0 / 3, flag() ? 0 : kMaxAllowance};
+            lines.allowance->edges[static_cast<std::size_t>(1 + upTo(7))] = 100.0 / 9;
         }
         if (flag()) {
             lines.grain = static_cast<GrainRule>(upTo(2));
