@@ -409,7 +409,7 @@ private:
     /// Free edges at the neck of narrow pieces that are sewn to others: collars, bands, plackets;
     /// and edges of collars that have fallen over.
     void markCollars() {
-        constexpr double kWidest = 130, kWidestPlacket = 60, kSlender = 0.45, kSewn = 0.3,
+        constexpr double kWidest = 130, kWidestPlacket = 60, kBandShape = 0.45, kSewn = 0.3,
                          kAlong = 0.35, kMostlyFallen = 0.4;
         struct AtNeck {
             double length = 0, upright = 0, fallen = 0, free = 0;  ///< mm
@@ -433,7 +433,7 @@ private:
             const double half =
                 std::sqrt(std::max(0.0, mean * mean - surfaceArea(garment_.pieces[p]->mesh)));
             const double width = mean - half;
-            const bool isBand = width < std::min(kWidest, kSlender * (mean + half)) &&
+            const bool isBand = width < std::min(kWidest, kBandShape * (mean + half)) &&
                                 at.free < (1 - kSewn) * perimeter;
             const bool isAlong = at.length > kAlong * perimeter;
             if (isBand && (isAlong || width < kWidestPlacket) &&

@@ -424,7 +424,7 @@ double turnWithin(const geometry::Line& outline, const PatternSegment& segment) 
 }  // namespace
 
 void limitAllowances(std::vector<PatternPiece>& pieces) {
-    constexpr double kCurved = 0.03, kTurnedUp = 0.1, kStep = 0.5;
+    constexpr double kCurved = 0.03, kTurnedUp = 0.1, kWhole = 0.5;
     constexpr double kLeastCurved = 5, kLeastTurnedUp = 10;  // mm: less cannot be sewn
     const auto isLimited = [](const PatternSegment& segment) {
         return isFreeEdge(segment) && !segment.isAllowanceSet && segment.allowance > 0;
@@ -458,7 +458,7 @@ void limitAllowances(std::vector<PatternPiece>& pieces) {
             }
             const auto narrow = [&segment](double width, AllowanceLimit limit) {
                 // Rounding may not separate the two sides of a mirrored piece.
-                width = kStep * std::floor(width / kStep + 1e-6);
+                width = kWhole * std::floor(width / kWhole + 1e-6);
                 if (width < segment.allowance) {
                     segment.allowance = width;
                     segment.limit = limit;

@@ -207,7 +207,7 @@ std::vector<double> keyShares(std::span<const KeyStretch> sides, std::vector<dou
 namespace {
 
 constexpr double kOnePlace = 1e-6;      // mm; coinciding ends of two neighbours on a line
-constexpr double kOneCorner = 1e-3;     // mm; a corner where something ends
+constexpr double kEndCorner = 1e-3;     // mm; a corner where something ends
 constexpr double kStraightTurn = 1e-6;  // radians
 constexpr int kMinRunEdges = 3;
 
@@ -250,8 +250,8 @@ void fixStraightRuns(LineKeys& keys) {
         }
         if (start && k - *start >= kMinRunEdges &&
             line.placeOf(k) - line.placeOf(*start) >= kStraightRun) {
-            keys.fix(line.placeOf(*start), false, kOneCorner);
-            keys.fix(line.placeOf(k), false, kOneCorner);
+            keys.fix(line.placeOf(*start), false, kEndCorner);
+            keys.fix(line.placeOf(k), false, kEndCorner);
         }
         start = k;
     }
@@ -262,7 +262,7 @@ void fixCorners(LineKeys& keys, const DrawnPath& path) {
     if (path.closed) {
         if (path.points.rows() >= 3 && line.length() > 0) {
             for (const int k : findCorners(path.points)) {
-                keys.fix(line.arc()[k], true, kOneCorner);
+                keys.fix(line.arc()[k], true, kEndCorner);
             }
         }
         return;
@@ -271,7 +271,7 @@ void fixCorners(LineKeys& keys, const DrawnPath& path) {
     keys.fix(line.length(), true, kOnePlace);
     for (int k = 1; k + 1 < line.count(); ++k) {
         if (std::abs(line.turnAt(k)) > kLineCorner.turn) {
-            keys.fix(line.arc()[k], true, kOneCorner);
+            keys.fix(line.arc()[k], true, kEndCorner);
         }
     }
 }
@@ -282,7 +282,7 @@ void fixSegments(LineKeys& keys, const PatternPiece& piece, const Placement& pla
     for (const PatternSegment& segment : piece.segments) {
         const double at =
             placement.mirrored ? outline.arc()[outline.count() - 1] - segment.from : segment.from;
-        keys.fix(at, true, kOneCorner);
+        keys.fix(at, true, kEndCorner);
     }
 }
 

@@ -188,7 +188,7 @@ TEST(AllowanceLimits, KeepTheEdgeOfANecklineAsLongAsItIs) {
     EXPECT_GE(neck.allowance, 5.5);
     EXPECT_EQ(pieces[1].segments[3].allowance, 5);  // less cannot be sewn
     // A round edge of length l that turns by t is t w shorter at the cutting line.
-    EXPECT_LE(kHalfTurn * neck.allowance, 0.03 * (before.to - before.from) + 1e-9);
+    EXPECT_LE(kHalfTurn * neck.allowance, 0.0301 * (before.to - before.from));
     EXPECT_EQ(pieces[0].segments[0].allowance, 30);
     EXPECT_EQ(pieces[0].segments[1].limit, AllowanceLimit::None);
 }
