@@ -187,7 +187,7 @@ constexpr double kTurnable = 1e-9;
 /// A part made by a flip has at least this share of the area of the two it replaces.
 constexpr double kMinShare = 1e-6;
 /// Per part, in case rounding flips edges back and forth.
-constexpr std::size_t kMaxSteps = 100;
+constexpr std::size_t kMaxWalk = 100;
 
 /// A source triangle laid flat at its true size.
 class FlatFace {
@@ -247,7 +247,7 @@ void FaceParts::relaxFace(int face, std::vector<Part>& list,
         addSidesOf(p);
     }
     std::vector<std::size_t> changedIn(list.size(), 0);  // the round, after which it may change
-    const std::size_t limit = kMaxSteps * list.size();
+    const std::size_t limit = kMaxWalk * list.size();
     std::size_t turns = 0;
     for (std::size_t round = 1; !open.empty() && turns < limit; ++round) {
         std::ranges::sort(open);
