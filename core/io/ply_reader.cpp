@@ -376,7 +376,9 @@ public:
 
     Result<PolygonSoup> read() {
         const auto face = std::ranges::find(header_.elements, "face", &io::PlyElement::name);
-        hasCornerUvs_ = face != header_.elements.end() && cornerUvList(*face) >= 0;
+        const auto vertex = std::ranges::find(header_.elements, "vertex", &io::PlyElement::name);
+        hasCornerUvs_ = face != header_.elements.end() && cornerUvList(*face) >= 0 &&
+                        !(vertex != header_.elements.end() && VertexLayout(*vertex).hasUv());
         bool hasVertices = false, hasFaces = false;
         for (const io::PlyElement& element : header_.elements) {
             Result<void> done;
@@ -445,7 +447,7 @@ private:
         if (keepText) {
             soup_.positionText.push_back(span);
         }
-        if (layout.hasUv() && !hasCornerUvs_) {
+        if (layout.hasUv()) {
             soup_.uvs.emplace_back(values[layout.u], values[layout.v]);
         }
     }
@@ -453,7 +455,7 @@ private:
     /// Reads the faces whose corners the given property lists; skips the element if that is -1.
     /// Records without properties take no space, whatever their count.
     Result<void> readFaces(const io::PlyElement& element, int list) {
-        const int uvList = list >= 0 && !areStrips_ ? cornerUvList(element) : -1;
+        const int uvList = hasCornerUvs_ && !areStrips_ ? cornerUvList(element) : -1;
         for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i) {
             bool readable = true;
             double unused = 0;
@@ -596,7 +598,7 @@ private:
     PolygonSoup& soup_;
     const Progress& progress_;
     Numbers numbers_;
-    bool hasCornerUvs_ = false;              ///< the faces have texture coordinates by corner
+    bool hasCornerUvs_ = false;              ///< by corner alone, not by vertex
     bool areStrips_ = false;                 ///< the faces being read are strips of triangles
     std::vector<double> indices_, faceUvs_;  ///< of the current record
     std::vector<Eigen::Vector3d> uvs_;       ///< position index, u, v

@@ -277,6 +277,9 @@ std::optional<Error> addStretches(Problem& problem, const NestInstance& instance
 }
 
 std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance, double border) {
+    constexpr std::size_t kCirclesOfAll = 1000;
+    const std::size_t circles = std::clamp<std::size_t>(
+        kCirclesOfAll / std::max<std::size_t>(instance.obstacles.size(), 1), 1, kMaxCircles);
     for (const NestObstacle& requested : instance.obstacles) {
         const Subject subject = Subject::piece(requested.name);
         const auto rings = usableRings(subject, requested.rings);
@@ -288,7 +291,7 @@ std::optional<Error> addObstacles(Problem& problem, const NestInstance& instance
             return grown.error();
         }
         Obstacle obstacle{requested.name, std::move(*grown), {}, {}};
-        obstacle.shape = makeShape(obstacle.rings);
+        obstacle.shape = makeShape(obstacle.rings, circles);
         obstacle.isFor.assign(instance.items.size(), requested.items.empty());
         for (const int item : requested.items) {
             if (item >= 0 && item < static_cast<int>(obstacle.isFor.size())) {

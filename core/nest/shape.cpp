@@ -18,7 +18,7 @@ using geometry::Polygon;
 
 /// Maximum number of circles until this share of the area is covered ([GVW25]).
 constexpr std::array<std::pair<std::size_t, double>, 3> kCircleLimits{
-    {{64, 0.0}, {16, 0.8}, {8, 0.9}}};
+    {{kMaxCircles, 0.0}, {16, 0.8}, {8, 0.9}}};
 constexpr std::size_t kLanes = 4;
 
 constexpr std::size_t kFewPoints = 80, kEnoughPoints = 50;  // larger shapes are simplified
@@ -105,12 +105,12 @@ Circle largestCircle(const Rings& rings, const std::vector<Circle>& circles) {
     return best;
 }
 
-std::vector<Circle> inscribedCircles(const Rings& rings, double area) {
+std::vector<Circle> inscribedCircles(const Rings& rings, double area, std::size_t most) {
     std::vector<Circle> circles;
     double covered = 0;
-    while (std::ranges::none_of(kCircleLimits, [&](const auto& limit) {
-        return circles.size() >= limit.first && covered >= limit.second * area;
-    })) {
+    while (circles.size() < most && std::ranges::none_of(kCircleLimits, [&](const auto& limit) {
+               return circles.size() >= limit.first && covered >= limit.second * area;
+           })) {
         const Circle circle = largestCircle(rings, circles);
         if (!(circle.radius > 0)) {
             break;
@@ -162,7 +162,7 @@ std::vector<Vector2d> hullOf(const Polygon& points, double near) {
     return hull;
 }
 
-Shape makeShape(const Rings& all) {
+Shape makeShape(const Rings& all, std::size_t mostCircles) {
     Shape shape;
     std::size_t points = 0;
     for (const Polygon& ring : all) {
@@ -194,7 +194,7 @@ Shape makeShape(const Rings& all) {
     const double width = shape.box.right - shape.box.left;
     const double height = shape.box.top - shape.box.bottom;
     shape.diameter = std::sqrt(width * width + height * height);
-    for (const Circle& circle : inscribedCircles(rings, shape.area)) {
+    for (const Circle& circle : inscribedCircles(rings, shape.area, mostCircles)) {
         shape.circles.x.push_back(static_cast<float>(circle.centre.x()));
         shape.circles.y.push_back(static_cast<float>(circle.centre.y()));
         shape.circles.radius.push_back(static_cast<float>(circle.radius));

@@ -42,8 +42,11 @@ inline const Shape& bareOf(const Shape& shape) {
     return shape.bare.empty() ? shape : shape.bare.front();
 }
 
-/// Slow: searches the circles. Precondition: the outline has an area.
-Shape makeShape(const Rings& rings);
+inline constexpr std::size_t kMaxCircles = 64;
+
+/// Slow: searches the circles, so give less of them to each of many shapes. Precondition: the
+/// outline has an area.
+Shape makeShape(const Rings& rings, std::size_t mostCircles = kMaxCircles);
 /// Rotates the shape: quarter turns without rounding.
 void turn(const Shape& shape, double angle, Shape& turned);
 

@@ -53,7 +53,7 @@ TEST(PlyReader, ReadsTextureCoordinatesByCorner) {
     EXPECT_EQ(soup.cornerUvs, (Corners{0, 1, 2, 0, 2, 3, -1, -1, -1}));
     EXPECT_EQ(soup.uvs[2], Eigen::Vector2d(1, 1));
     EXPECT_EQ(detailOf(soup.problems, ErrorCode::IndexOutOfRange),
-              "1 face without texture coordinates: their number does not fit, line 15");
+              "1 face without texture coordinates: their number does not fit, line 17");
     // The same vertex twice in the map: the face is on another island.
     const PolygonSoup islands = readPlySoup(ascii(header, points + "6 0 0 1 0 1 1 3 0 1 2\n"
                                                                    "6 5 5 6 6 5 6 3 0 2 3\n"

@@ -108,7 +108,10 @@ TEST(StlReader, SaysWhenFloatsAreTooCoarseThere) {
         return soup ? std::move(soup->problems) : Problems();
     };
     EXPECT_TRUE(problemsAt(100).empty());
-    const std::string said = detailOf(problemsAt(16'000'000), ErrorCode::VerticesWelded);
+    const Problems far = problemsAt(16'000'000);
+    ASSERT_EQ(far.size(), 1U);
+    EXPECT_EQ(far.front().code, ErrorCode::VerticesWelded);
+    const std::string said = far.front().detail;
     EXPECT_NE(said.find("far from the origin"), std::string::npos) << said;
 }
 
