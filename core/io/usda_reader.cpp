@@ -16,6 +16,17 @@
 #include "core/io/soup_builder.h"
 #include "core/io/usd_text.h"
 
+namespace toile {
+namespace {
+
+/// Outside of io, because the collector of translations knows the texts of toile.
+constexpr const char* kCages = translatable(
+    "subdivision is not applied to %1 of its meshes, and the smooth cloth is smaller; apply it in "
+    "the modelling program");
+
+}  // namespace
+}  // namespace toile
+
 namespace toile::io {
 namespace {
 
@@ -232,11 +243,8 @@ public:
         }
         auto soup = builder_.finish();
         if (soup && cages_ > 0) {
-            soup->problems.push_back(
-                {ErrorCode::OutputDiffers, Subject::file(builder_.name()),
-                 worded("subdivision is not applied to %1 of its meshes, and the smooth cloth is "
-                        "smaller; apply it in the modelling program",
-                        {figure(cages_)})});
+            soup->problems.push_back({ErrorCode::OutputDiffers, Subject::file(builder_.name()),
+                                      worded(kCages, {figure(cages_)})});
         }
         return soup;
     }

@@ -4243,9 +4243,6 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
         <source>Not settled after %1 steps, so all figures are rough. </source>
         <translation>Nach %1 Schritten nicht zur Ruhe gekommen, daher sind alle Zahlen ungenau. </translation>
     </message>
-</context>
-<context>
-    <name>toile::StageReader</name>
     <message>
         <source>subdivision is not applied to %1 of its meshes, and the smooth cloth is smaller; apply it in the modelling program</source>
         <translation>auf %1 der Netze ist die Unterteilung nicht angewandt, und der glatte Stoff ist kleiner; wenden Sie sie im Modellierprogramm an</translation>

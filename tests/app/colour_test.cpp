@@ -235,7 +235,7 @@ private slots:
         histogram.above = 0.12;
         bar.show({Overlay::Weft, {-1, 3, true, true, true}, histogram});
         QVERIFY2(bar.summary().contains("−1 % to +3 %"), qPrintable(bar.summary()));
-        QVERIFY2(bar.summary().contains("14 % of the cloth is beyond"), qPrintable(bar.summary()));
+        QVERIFY2(bar.summary().contains("14 % of the cloth exceeds"), qPrintable(bar.summary()));
         bar.showValue(-2.44);
         QCOMPARE(bar.valueText(), QString("−2.4") + QChar(0x202F) + "%");
         (void)bar.grab();

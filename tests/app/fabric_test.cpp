@@ -96,7 +96,7 @@ private slots:
         QVERIFY(fixture_.openAndWait(fixture_.path("two.obj")));
         QVERIFY(!hasLimits(document().fabric()));
         fixture_.action(ActionId::GoToFabric).trigger();
-        QCOMPARE(preset().currentText(), QString("Not stated"));
+        QCOMPARE(preset().currentText(), QString("Not set"));
         QVERIFY(fixture_.find<QLabel>("fabricUnstated").isVisible());
         QVERIFY(!field("fabricWarpMost").isVisible());
         QCOMPARE(fabricFit(question())->any, 0.0);

@@ -155,7 +155,7 @@ private slots:
     void theGarmentsFabricStaysWhereAPersonSaidIt() {
         document().setSelection({2});
         rightClickRow(2);
-        chooseMaterial("The garment's &fabric");
+        chooseMaterial("Garment's &fabric");
         press("No layers");
         QCOMPARE(materials(), QStringList({"", "", "", ""}));
         const QString project = fixture_.path("said.toile");
@@ -173,7 +173,7 @@ private slots:
         table().setFocus();
         document().setSelection({2});
         rightClickRow(2);
-        chooseMaterial("The garment's &fabric");
+        chooseMaterial("Garment's &fabric");
         QCOMPARE(materials(), QStringList({"", "", "", "Lining"}));
         fixture_.action(ActionId::NewMaterial).trigger();
         auto& dialog = fixture_.find<QInputDialog>("newMaterial");

@@ -108,7 +108,8 @@ private slots:
         const Pattern pattern = makePattern(*garment_, results_, lines);
         for (const PatternPiece& piece : pattern.pieces) {
             for (const PatternSegment& segment : piece.segments) {
-                QCOMPARE(segment.allowance, segment.seam == 1 ? 22.0 : AllowanceWidths{}.hem);
+                QCOMPARE(segment.seam == 1 ? segment.allowance : segment.usualAllowance,
+                         segment.seam == 1 ? 22.0 : AllowanceWidths{}.hem);
             }
         }
         const LineFacts later = lineFacts(*garment_, results_, lines);
