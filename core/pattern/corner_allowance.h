@@ -54,9 +54,9 @@ inline constexpr Word<CornerRule> kCornerRuleWords[] = {
     {CornerRule::MirrorSecond, "mirror-second"},
     {CornerRule::Stepped, "stepped"}};
 
-/// No join is farther from its corner than this, times the greater width: a mitre is cut off at
-/// angles below 47 degrees.
-inline constexpr double kMitreLimit = 2.5;
+/// Times the greater width: a mitre is cut off at angles below 52 degrees. The ends of the cut are
+/// hypot(2.29, 1) = 2.5 times that width from the corner, and no join is farther.
+inline constexpr double kMitreLimit = 2.29;
 
 /// mm: rounding may separate parts of an allowance that overlap by less.
 inline constexpr double kAllowanceOverlap = 5e-5;
