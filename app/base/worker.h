@@ -3,10 +3,12 @@
 
 #include <QFutureWatcher>
 #include <QThreadPool>
+#include <QTimer>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include <QtConcurrent/QtConcurrentRun>
@@ -98,52 +100,102 @@ private:
     std::unique_ptr<Running> running_;
 };
 
-/// Answers questions on another thread, the last one asked first: those that come while one is
-/// worked on replace each other. `isSameQuestion` says which have one answer. GUI thread only.
+/// Keeps an answer up to date: works on the question asked last, on another thread, and hands the
+/// answer over on the window's. Asking what was asked last does nothing. Work that takes a Progress
+/// is cancelled when something else is asked, and its answer dropped; other work is finished, and
+/// its answer handed over as an older one. `isSameQuestion` says which questions have one answer,
+/// where `==` does not. GUI thread only.
 template <class Question, class Answer>
-class Answerer {
+class Follower {
 public:
-    using Work = std::function<Answer(const Question&)>;
     /// @param isLast  nothing else has been asked since
     using Take = std::function<void(Attempt<Answer>, const Question&, bool isLast)>;
+    using IsSmall = std::function<bool(const Question&)>;
 
-    /// @param isSmall  whether a question is answered at once, where nothing is worked on
-    Answerer(Work work, std::function<bool(const Question&)> isSmall, Take take)
-        : work_(std::move(work)), isSmall_(std::move(isSmall)), take_(std::move(take)) {}
+    /// @param work     Answer(const Question&) or Answer(const Question&, Progress&)
+    /// @param isSmall  a question that is answered at once if nothing is worked on
+    /// @param pause    milliseconds to wait for another question
+    template <class Work>
+    Follower(Work work, Take take, IsSmall isSmall = {}, int pause = 0)
+        : isCancellable_(std::is_invocable_v<Work, const Question&, Progress&>),
+          take_(std::move(take)),
+          isSmall_(std::move(isSmall)) {
+        if constexpr (std::is_invocable_v<Work, const Question&, Progress&>) {
+            work_ = std::move(work);
+        } else {
+            work_ = [work = std::move(work)](const Question& asked, Progress&) {
+                return work(asked);
+            };
+        }
+        pause_.setSingleShot(true);
+        pause_.setInterval(pause);
+        QObject::connect(&pause_, &QTimer::timeout, &pause_, [this] { start(); });
+    }
 
-    bool isBusy() const { return worker_.isBusy(); }
+    /// True until the question asked last is answered.
+    bool isBusy() const { return isOpen_; }
+    /// Of the work on it; null where it has not begun.
+    const Progress* progress() const { return isOpen_ ? worker_.progress() : nullptr; }
 
     void ask(Question question) {
-        if (asked_ && isSameQuestion(question, *asked_)) {
-            next_.reset();  // what is worked on counts again
-        } else if (isBusy()) {
-            next_ = std::move(question);
-        } else {
-            start(std::move(question));
+        if (asked_ && isSame(question, *asked_)) {
+            return;
         }
+        asked_ = std::move(question);
+        isOpen_ = true;
+        if (isCancellable_) {
+            worker_.cancel();
+        }
+        pause_.interval() > 0 ? pause_.start() : start();
+    }
+
+    /// Nothing is asked any more, and no answer handed over.
+    void forget() {
+        asked_.reset();
+        isOpen_ = false;
+        pause_.stop();
+        worker_.cancel();
     }
 
 private:
-    void start(Question question) {
-        asked_ = question;
-        next_.reset();
-        if (isSmall_(question)) {
-            take_(attempt([this, &question] { return work_(question); }), question, true);
-            return;
+    static bool isSame(const Question& one, const Question& other) {
+        if constexpr (requires { isSameQuestion(one, other); }) {
+            return isSameQuestion(one, other);
+        } else {
+            return one == other;
         }
-        worker_.start([work = work_, question](Progress&) { return work(question); },
-                      [this, question](Attempt<Answer> made, const Progress&) {
-                          take_(std::move(made), question, !next_);
-                          if (next_ && !isBusy()) {  // taking it may have asked something newer
-                              ask(*std::exchange(next_, std::nullopt));
-                          }
-                      });
     }
 
-    Work work_;
-    std::function<bool(const Question&)> isSmall_;
+    void start() {
+        if (!isOpen_ || worker_.isBusy() || pause_.isActive()) {
+            return;  // what is worked on ends first, or another question may come
+        }
+        const Question question = *asked_;
+        if (isSmall_ && isSmall_(question)) {
+            Progress progress;
+            isOpen_ = false;
+            take_(attempt([&] { return work_(question, progress); }), question, true);
+            return;
+        }
+        worker_.start(
+            [work = work_, question](Progress& progress) { return work(question, progress); },
+            [this, question](Attempt<Answer> made, const Progress& progress) {
+                const bool isLast = asked_ && isSame(question, *asked_);
+                if (!progress.isCancelled()) {
+                    isOpen_ = isOpen_ && !isLast;
+                    take_(std::move(made), question, isLast);
+                }
+                start();
+            });
+    }
+
+    bool isCancellable_;
+    std::function<Answer(const Question&, Progress&)> work_;
     Take take_;
-    std::optional<Question> asked_, next_;
+    IsSmall isSmall_;
+    QTimer pause_;
+    std::optional<Question> asked_;
+    bool isOpen_ = false;
     Worker<Answer> worker_;
 };
 

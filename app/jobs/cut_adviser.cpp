@@ -1,96 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/jobs/cut_adviser.h"
 
-#include <utility>
-
 #include "app/text/error_text.h"
 #include "core/tailor/mesh_lines.h"
 #include "core/toile/pipeline.h"
 
 namespace toile::app {
 
-CutAdviser::~CutAdviser() = default;
-
-double CutAdviser::fraction() const {
-    return isAsking() ? asking_.progress()->fraction() : 0;
-}
+CutAdviser::CutAdviser()
+    : asking_(
+          [](const AdviceQuestion& asked, Progress& progress) {
+              AdviceOptions options = asked.options;
+              options.borders = fileBorders(*asked.piece, *asked.file->soup);
+              return adviseCuts(asked.piece, asked.own, options, progress);
+          },
+          [this](const Attempt<CutAdvice>& made, const AdviceQuestion&, bool) {
+              if (made.answer) {
+                  emit advised(*made.answer);
+              } else {
+                  emit failed(faultText(made.fault));
+              }
+          }),
+      solving_(
+          [](const Trial& trial, Progress& progress) {
+              const auto& [question, advice] = *trial.cuts;
+              return solvedStrain(question.piece, question.own, advice, trial.count, trial.options,
+                                  progress);
+          },
+          [this](const Attempt<Result<StrainFigures>>& made, const Trial& trial, bool) {
+              counts_.erase(counts_.begin());
+              solveNext();
+              if (made.answer && *made.answer) {
+                  emit solved(trial.count, **made.answer);  // else the prediction stays
+              }
+              if (counts_.empty()) {
+                  emit solvedAll();
+              }
+          }) {}
 
 void CutAdviser::ask(AdviceQuestion question) {
     cancel();
-    waiting_ = std::make_unique<AdviceQuestion>(std::move(question));
-    startAsking();
-}
-
-void CutAdviser::startAsking() {
-    if (!waiting_ || asking_.isBusy()) {
-        return;  // that was cancelled, and this follows
-    }
-    isDropped_ = false;
-    const auto question = std::exchange(waiting_, nullptr);
-    asking_.start(
-        [asked = *question](Progress& progress) {
-            AdviceOptions options = asked.options;
-            options.borders = fileBorders(*asked.piece, *asked.file->soup);
-            return adviseCuts(asked.piece, asked.own, options, progress);
-        },
-        [this](const Attempt<CutAdvice>& made, const Progress& progress) {
-            const bool isWanted = !isDropped_ && !progress.isCancelled();
-            startAsking();
-            if (isWanted && made.answer) {
-                emit advised(*made.answer);
-            } else if (isWanted) {
-                emit failed(faultText(made.fault));
-            }
-        });
+    asking_.ask(std::move(question));
 }
 
 void CutAdviser::solve(AdviceQuestion question, CutAdvice advice, std::vector<std::size_t> counts,
                        FlattenOptions options) {
     cancelSolving();
-    question_ = std::move(question);
-    advice_ = std::move(advice);
-    options_ = options;
+    trial_ = {std::make_shared<const std::pair<AdviceQuestion, CutAdvice>>(std::move(question),
+                                                                           std::move(advice)),
+              options};
     counts_ = std::move(counts);
-    startSolving();
+    solveNext();
 }
 
-void CutAdviser::startSolving() {
-    if (counts_.empty() || solving_.isBusy()) {
-        return;
+void CutAdviser::solveNext() {
+    if (!counts_.empty()) {
+        trial_.count = counts_.front();
+        solving_.ask(trial_);
     }
-    const std::size_t count = counts_.front();
-    solving_.start(
-        [question = question_, advice = advice_, count, options = options_](Progress& progress) {
-            return solvedStrain(question.piece, question.own, advice, count, options, progress);
-        },
-        [this, count, round = round_](const Attempt<Result<StrainFigures>>& made,
-                                      const Progress& progress) {
-            if (round != round_ || progress.isCancelled()) {
-                startSolving();
-                return;
-            }
-            counts_.erase(counts_.begin());
-            startSolving();
-            if (made.answer && *made.answer) {
-                emit solved(count, **made.answer);  // else the prediction is all there is to say
-            }
-            if (counts_.empty()) {
-                emit solvedAll();
-            }
-        });
 }
 
 void CutAdviser::cancel() {
     cancelSolving();
-    waiting_.reset();
-    isDropped_ = true;
-    asking_.cancel();
+    asking_.forget();
 }
 
 void CutAdviser::cancelSolving() {
-    ++round_;
     counts_.clear();
-    solving_.cancel();
+    solving_.forget();
 }
 
 }  // namespace toile::app

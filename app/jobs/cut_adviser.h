@@ -3,8 +3,8 @@
 
 #include <QObject>
 #include <cstddef>
-#include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "app/base/worker.h"
@@ -15,35 +15,34 @@
 
 namespace toile::app {
 
-/// What cuts are to be proposed for.
+/// A piece to propose cuts for.
 struct AdviceQuestion {
     std::shared_ptr<const Piece> piece{};
-    std::vector<UserCut> own{};                ///< that are made anyhow, mm
-    std::shared_ptr<const SourceFile> file{};  ///< of the piece: its borders speak for cuts
+    std::vector<UserCut> own{};                ///< cuts that are made in any case, mm
+    std::shared_ptr<const SourceFile> file{};  ///< of the piece; cuts follow its borders
     AdviceOptions options{};                   ///< without borders
 
     bool operator==(const AdviceQuestion&) const = default;
 };
 
 /// Finds cuts worth making, on a thread of its own, and flattens what comes of them, one after the
-/// other on another. What is asked anew takes the place of what was asked before. GUI thread only.
+/// other on another. A new question replaces the one before. GUI thread only.
 class CutAdviser : public QObject {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
-    ~CutAdviser() override;
+    CutAdviser();
 
-    bool isAsking() const { return asking_.isBusy() && !isDropped_; }
+    bool isAsking() const { return asking_.isBusy(); }
     bool isSolving() const { return !counts_.empty(); }
-    /// Of what is asked, in [0, 1].
-    double fraction() const;
+    /// Progress of the question, in [0, 1].
+    double fraction() const { return asking_.progress() ? asking_.progress()->fraction() : 0; }
 
     void ask(AdviceQuestion question);
     /// Flattens the piece with so many of the first cuts made, for each of these counts in turn.
     void solve(AdviceQuestion question, CutAdvice advice, std::vector<std::size_t> counts,
                FlattenOptions options);
-    /// Nothing of it is heard any more. Returns at once.
+    /// Returns at once; no answer comes any more.
     void cancel();
     void cancelSolving();
 
@@ -55,18 +54,21 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void startAsking();
-    void startSolving();
+    /// A piece to flatten with some cuts made.
+    struct Trial {
+        std::shared_ptr<const std::pair<AdviceQuestion, CutAdvice>> cuts;
+        FlattenOptions options{};
+        std::size_t count = 0;
 
-    std::unique_ptr<AdviceQuestion> waiting_;
-    bool isDropped_ = false;   ///< what is worked on is not wanted any more
-    AdviceQuestion question_;  ///< of what is flattened
-    CutAdvice advice_;
-    FlattenOptions options_{};
+        bool operator==(const Trial&) const = default;
+    };
+
+    void solveNext();
+
+    Trial trial_;
     std::vector<std::size_t> counts_;  ///< to come, the next one first
-    int round_ = 0;                    ///< of solving: answers of earlier ones are passed by
-    Worker<CutAdvice> asking_;
-    Worker<Result<StrainFigures>> solving_;
+    Follower<AdviceQuestion, CutAdvice> asking_;
+    Follower<Trial, Result<StrainFigures>> solving_;
 };
 
 }  // namespace toile::app

@@ -18,8 +18,10 @@ PatternNow::PatternNow(const Document& document, std::set<int> only, double sett
       derived_(document.derived()),
       state_(document.state()),
       words_(drawingWords()) {
+    state_.markers = {};
+    state_.proof = {};
     for (std::size_t i = 0; i < document.settings().size(); ++i) {
-        // Of a piece that the state to come does not have any more, too.
+        // The state may already be without a piece that is still shown.
         state_.settings.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
     }
 }
@@ -39,7 +41,7 @@ FinishedPattern PatternNow::finished(Progress& progress) const {
         ofPieces.push_back(settings[piece->id]);
     }
     for (std::size_t i = 0; i < ofPieces.size(); ++i) {
-        // What has just been taken in again is not flat yet: it is not in what is shown.
+        // A piece that has just been included again is not flat yet, and so not shown.
         const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
                              (only_.empty() || only_.contains(static_cast<int>(i)));
         ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;

@@ -31,13 +31,18 @@ public:
         return use(made.source(options, words_), progress);
     }
 
+    /// True if files of both are the same, apart from the language.
+    bool operator==(const PatternNow& other) const {
+        return only_ == other.only_ && derived_ == other.derived_ && state_ == other.state_;
+    }
+
 private:
     FinishedPattern finished(Progress& progress) const;
 
     std::set<int> only_;
     double settlingShare_;
     Derived derived_;
-    DocumentState state_;
+    DocumentState state_;  ///< the parts that pieces and their drawing follow from
     DrawingWords words_;
 };
 

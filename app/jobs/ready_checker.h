@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 
 #include "app/base/worker.h"
 #include "core/check/ready_to_cut.h"
@@ -27,7 +26,7 @@ public:
     /// document's for a moment.
     const CutPlan& plan() const { return plan_; }
     /// False while an answer is on its way.
-    bool isUpToDate() const { return !worker_.isBusy() && !delay_.isActive(); }
+    bool isUpToDate() const { return !follower_.isBusy(); }
     /// Whether a person has said that unit and up axis were guessed right.
     void setGuessesKept(bool kept);
 
@@ -36,20 +35,16 @@ signals:
     void changed();
 
 private:
-    void onChanged();
+    void ask();
     CutPlan planOfDocument() const;
     /// Of the document's own pattern as it is now; null: there is none.
     std::shared_ptr<const Proof> proofNow() const;
-    void start();
-    void take(CutPlan plan, Attempt<Readiness> made, bool isCancelled);
 
     Document& document_;
-    QTimer delay_;
     CutPlan plan_;
-    CutPlan asked_;  ///< last
     Readiness readiness_;
     bool guessesKept_ = false;
-    Worker<Readiness> worker_;
+    Follower<CutPlan, Readiness> follower_;
 };
 
 }  // namespace toile::app

@@ -53,24 +53,16 @@ ReferenceMatch layReference(const ReferenceQuestion& question) {
     return found;
 }
 
-bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b) {
-    return a.pattern == b.pattern && a.file == b.file && a.names == b.names;
-}
-
 ReferenceFinder::ReferenceFinder(Document& document, QObject* parent)
     : QObject(parent),
       document_(document),
-      answerer_(
-          layReference, [](const ReferenceQuestion&) { return false; },
-          [this](const Attempt<ReferenceMatch>& made, const ReferenceQuestion&, bool) {
-              take(made);
-          }) {
+      follower_(layReference, [this](const auto& made, const auto&, bool) { take(made); }) {
     connect(&document_, &Document::changed, this, &ReferenceFinder::ask);
 }
 
 void ReferenceFinder::ask() {
     if (auto question = referenceQuestion(document_)) {
-        answerer_.ask(*std::move(question));
+        follower_.ask(*std::move(question));
     }
 }
 

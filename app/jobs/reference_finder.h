@@ -20,9 +20,10 @@ class Document;
 struct ReferenceQuestion {
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const PatternFile> file{};
-    std::vector<std::string> names{};  ///< of the pieces, as a person calls them
+    std::vector<std::string> names{};  ///< of the pieces, as the user calls them
+
+    bool operator==(const ReferenceQuestion&) const = default;
 };
-bool isSameQuestion(const ReferenceQuestion& a, const ReferenceQuestion& b);
 
 /// Reads a pattern by its ending. Errors: of `readPatternFile`.
 /// @param path  absolute
@@ -54,7 +55,7 @@ private:
 
     Document& document_;
     std::weak_ptr<const PatternFile> told_;  ///< that was reported last
-    Answerer<ReferenceQuestion, ReferenceMatch> answerer_;
+    Follower<ReferenceQuestion, ReferenceMatch> follower_;
 };
 
 }  // namespace toile::app

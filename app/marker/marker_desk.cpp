@@ -77,19 +77,29 @@ QString searchProblem(const Error& problem) {
 }  // namespace
 
 MarkerDesk::MarkerDesk(Workspace& workspace, QObject* parent)
-    : QObject(parent), workspace_(workspace), document_(workspace.document()), search_(this) {
-    pause_.setSingleShot(true);
-    pause_.setInterval(kMarkerPauseMilliseconds);
-    connect(&pause_, &QTimer::timeout, this, &MarkerDesk::askForGround);
+    : QObject(parent),
+      workspace_(workspace),
+      document_(workspace.document()),
+      search_(this),
+      grounds_(
+          clothGround,
+          [this](const auto& made, const PatternNow&, bool) {
+              groundProblem_.reset();
+              if (made.answer && *made.answer) {
+                  takeGround(**made.answer);
+              } else if (made.answer) {
+                  groundProblem_ = made.answer->error();
+              } else {
+                  emit failed(faultText(made.fault));
+              }
+              emit changed();
+          },
+          {}, kMarkerPauseMilliseconds) {
     connect(&document_, &Document::opened, this, &MarkerDesk::onOpened);
     connect(&document_, &Document::changed, this, &MarkerDesk::onDocumentChanged);
     connect(&search_, &MarkerSearch::changed, this, &MarkerDesk::compose);
     connect(&search_, &MarkerSearch::failed, this, &MarkerDesk::failed);
-    connect(&workspace_.jobs(), &JobRunner::idle, this, [this] {
-        if (isActive_) {
-            pause_.start();
-        }
-    });
+    connect(&workspace_.jobs(), &JobRunner::idle, this, &MarkerDesk::askForGround);
 }
 
 MarkerDesk::~MarkerDesk() {
@@ -103,8 +113,7 @@ void MarkerDesk::begin() {
 
 void MarkerDesk::end() {
     isActive_ = false;
-    pause_.stop();
-    worker_.cancel();
+    grounds_.forget();
     ground_.reset();
     tried_.reset();
     search_.clear();
@@ -253,7 +262,7 @@ void MarkerDesk::onDocumentChanged(const DocumentChange& what) {
     if (!isActive_ || !what.touchesContent()) {
         return;
     }
-    pause_.start();
+    askForGround();
     if (ground_ && plan() != plan_) {
         const bool otherSettings = !(plan().settings == plan_.settings);
         const bool otherCloth = otherSettings && (plan().settings.width != plan_.settings.width ||
@@ -273,43 +282,20 @@ void MarkerDesk::onDocumentChanged(const DocumentChange& what) {
     emit changed();
 }
 
-/// Of what is flat as the document asks: what comes in between is passed over.
+/// Only of a pattern that is flat as the document asks.
 void MarkerDesk::askForGround() {
-    pause_.stop();
     if (!isActive_) {
         return;
     }
-    if (!workspace_.canExport() || !document_.isFlattened() || workspace_.jobs().isBusy()) {
+    if (workspace_.canExport() && document_.isFlattened() && !workspace_.jobs().isBusy()) {
+        grounds_.ask(PatternNow(document_, {}));
+    } else {
+        grounds_.forget();
         if (!workspace_.jobs().isBusy()) {
             ground_.reset();
             search_.clear();
         }
-        emit changed();
-        return;
     }
-    if (worker_.isBusy()) {
-        asksAgain_ = true;
-        worker_.cancel();
-        return;
-    }
-    worker_.start([now = PatternNow(document_, {})](
-                      Progress& progress) { return clothGround(now, progress); },
-                  [this](const Attempt<Result<std::shared_ptr<const ClothGround>>>& made,
-                         const Progress& progress) {
-                      if (std::exchange(asksAgain_, false)) {
-                          askForGround();
-                      } else if (isActive_ && !progress.isCancelled()) {
-                          groundProblem_.reset();
-                          if (made.answer && *made.answer) {
-                              takeGround(**made.answer);
-                          } else if (made.answer) {
-                              groundProblem_ = made.answer->error();
-                          } else {
-                              emit failed(faultText(made.fault));
-                          }
-                          emit changed();
-                      }
-                  });
     emit changed();
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTimer>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 
 #include "app/document/document.h"
 #include "app/jobs/marker_job.h"
+#include "app/jobs/pattern_now.h"
 
 namespace toile::app {
 
@@ -121,9 +121,7 @@ private:
     std::shared_ptr<const ClothMarker> othersOf_;
     MarkerFigures figures_;
     MarkerSearch search_;
-    QTimer pause_;
-    bool asksAgain_ = false;
-    Worker<Result<std::shared_ptr<const ClothGround>>> worker_;
+    Follower<PatternNow, Result<std::shared_ptr<const ClothGround>>> grounds_;
 };
 
 }  // namespace toile::app

@@ -136,13 +136,15 @@ FabricPanel::FabricPanel(Document& document, QWidget* parent, const FitWork& wor
       preset_(new QComboBox(this)),
       all_(new QLabel(this)),
       worst_(new QLabel(this)),
-      answerer_(work, isSmall, [this](const auto& made, const FabricQuestion& question, bool) {
-          // Of an earlier fabric or grain it is shown all the same, so that a long drag shows
-          // something.
-          if (clothOf(question.scene) == clothOf(document_.scene())) {
-              made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
-          }
-      }) {
+      follower_(
+          work,
+          [this](const auto& made, const FabricQuestion& question, bool) {
+              // Also of an earlier fabric or grain, so that a long drag shows something.
+              if (clothOf(question.scene) == clothOf(document_.scene())) {
+                  made.answer ? setFit(*made.answer) : setFit(std::nullopt, faultText(made.fault));
+              }
+          },
+          isSmall) {
     fields_.make<Fabric>(kLimitFields, "fabric");
     auto* empty = makeWrappedNote(tr("Open a garment to set its fabric."), "fabricEmpty", this);
     empty->setAlignment(Qt::AlignCenter);
@@ -332,7 +334,7 @@ void FabricPanel::askForFit() {
     if (!document_.scene()) {
         setFit(std::nullopt);  // nothing of a garment that is gone
     }
-    answerer_.ask({document_.scene(),
+    follower_.ask({document_.scene(),
                    placesOf(document_.settings(), {}, document_.state().materials),
                    document_.fabric()});
 }

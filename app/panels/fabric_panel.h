@@ -38,7 +38,7 @@ public:
     QWidget& firstField() const;
     /// None if no piece is flat; of an earlier fabric or grain while `isUpToDate` is false.
     const std::optional<FabricFit>& fit() const { return fit_; }
-    bool isUpToDate() const { return !answerer_.isBusy(); }
+    bool isUpToDate() const { return !follower_.isBusy(); }
 
 signals:
     /// A piece is selected and to be shown.
@@ -78,7 +78,7 @@ private:
     QLabel *all_, *worst_, *unstated_ = nullptr, *need_ = nullptr;
     std::optional<FabricFit> fit_;
     QString problem_;  ///< why the fit could not be worked out
-    Answerer<FabricQuestion, std::optional<FabricFit>> answerer_;
+    Follower<FabricQuestion, std::optional<FabricFit>> follower_;
 };
 
 }  // namespace toile::app

@@ -37,7 +37,6 @@ PathTool::PathTool(Workspace& workspace, PathFinder& finder, UserCut::Kind kind,
           [](const DraftedCut& drawn) {
               return imageOfCut(*drawn.garment, drawn.results, *drawn.symmetry, drawn.cut);
           },
-          [](const DraftedCut&) { return false; },
           [this](Attempt<std::optional<CutImage>> made, const DraftedCut&, bool isLast) {
               if (isLast && !draft_.isEmpty()) {
                   image_ = std::move(made.answer).value_or(std::nullopt);

@@ -86,7 +86,7 @@ private:
     bool isDetour() const;
 
     std::size_t least_;  ///< places that a cut needs
-    Answerer<DraftedCut, std::optional<CutImage>> images_;
+    Follower<DraftedCut, std::optional<CutImage>> images_;
     std::optional<CutImage> image_;    ///< of what is drawn, shown as a preview
     std::optional<ClothPoint> under_;  ///< the pointer, before the first place
     QPointF pointer_;
