@@ -149,7 +149,7 @@ bool isDart(Workspace& on) {
 
 bool isSeamOfDart(Workspace& on) {
     const Seam* seam = selectedSeam(on);
-    return seam && seam->kind == SeamKind::Seam && on.isSeamOfDart(*on.document().seam());
+    return seam && seam->kind == SeamKind::Seam && on.cuts().isSeamOfDart(*on.document().seam());
 }
 
 bool isAnyFlat(Workspace& on) {
@@ -175,10 +175,10 @@ ActionWork asks(void (Workspace::*request)(), When when) {
     return {[request](GarmentActions& on, bool) { (on.workspace().*request)(); }, std::move(when)};
 }
 
-ActionWork asksOfSeam(void (Workspace::*request)(int), When when) {
+ActionWork asksOfSeam(void (CutEditor::*request)(int), When when) {
     return {[request](GarmentActions& on, bool) {
                 if (const auto seam = on.workspace().document().seam()) {
-                    (on.workspace().*request)(*seam);
+                    (on.workspace().cuts().*request)(*seam);
                 }
             },
             std::move(when)};
@@ -780,7 +780,7 @@ std::vector<ActionSpec> makeActions() {
          "",
          TR("Cut the selected pieces open that cannot lie flat as they are; the others stay"),
          {[](GarmentActions& on, bool) {
-              on.workspace().cutOpen(selectedOpenable(on.workspace()));
+              on.workspace().cuts().openPieces(selectedOpenable(on.workspace()));
           },
           [](Workspace& on) { return !selectedOpenable(on).empty(); }}},
         {ActionId::DartHere,
@@ -798,7 +798,7 @@ std::vector<ActionSpec> makeActions() {
          {.enabledWhen = isSeamMeant}},
         {ActionId::JoinSeam, "joinSeam", TR("&Join at this seam"), "",
          TR("Join the cloth on both sides of the selected seam; a cut of yours is taken back"),
-         asksOfSeam(&Workspace::joinSeam, isSewnSeam)},
+         asksOfSeam(&CutEditor::joinSeam, isSewnSeam)},
         {ActionId::ResetEase, "resetEase", TR("Ease fro&m the garment"), "Del",
          TR("Take the ease of the selected seam from its 3D lengths again"),
          asks(&GarmentActions::resetEase, isEasedSeam)},
@@ -878,10 +878,10 @@ std::vector<ActionSpec> makeActions() {
          switches(&ViewState::snapping)},
         {ActionId::DartToSeam, "dartToSeam", TR("D&art to seam"), "",
          TR("Let the selected dart go on from its tip to the edge, so that it becomes a seam"),
-         asksOfSeam(&Workspace::dartToSeam, isDart)},
+         asksOfSeam(&CutEditor::dartToSeam, isDart)},
         {ActionId::SeamToDart, "seamToDart", TR("Seam t&o dart"), "",
          TR("Take back the cut by which the selected seam was made of a dart"),
-         asksOfSeam(&Workspace::seamToDart, isSeamOfDart)},
+         asksOfSeam(&CutEditor::seamToDart, isSeamOfDart)},
         {ActionId::MirrorEdits, "mirrorEdits", TR("Mirror &edits"), "Y",
          TR("Cut on both sides of the garment at once, and turn the grain on both, where mirrored "
             "pieces are drawn equal"),

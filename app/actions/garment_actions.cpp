@@ -127,7 +127,7 @@ void GarmentActions::askAndReadSeams() {
     if (path.isEmpty()) {
         return;
     }
-    const auto read = workspace_.readSeams(pathOf(path));
+    const auto read = workspace_.cuts().readSeams(pathOf(path));
     for (const Error& said : read ? *read : Problems{read.error()}) {
         emit failed(errorText(said));
     }
@@ -147,7 +147,7 @@ void GarmentActions::askAndWriteSeams() {
     if (path.isEmpty()) {
         return;
     }
-    const auto written = workspace_.writeSeams(pathOf(path));
+    const auto written = workspace_.cuts().writeSeams(pathOf(path));
     if (!written) {
         emit failed(errorText(written.error()));
     }
@@ -301,7 +301,7 @@ void GarmentActions::askForMaterial() {
 
 void GarmentActions::resetEase() {
     if (const auto seam = workspace_.document().seam()) {
-        workspace_.setEase(*seam, std::nullopt);
+        workspace_.document().setSeamEase(*seam, std::nullopt);
     }
 }
 

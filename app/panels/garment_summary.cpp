@@ -170,7 +170,7 @@ CardQuestion askSolid(const Garment& garment, int index, Workspace& workspace) {
                   workspace.document().setSelection({pieces.begin(), pieces.end()});
                   workspace.proposals().open();
               }},
-             {tr("Cut it open"), false, [&workspace, pieces] { workspace.cutOpen(pieces); }},
+             {tr("Cut it open"), false, [&workspace, pieces] { workspace.cuts().openPieces(pieces); }},
              {tr("As it is"), false, [&workspace, asIs] { workspace.setPreparing(asIs); }}}};
 }
 

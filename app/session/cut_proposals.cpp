@@ -303,7 +303,7 @@ void CutProposals::makeTaken() {
     const int gesture = document_.newGesture();
     names_.await(piece()->id, advice_.nameOf, gesture);
     close();
-    workspace_.makeCuts(tr("Proposed cuts"), std::move(cuts), gesture);
+    workspace_.cuts().makeAll(tr("Proposed cuts"), std::move(cuts), gesture);
 }
 
 void CutProposals::make(std::size_t cut) {
@@ -316,7 +316,8 @@ void CutProposals::make(std::size_t cut) {
     ++awaited_;
     const int gesture = document_.newGesture();
     names_.await(piece()->id, advice_.nameOf, gesture);
-    workspace_.makeCuts(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made}, gesture);
+    workspace_.cuts().makeAll(tr("Cut along %1").arg(QString::fromStdString(made.name)), {made},
+                              gesture);
 }
 
 void CutProposals::remove(std::size_t cut) {

@@ -19,7 +19,6 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     proposals_ = std::make_unique<CutProposals>(*this);
     proof_ = std::make_unique<PatternProof>(document_, proving_);
     // Cuts of what was open before.
-    connect(&document_, &Document::opened, &mirroring_, &JobRunner::cancel);
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();
@@ -28,9 +27,12 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
             follow();
         }
     });
-    recompute_.setObjection(
-        [this](const Garment& garment, DocumentState& rest) { return objectionTo(garment, rest); });
-    connect(&recompute_, &Recompute::refused, this, &Workspace::sayRefused);
+    recompute_.setObjection([this](const Garment& garment, DocumentState& rest) {
+        return cuts_.objectionTo(garment, rest);
+    });
+    connect(&recompute_, &Recompute::refused, &cuts_, &CutEditor::refuse);
+    connect(&cuts_, &CutEditor::refused, this, &Workspace::refused);
+    connect(&cuts_, &CutEditor::noted, this, &Workspace::noted);
     connect(&reference_, &ReferenceFinder::paired, this, &Workspace::noted);
     // A job that makes room for another says nothing about what is asked for now.
     connect(&jobs_, &JobRunner::failed, this,
@@ -44,7 +46,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
             onStopped(false);
         }
     });
-    for (const JobRunner* makers : {&mirroring_, &jobs_}) {
+    for (const JobRunner* makers : {&cuts_.searches(), &jobs_}) {
         connect(makers, &JobRunner::started, this, &Workspace::followAge);
         connect(makers, &JobRunner::idle, this, &Workspace::followAge);
     }
@@ -62,28 +64,28 @@ Workspace::~Workspace() {
 
 void Workspace::shutdown() {
     proposals_->close();
-    mirroring_.shutdown();
+    cuts_.searches().shutdown();
     jobs_.shutdown();
     proving_.shutdown();
     writing_.finish();
 }
 
 bool Workspace::canUndo() const {
-    return mirroring_.lastUnderWay() != 0 || proposals_->hasMoves() ||
+    return cuts_.searches().lastUnderWay() != 0 || proposals_->hasMoves() ||
            document_.history().canUndo();
 }
 
 void Workspace::undo() {
-    if (const JobRunner::Ticket last = mirroring_.lastUnderWay()) {
-        mirroring_.drop(last);
+    if (const JobRunner::Ticket last = cuts_.searches().lastUnderWay()) {
+        cuts_.searches().drop(last);
     } else if (!proposals_->takeMoveBack()) {
         document_.history().undo();
     }
 }
 
 void Workspace::cancel() {
-    if (mirroring_.lastUnderWay()) {
-        mirroring_.cancel();
+    if (cuts_.searches().lastUnderWay()) {
+        cuts_.searches().cancel();
         return;
     }
     if (!jobs_.isBusy()) {
@@ -153,7 +155,6 @@ void Workspace::openBy(std::unique_ptr<Job> reading) {
 void Workspace::arrived(std::function<void()> open) {
     const Opening::Next next = opening_.arrive(
         [this, open = std::move(open), changes = std::exchange(forOpening_, {})]() mutable {
-            onTrial_.clear();
             open();
             for (LoadingChange& change : changes) {
                 changeLoading(std::move(change));
@@ -185,9 +186,6 @@ void Workspace::follow() {
 }
 
 void Workspace::onChanged(const DocumentChange& what) {
-    if (document_.isCurrent()) {
-        onTrial_.clear();
-    }
     if (what.touches(&DocumentState::inputs)) {
         emit loadingChanged();
     }
@@ -199,7 +197,7 @@ void Workspace::onChanged(const DocumentChange& what) {
 
 PatternAge Workspace::patternAge() const {
     return !document_.garment() || document_.isFlattened() ? PatternAge::UpToDate
-           : mirroring_.isBusy() || jobs_.isBusy()         ? PatternAge::Renewed
+           : cuts_.searches().isBusy() || jobs_.isBusy()   ? PatternAge::Renewed
                                                            : PatternAge::OutOfDate;
 }
 

@@ -7143,6 +7143,113 @@ setzen: zwei Hälften ergeben eine Raute.</translation>
     </message>
 </context>
 <context>
+    <name>toile::app::CutEditor</name>
+    <message>
+        <source>Seams from a file</source>
+        <translation>Nähte aus einer Datei</translation>
+    </message>
+    <message>
+        <source>Removal of a cut</source>
+        <translation>Einschnitt entfernen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Einschnitt</translation>
+    </message>
+    <message>
+        <source>Dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>Closed loop</source>
+        <translation>Geschlossener Schnitt</translation>
+    </message>
+    <message>
+        <source>%1 is sewn to nothing: there is nothing to join.</source>
+        <translation>%1 ist mit nichts vernäht: Es gibt nichts zu verbinden.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be joined alone: Toile cut %2 open there because it could not lie flat. Switch off Garment ▸ Cut open automatically, or draw a cut of your own instead.</source>
+        <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
+    </message>
+    <message>
+        <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
+        <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
+    </message>
+    <message>
+        <source>%1 on both sides</source>
+        <translation>%1 auf beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Cut on one side alone: no mirror plane is known.</source>
+        <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Mirror image of a cut</source>
+        <translation>Spiegelbild eines Einschnitts</translation>
+    </message>
+    <message>
+        <source>%1 points at no edge of its piece that a seam could lead to.</source>
+        <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
+    </message>
+    <message>
+        <source>dart</source>
+        <translation>Abnäher</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Ausschnitt</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Dart in %1</source>
+        <translation>Abnäher in %1</translation>
+    </message>
+    <message>
+        <source>Closed loop in %1</source>
+        <translation>Geschlossener Schnitt in %1</translation>
+    </message>
+    <message>
+        <source>Cut %1</source>
+        <translation>Einschnitt in %1</translation>
+    </message>
+    <message>
+        <source>Dart in %1 to seam</source>
+        <translation>Abnäher in %1 zur Naht</translation>
+    </message>
+    <message>
+        <source>Removal of %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1 to dart</source>
+        <translation>%1 zum Abnäher</translation>
+    </message>
+    <message>
+        <source>Join %1</source>
+        <translation>%1 verbinden</translation>
+    </message>
+    <message>
+        <source>Removal of join %1</source>
+        <translation>Verbindung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Cut open</source>
+        <translation>Aufschneiden</translation>
+    </message>
+    <message>
+        <source>The garment was changed before the cut was found. Cut once more.</source>
+        <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Cut once: it has no mirror image of its own, or a seam runs there.</source>
+        <translation>Einmal geschnitten: Der Schnitt hat kein eigenes Spiegelbild, oder dort verläuft schon eine Naht.</translation>
+    </message>
+</context>
+<context>
     <name>toile::app::CutProposals</name>
     <message>
         <source>Proposed cuts</source>
@@ -10392,14 +10499,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Verschmelzen</translation>
     </message>
     <message>
-        <source>Seams from a file</source>
-        <translation>Nähte aus einer Datei</translation>
-    </message>
-    <message>
-        <source>Removal of a cut</source>
-        <translation>Einschnitt entfernen</translation>
-    </message>
-    <message>
         <source>Method</source>
         <translation>Verfahren</translation>
     </message>
@@ -10412,46 +10511,6 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Umrisslöser</translation>
     </message>
     <message>
-        <source>Cut</source>
-        <translation>Einschnitt</translation>
-    </message>
-    <message>
-        <source>Dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>Closed loop</source>
-        <translation>Geschlossener Schnitt</translation>
-    </message>
-    <message>
-        <source>%1 is sewn to nothing: there is nothing to join.</source>
-        <translation>%1 ist mit nichts vernäht: Es gibt nichts zu verbinden.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be joined alone: Toile cut %2 open there because it could not lie flat. Switch off Garment ▸ Cut open automatically, or draw a cut of your own instead.</source>
-        <translation>%1 lässt sich nicht allein verbinden: Toile hat %2 dort aufgeschnitten, weil es nicht flach liegen konnte. Schalten Sie Kleidungsstück ▸ Von selbst aufschneiden aus oder zeichnen Sie stattdessen einen eigenen Einschnitt.</translation>
-    </message>
-    <message>
-        <source>It was to be the mirror image of the one that you drew. Switch off Tools ▸ Mirror edits to cut one side alone.</source>
-        <translation>Es sollte das Spiegelbild des gezeichneten Schnitts sein. Schalten Sie Werkzeuge ▸ Änderungen spiegeln aus, um nur eine Seite zu schneiden.</translation>
-    </message>
-    <message>
-        <source>%1 on both sides</source>
-        <translation>%1 auf beiden Seiten</translation>
-    </message>
-    <message>
-        <source>Cut on one side alone: no mirror plane is known.</source>
-        <translation>Nur auf einer Seite geschnitten: eine Spiegelebene ist nicht bekannt.</translation>
-    </message>
-    <message>
-        <source>Mirror image of a cut</source>
-        <translation>Spiegelbild eines Einschnitts</translation>
-    </message>
-    <message>
-        <source>%1 points at no edge of its piece that a seam could lead to.</source>
-        <translation>%1 zeigt auf keine Kante des Schnittteils, zu der eine Naht führen könnte.</translation>
-    </message>
-    <message>
         <source>Reference pattern</source>
         <translation>Referenzschnitt</translation>
     </message>
@@ -10460,64 +10519,8 @@ Klicken, um die Einheit zu wählen oder zu sagen, wie hoch das Kleidungsstück i
         <translation>Kein Referenzschnitt</translation>
     </message>
     <message>
-        <source>dart</source>
-        <translation>Abnäher</translation>
-    </message>
-    <message>
-        <source>loop</source>
-        <translation>Ausschnitt</translation>
-    </message>
-    <message>
-        <source>cut</source>
-        <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Dart in %1</source>
-        <translation>Abnäher in %1</translation>
-    </message>
-    <message>
-        <source>Closed loop in %1</source>
-        <translation>Geschlossener Schnitt in %1</translation>
-    </message>
-    <message>
-        <source>Cut %1</source>
-        <translation>Einschnitt in %1</translation>
-    </message>
-    <message>
-        <source>Dart in %1 to seam</source>
-        <translation>Abnäher in %1 zur Naht</translation>
-    </message>
-    <message>
-        <source>Removal of %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>%1 to dart</source>
-        <translation>%1 zum Abnäher</translation>
-    </message>
-    <message>
-        <source>Join %1</source>
-        <translation>%1 verbinden</translation>
-    </message>
-    <message>
-        <source>Removal of join %1</source>
-        <translation>Verbindung %1 entfernen</translation>
-    </message>
-    <message>
-        <source>Cut open</source>
-        <translation>Aufschneiden</translation>
-    </message>
-    <message>
         <source>Closing slits</source>
         <translation>Schlitze schließen</translation>
-    </message>
-    <message>
-        <source>The garment was changed before the cut was found. Cut once more.</source>
-        <translation>Das Kleidungsstück wurde geändert, bevor der Schnitt gefunden war. Schneiden Sie noch einmal.</translation>
-    </message>
-    <message>
-        <source>Cut once: it has no mirror image of its own, or a seam runs there.</source>
-        <translation>Einmal geschnitten: Der Schnitt hat kein eigenes Spiegelbild, oder dort verläuft schon eine Naht.</translation>
     </message>
 </context>
 </TS>

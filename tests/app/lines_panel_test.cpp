@@ -255,7 +255,7 @@ private slots:
         auto& table = fixture_.find<QTreeView>("seamTable");
         const QModelIndex cell = table.model()->index(0, SeamsModel::Drawn);
         QVERIFY(!cell.data(Qt::CheckStateRole).isValid());
-        fixture_.workspace().setEase(0, 0.05);
+        fixture_.document().setSeamEase(0, 0.05);
         QCOMPARE(cell.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
         QVERIFY(std::abs(seamMeasure().errorMm) > 1);
         const QRect box = table.visualRect(cell);

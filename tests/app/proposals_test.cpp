@@ -590,7 +590,7 @@ private slots:
     void anEditOfTheGarmentIsFollowed() {
         open("shirt.obj");
         propose();
-        fixture_.workspace().addCut({{}, UserCut::Kind::Dart, {{40, 0, 60}, {40, 200, 80}}});
+        fixture_.workspace().cuts().add({{}, UserCut::Kind::Dart, {{40, 0, 60}, {40, 200, 80}}});
         QTRY_VERIFY_WITH_TIMEOUT(ownCuts() == 1 && document().isCurrent(), test::kPatience);
         QVERIFY(isKnown());
         QVERIFY(isThere());

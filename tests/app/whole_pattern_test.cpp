@@ -118,7 +118,7 @@ private slots:
         UserCut dart;
         dart.kind = UserCut::Kind::Dart;
         dart.points = {placeOn(front, 0, 0.58, true), placeOn(front, 0.27, 0.66)};
-        fixture_.workspace().addCut(dart);
+        fixture_.workspace().cuts().add(dart);
         QVERIFY(isDone());
         const auto isDart = [](const Seam& seam) { return seam.kind == SeamKind::Dart; };
         QCOMPARE(std::ranges::count_if(seams(), isDart), std::ptrdiff_t(2));

@@ -59,7 +59,7 @@ void JoinTool::leave(ToolView&) {
 
 void JoinTool::click(ToolView& view, const Pointer& pointer) {
     if (const auto seam = seamAt(view, pointer)) {
-        workspace_.joinSeam(*seam);
+        workspace_.cuts().joinSeam(*seam);
     }
 }
 

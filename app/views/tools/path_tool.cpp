@@ -78,7 +78,7 @@ void PathTool::click(ToolView& view, const Pointer& pointer) {
         return;
     }
     if (draft_.isEmpty() && goesAround() && pointer.modifiers.testFlag(Qt::AltModifier)) {
-        workspace_.cutAround(place->piece, place->at);
+        workspace_.cuts().cutAround(place->piece, place->at);
         return;
     }
     draft_.setAlongEdges(pointer.modifiers.testFlag(Qt::ControlModifier));
@@ -237,7 +237,7 @@ void PathTool::finish() {
     UserCut cut{{}, kindFor(draft_.points()), cutPoints(), draft_.alongEdges()};
     const int piece = draft_.points().front().piece;
     cancel();
-    workspace_.addCut(std::move(cut), piece);
+    workspace_.cuts().add(std::move(cut), piece);
 }
 
 bool PathTool::isDetour() const {
