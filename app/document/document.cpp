@@ -9,11 +9,11 @@
 
 #include "app/base/text.h"
 #include "app/document/history.h"
-#include "app/document/names.h"
 #include "app/document/shown_proof.h"
 #include "core/garment/lineage.h"
 #include "core/pattern/pattern.h"
 #include "core/pattern/target_lengths.h"
+#include "core/project/piece_names.h"
 #include "core/seam/seam_settings.h"
 
 namespace toile::app {
@@ -460,6 +460,26 @@ void Document::setOverlay(Overlay overlay) {
     ViewState view = view_;
     view.overlay = overlay;
     setView(view);
+}
+
+QString pieceName(const Document& document, int piece) {
+    return QString::fromStdString(nameOf(
+        document.state().labels, *document.garment()->pieces[static_cast<std::size_t>(piece)]));
+}
+
+QString seamName(const Document& document, int seam) {
+    const Garment& garment = *document.garment();
+    return QString::fromStdString(nameOf(document.state().labels, garment,
+                                         garment.seams.seams[static_cast<std::size_t>(seam)]));
+}
+
+QString nameOfPieces(const Document& document, const std::vector<int>& pieces) {
+    return pieces.size() == 1 ? pieceName(document, pieces.front())
+                              : tr("%n pieces", nullptr, static_cast<int>(pieces.size()));
+}
+
+QString stepOf(const Document& document, const QString& text, const std::vector<int>& pieces) {
+    return QString(text).replace("%1", nameOfPieces(document, pieces));
 }
 
 }  // namespace toile::app

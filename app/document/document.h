@@ -2,12 +2,14 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <QUndoStack>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 #include <type_traits>
+#include <vector>
 
 #include "app/document/document_change.h"
 #include "app/document/document_state.h"
@@ -220,5 +222,16 @@ private:
     std::uint64_t revision_ = 0;
     mutable MarkPlaces marks_;  ///< follows from the state
 };
+
+/// Names as the user has given them.
+
+/// Precondition: the piece is of the garment.
+QString pieceName(const Document& document, int piece);
+QString seamName(const Document& document, int seam);
+/// "front", or "3 pieces".
+QString nameOfPieces(const Document& document, const std::vector<int>& pieces);
+/// A step of the history with the names of its pieces: "Move front".
+/// @param text  with %1 for the names: "Move %1"
+QString stepOf(const Document& document, const QString& text, const std::vector<int>& pieces);
 
 }  // namespace toile::app

@@ -9,7 +9,6 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/document/piece_edits.h"
 #include "core/layout/marker.h"
 #include "core/pattern/half_pattern.h"

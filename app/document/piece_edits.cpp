@@ -7,7 +7,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "core/pattern/piece_marks.h"
 #include "core/project/layer_materials.h"
 #include "core/project/piece_names.h"

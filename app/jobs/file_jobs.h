@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/document/document_state.h"
+#include "app/document/view_state.h"
 #include "app/jobs/job.h"
 #include "core/formats/drawing/drawing.h"
 #include "core/formats/export_file.h"
@@ -20,6 +21,16 @@
 namespace toile::app {
 
 class Document;
+
+/// The project that is saved of a document. Requires a garment. Linear in the outlines;
+/// thread-safe.
+Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view);
+/// How the document is shown, as it is saved.
+ProjectView savedView(const ViewState& view);
+/// How the project was shown; `before` where it does not say.
+ViewState viewOf(const ProjectView& saved, ViewState before);
+/// The state of an opened project, with the garment made for it; without its reference pattern.
+DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garment& garment);
 
 /// The jobs that write files of the document, and those that read projects and patterns. What they
 /// take is a snapshot: edits may go on. What they are to call is called on the GUI thread.

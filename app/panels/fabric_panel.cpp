@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/error_text.h"
 #include "app/text/fabric_name.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/base/text.h"
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/render/scene.h"
 #include "app/session/cut_proposals.h"
 #include "app/session/workspace.h"

@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "app/document/document.h"
-#include "app/document/names.h"
 #include "app/settings/length_display.h"
 #include "app/text/figures.h"
 #include "app/text/seam_fit.h"

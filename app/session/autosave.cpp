@@ -11,7 +11,6 @@
 
 #include "app/base/text.h"
 #include "app/document/document.h"
-#include "app/document/project_state.h"
 #include "app/jobs/file_jobs.h"
 #include "core/project/project_file.h"
 

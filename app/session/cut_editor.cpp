@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/document/document.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/names.h"
 #include "app/jobs/job.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"
@@ -222,16 +222,15 @@ void CutEditor::make(const DrawnCut& drawn, std::optional<UserCut> image) {
     finish(cut);
     if (!image) {
         pending_.push_back({cut.name});
-        change(drawn.text,
-                    [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
+        change(drawn.text, [cut = std::move(cut)](SeamsFile& seams) { seams.cuts.push_back(cut); });
         return;
     }
     finish(*image);
     pending_.push_back({cut.name, image->name});
     change(tr("%1 on both sides").arg(drawn.text),
-                [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
-                    addMirroredCuts(seams.cuts, cut, image);
-                });
+           [cut = std::move(cut), image = std::move(*image)](SeamsFile& seams) {
+               addMirroredCuts(seams.cuts, cut, image);
+           });
 }
 
 void CutEditor::search(const QString& text, bool isQuick,
@@ -257,8 +256,8 @@ void CutEditor::makeAll(const QString& text, std::vector<UserCut> cuts, int gest
     std::vector<UserCut> named = workspace_.loading().seams.cuts;
     for (UserCut& cut : cuts) {
         // Unnamed ones are called by their kind.
-        cut.name = freeName(named, cut.name.empty() ? wordsOf(cut.kind).stem : cut.name,
-                            cut.name.empty());
+        cut.name =
+            freeName(named, cut.name.empty() ? wordsOf(cut.kind).stem : cut.name, cut.name.empty());
         pending_.push_back({cut.name});
         for (Eigen::Vector3d& point : cut.points) {
             point = inFileSpace(point, workspace_.loading().seams, *document_.garment());
@@ -419,7 +418,7 @@ void CutEditor::joinSeam(int seam) {
     }
     pending_.push_back({join.name});
     change(tr("Join %1").arg(seamName(document_, seam)),
-                [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
+           [join = std::move(join)](SeamsFile& seams) { seams.joins.push_back(join); });
 }
 
 void CutEditor::remove(CutId id) {
@@ -433,13 +432,12 @@ void CutEditor::removeJoin(const std::string& name) {
     if (workspace_.isOpening()) {
         return;
     }
-    change(tr("Removal of join %1").arg(QString::fromStdString(name)),
-                [name](SeamsFile& seams) {
-                    const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
-                    if (join != seams.joins.end()) {
-                        seams.joins.erase(join);
-                    }
-                });
+    change(tr("Removal of join %1").arg(QString::fromStdString(name)), [name](SeamsFile& seams) {
+        const auto join = std::ranges::find(seams.joins, name, &UserJoin::name);
+        if (join != seams.joins.end()) {
+            seams.joins.erase(join);
+        }
+    });
 }
 
 }  // namespace toile::app

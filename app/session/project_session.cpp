@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/base/text.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"
 

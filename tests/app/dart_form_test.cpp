@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "app/document/line_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/widgets/number_edits.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/pattern.h"

@@ -5,7 +5,6 @@
 #include <QTest>
 
 #include "app/document/layout.h"
-#include "app/document/names.h"
 #include "app/render/scene.h"
 #include "core/pattern/drawn_outline.h"
 #include "tests/app/support/garments.h"

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 #include "app/document/line_facts.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/panels/seam_ends_list.h"
 #include "app/panels/seams_model.h"
 #include "app/render/scene.h"

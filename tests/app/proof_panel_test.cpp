@@ -11,8 +11,8 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/document/project_state.h"
 #include "app/document/shown_proof.h"
+#include "app/jobs/file_jobs.h"
 #include "app/jobs/ready_checker.h"
 #include "app/panels/proof_form.h"
 #include "app/panels/proof_model.h"

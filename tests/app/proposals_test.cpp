@@ -8,7 +8,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/panels/cut_chart.h"
 #include "app/panels/proposals_form.h"
 #include "app/session/cut_proposals.h"

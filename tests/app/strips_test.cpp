@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "app/document/notch_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "core/layout/marker.h"
 #include "core/pattern/extension.h"
 #include "core/project/project_file.h"

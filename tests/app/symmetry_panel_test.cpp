@@ -13,7 +13,7 @@
 
 #include "app/document/layout.h"
 #include "app/document/mirrored_edits.h"
-#include "app/document/project_state.h"
+#include "app/jobs/file_jobs.h"
 #include "app/panels/mirrored_pieces_list.h"
 #include "app/panels/seams_model.h"
 #include "app/views/tools/path_tool.h"

@@ -10,9 +10,9 @@
 
 #include "app/document/internal_line_edits.h"
 #include "app/document/layout.h"
-#include "app/document/project_state.h"
 #include "app/export/export_dialog.h"
 #include "app/export/print_dialog.h"
+#include "app/jobs/file_jobs.h"
 #include "core/layout/marker.h"
 #include "core/pattern/darts.h"
 #include "core/pattern/extension.h"

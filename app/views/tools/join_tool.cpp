@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "app/document/names.h"
+#include "app/document/document.h"
 #include "app/render/render_style.h"
 #include "app/session/workspace.h"
 #include "app/text/figures.h"
