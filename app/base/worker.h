@@ -7,6 +7,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -98,6 +99,25 @@ private:
     QThreadPool pool_;  ///< of one thread
     QFutureWatcher<void> watcher_;
     std::unique_ptr<Running> running_;
+};
+
+/// Passes the latest value from a worker to the window.
+template <class Value>
+class Mailbox {
+public:
+    void put(std::shared_ptr<const Value> value) {
+        const std::lock_guard lock(mutex_);
+        latest_ = std::move(value);
+    }
+    /// Null if there is nothing new.
+    std::shared_ptr<const Value> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(latest_, nullptr);
+    }
+
+private:
+    std::mutex mutex_;
+    std::shared_ptr<const Value> latest_;
 };
 
 /// Keeps an answer up to date: works on the question asked last, on another thread, and hands the

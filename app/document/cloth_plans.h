@@ -11,8 +11,8 @@ struct MarkerPlan;
 
 namespace toile::app {
 
-/// What a person has said of laying the pieces on cloth, by material (`MarkerPlans`). A value that
-/// costs nothing to copy, as states of the history are.
+/// The settings for laying the pieces on cloth, by material (`MarkerPlans`). Copies are cheap, as
+/// for all states of the history.
 class ClothPlans {
 public:
     using Plans = std::map<std::string, MarkerPlan>;
@@ -21,7 +21,7 @@ public:
     explicit ClothPlans(Plans plans);
 
     const Plans& all() const;
-    /// As nobody has said anything where nothing is said of the material.
+    /// Default settings if there are none for the material.
     const MarkerPlan& of(const std::string& material) const;
     ClothPlans with(const std::string& material, MarkerPlan plan) const;
 

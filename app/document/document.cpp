@@ -1,6 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-// Longer than a file mostly is: state, what is shown of it and selection change together, and every
-// change is told once.
+// This file is long because state, derived values and selection change together and are announced
+// once.
 #include "app/document/document.h"
 
 #include <QString>
@@ -47,7 +46,7 @@ Document::Document(QObject* parent) : QObject(parent) {
 }
 
 Document::~Document() {
-    history_.blockSignals(true);  // it clears itself, and who listened may be gone
+    history_.blockSignals(true);  // it clears itself when no listeners remain
 }
 
 const PieceResult* Document::result(int piece) const {
@@ -181,12 +180,12 @@ void Document::takeBack(DocumentState rest) {
     const Derived before = derived_;
     takesBack_ = true;
     while (history_.index() > currentAt_ && !isCurrent()) {
-        history_.undo();  // it goes by that: StateStep::undo
+        history_.undo();  // and removes the step, see StateStep::undo
     }
     while (history_.index() < currentAt_ && history_.canRedo()) {
         history_.redo();
     }
-    if (!wentBack || !isCurrent()) {  // a step back that came to nothing was never made
+    if (!wentBack || !isCurrent()) {  // an undo that came to nothing makes no step
         edit(text, std::move(rest));
     }
     takesBack_ = false;
@@ -261,7 +260,7 @@ void Document::refreshSettings(bool otherPieces) {
         settings_.assign(count, {});
     }
     for (std::size_t i = 0; i < count; ++i) {
-        // What a state does not know that is about to come stays as it was.
+        // A piece that the coming state does not know keeps its settings.
         if (const auto said = state_.settings.find(garment()->pieces[i]->id);
             said != state_.settings.end()) {
             settings_[i] = said->second;
@@ -273,7 +272,7 @@ void Document::keepSelection(const Derived& before) {
     Selection kept;
     std::optional<int> seam;
     if (!selection_.empty()) {
-        // What a selected piece was cut into, and what it became part of.
+        // The pieces that a selected piece was cut into, and the piece that it became part of.
         const auto& pieces = garment()->pieces;
         const std::vector<int> was = predecessors(before.garment->pieces, pieces);
         const std::vector<int> is = predecessors(pieces, before.garment->pieces);
@@ -293,10 +292,10 @@ void Document::keepSelection(const Derived& before) {
         const int now = seamAt(garment()->seams, was.place);
         seam = now >= 0 ? std::optional(now) : seamOfCuts(garment()->seams, was.cuts);
     }
-    // The indices may mean others now even where they are the same numbers.
+    // The same indices may mean other pieces now.
     selection_ = std::move(kept);
     seam_ = seam;
-    // Vertices and edges are others in a piece that was cut.
+    // A piece that was cut has other vertices and edges.
     mark_.reset();
     hover_.reset();
 }

@@ -40,7 +40,7 @@ std::optional<ClothPoints> mirroredInternalLine(const Garment& garment, const Pi
     cut.kind = closed ? UserCut::Kind::Loop : UserCut::Kind::Path;
     cut.points = points;
     if (points.size() == 1) {
-        cut.points.push_back(points.front());  // a way of no length
+        cut.points.push_back(points.front());  // a path of no length
     }
     auto image = mirroredCut(garment, results, symmetry, cut);
     if (!image) {

@@ -16,34 +16,34 @@ struct Symmetry;
 
 namespace toile::app {
 
-/// What a person decides of internal lines, one edit each; the rest of the settings stays. Points
-/// are as the pieces are, mm. All pure.
+/// Edits of internal lines, one function each; other settings stay. Points are in the coordinates
+/// of the pieces, mm. All pure.
 
 using ClothPoints = std::vector<Eigen::Vector3d>;
 
-/// With a line through these points, one or more, at the end of the list.
+/// Adds a line through these points, one or more, at the end of the list.
 LineSettings withInternalLine(LineSettings lines, const Garment& garment, std::string name,
                               ClothPoints points, bool closed);
 /// An index past the lines changes nothing.
 LineSettings withoutInternalLine(LineSettings lines, std::size_t index);
-/// With one of its points at another place; indices past the end change nothing.
+/// Moves one of its points; indices past the end change nothing.
 LineSettings withInternalPointMoved(LineSettings lines, const Garment& garment, std::size_t index,
                                     std::size_t point, const Eigen::Vector3d& to);
 
 /// The mirror image of a line on the counterpart of its piece, or on its other half
-/// (`mirroredCut`); none where there is none, or where it is the line itself.
+/// (`mirroredCut`); none if it has none, or if it is the line itself.
 std::optional<ClothPoints> mirroredInternalLine(const Garment& garment, const PieceResults& results,
                                                 const Symmetry& symmetry, const ClothPoints& points,
                                                 bool closed);
 
-/// The line that was drawn as the mirror image of another: with as many points, none farther than
-/// kSameImage from that. None where there is none.
+/// The line that was drawn as the mirror image of another: it has as many points, none farther than
+/// kSameImage from the image. None if there is none.
 std::optional<std::size_t> imageOfInternalLine(const LineSettings& lines, const Garment& garment,
                                                const PieceResults& results,
                                                const Symmetry& symmetry, std::size_t index);
 inline constexpr double kSameImage = 2;  ///< mm
 
-/// With one line as the mirror image of another, where that has one.
+/// Makes one line the mirror image of another, if that has one.
 LineSettings withInternalLineAsImage(LineSettings lines, const Garment& garment,
                                      const PieceResults& results, const Symmetry& symmetry,
                                      std::size_t of, std::size_t image);

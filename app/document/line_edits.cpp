@@ -17,7 +17,7 @@ namespace toile::app {
 
 namespace {
 
-/// Places on a line that differ by less are one.
+/// Places on a line that differ by less count as one.
 constexpr double kSameShare = 1e-7;
 
 /// Whether both stretches cover more than half of each other.

@@ -63,7 +63,8 @@ DartSettings dartSettings(const Garment& garment, const LineSettings& lines, int
 /// @param symmetry  null: edits are not mirrored
 LineSettings withIntake(LineSettings lines, const Garment& garment, int dart,
                         std::optional<double> intake, const Symmetry* symmetry);
-/// With a dart laid over this leg, and its mirror image over the mirrored leg; none: by convention.
+/// With a dart pressed over this leg, and its mirror image over the mirrored leg; none: by
+/// convention.
 LineSettings withLay(LineSettings lines, const Garment& garment, int dart,
                      std::optional<DartLay> lay, const Symmetry* symmetry);
 

@@ -13,7 +13,7 @@ namespace toile::app {
 
 namespace {
 
-/// Of places on a line, and of shares of a seam: nearer to each other, two are one.
+/// Places on a line, and shares of a seam, that are closer than this count as one.
 constexpr double kSamePart = 1e-6;
 
 bool isFirst(const SeamNotch& one, const SeamNotch& other) {
@@ -24,7 +24,7 @@ bool areOne(const SeamNotch& one, const SeamNotch& other) {
     return one.seam == other.seam && std::abs(one.share - other.share) < kSamePart;
 }
 
-/// What has put a notch at a place there; -1: nothing that was said about this very place.
+/// The setting that put a notch exactly there; -1: none.
 int indexOf(const NotchRules& rules, const Garment& garment, const NotchAt& at) {
     const auto place = notchSettingsAt(garment, at.seam, at.share);
     const auto found = std::ranges::find_if(rules.notches, [&](const NotchSettings& said) {
@@ -34,8 +34,8 @@ int indexOf(const NotchRules& rules, const Garment& garment, const NotchAt& at) 
     return found == rules.notches.end() ? -1 : static_cast<int>(found - rules.notches.begin());
 }
 
-/// The same of the place that mirrors it; -1 also where there may be two, as nobody knows which
-/// end of the other seam mirrors the start of this one.
+/// The same for the mirrored place; also -1 if it is ambiguous which end of the other seam mirrors
+/// the start of this one.
 int mirroredIndexOf(const NotchRules& rules, const Garment& garment, const NotchAt& at,
                     const Symmetry* symmetry) {
     const auto seam = static_cast<std::size_t>(at.seam);

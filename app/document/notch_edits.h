@@ -10,14 +10,13 @@
 
 namespace toile::app {
 
-/// What a person decides of notches, one edit each; the rest of the settings stays. What is said of
-/// a notch holds on both sides of its seam, and for the seam that mirrors it. All pure; each costs
-/// the outlines of the garment.
+/// Edits of notches, one function each; other settings stay. An edit applies to both sides of the
+/// seam, and to the seam that mirrors it. All pure; each costs the outlines of the garment.
 
-/// A notch on a seam: one place, whichever side it is shown on.
+/// A notch on a seam, whichever side it is shown on.
 struct NotchAt {
     int seam = -1;     ///< index into Garment::seams
-    double share = 0;  ///< of its length, from its start
+    double share = 0;  ///< of the seam's length, from its start
 
     bool operator==(const NotchAt&) const = default;
 };
@@ -28,13 +27,13 @@ struct SeamNotch : NotchAt {
 };
 std::vector<SeamNotch> notchesOf(const Pattern& pattern);
 
-/// With a notch there; of lines without notches all that come by themselves are there then too.
+/// Adds a notch; in lines without notches all automatic ones are added, too.
 LineSettings withNotch(LineSettings lines, const Garment& garment, const NotchAt& at);
-/// Without this one. What a person has placed is forgotten, what comes by itself is kept away.
-/// @param symmetry  that notches are mirrored by; may be null
+/// Removes a notch: deletes one that the user placed, and suppresses an automatic one.
+/// @param symmetry  mirrors notches; may be null
 LineSettings withoutNotch(LineSettings lines, const Garment& garment, const SeamNotch& notch,
                           const Symmetry* symmetry);
-/// With this one at another share of its seam.
+/// Moves a notch to another share of its seam.
 LineSettings withNotchMoved(LineSettings lines, const Garment& garment, const SeamNotch& notch,
                             double share, const Symmetry* symmetry);
 

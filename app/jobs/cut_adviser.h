@@ -25,8 +25,8 @@ struct AdviceQuestion {
     bool operator==(const AdviceQuestion&) const = default;
 };
 
-/// Finds cuts worth making, on a thread of its own, and flattens what comes of them, one after the
-/// other on another. A new question replaces the one before. GUI thread only.
+/// Finds cuts worth making on one thread, and flattens their results, one after the other, on
+/// another. A new question replaces the one before. GUI thread only.
 class CutAdviser : public QObject {
     Q_OBJECT
 
@@ -39,7 +39,7 @@ public:
     double fraction() const { return asking_.progress() ? asking_.progress()->fraction() : 0; }
 
     void ask(AdviceQuestion question);
-    /// Flattens the piece with so many of the first cuts made, for each of these counts in turn.
+    /// Flattens the piece with the first so many cuts made, for each of these counts.
     void solve(AdviceQuestion question, CutAdvice advice, std::vector<std::size_t> counts,
                FlattenOptions options);
     /// Returns at once; no answer comes any more.
@@ -66,7 +66,7 @@ private:
     void solveNext();
 
     Trial trial_;
-    std::vector<std::size_t> counts_;  ///< to come, the next one first
+    std::vector<std::size_t> counts_;  ///< remaining ones, the next one first
     Follower<AdviceQuestion, CutAdvice> asking_;
     Follower<Trial, Result<StrainFigures>> solving_;
 };

@@ -18,10 +18,11 @@
 namespace toile::app {
 namespace {
 
-/// Of the time to read a garment, about, until it is read, and until it is there.
+/// Approximate shares of the time to read a garment: until its files are read, and until it is
+/// made.
 constexpr double kReadingShare = 0.4, kDrawingShare = 0.97;
 
-/// The results of those pieces of a garment that were in another; null for the others.
+/// The results of the pieces that two garments share; null for the others.
 PieceResults carriedResults(const PieceResults& results, const Garment& after) {
     std::unordered_map<const Piece*, std::shared_ptr<const PieceResult>> known;
     for (const auto& result : results) {
@@ -52,7 +53,7 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
     return found;
 }
 
-/// Takes other results in.
+/// Replaces the results.
 void become(Derivation& made, PieceResults results) {
     made.motions = flatMotions(made.derived.results, results);
     made.derived.results = std::move(results);
@@ -78,7 +79,7 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
         for (std::size_t p = 0; p < is.size(); ++p) {
             const int from = derivation.carried[p].piece;
             if (is[p] == (from < 0 ? Wording() : was[static_cast<std::size_t>(from)])) {
-                derivation.materials.emplace_back();  // the word may be of another language
+                derivation.materials.emplace_back();  // the name may be in another language
             } else {
                 derivation.materials.emplace_back(wordingText(is[p]).toStdString());
             }
@@ -87,11 +88,11 @@ Result<Derivation> deriveGarment(const DocumentState& state, const Derived& befo
     Derived& derived = derivation.derived;
     derived.inputs = {state.inputs.files, resolveNames(state.inputs.loading, *garment)};
     derived.garment = garment;
-    if (!before.results.empty()) {  // else nothing is flat yet, and all is to be
+    if (!before.results.empty()) {  // otherwise nothing is flat yet
         derived.results = carriedResults(before.results, *garment);
         derived.lines = before.lines;
         if (!(state.lines == LineSettings{}) || drawsEase(*garment) || drawsEase(*before.garment)) {
-            derived.lines.reset();  // segments and targets may be others
+            derived.lines.reset();  // segments and targets may differ
         }
     }
     return derivation;
@@ -128,7 +129,7 @@ void flatten(Derivation& made, const DocumentState& state, GarmentFlattener& fla
     const std::vector<PieceSettings> settings = settingsOf(garment, state.settings);
     const PieceResults before = made.derived.results;
     std::vector<Fabric> fabrics;
-    PieceResults known(garment.pieces.size());  // to whose flat points a typed grain refers
+    PieceResults known(garment.pieces.size());  // a typed grain refers to their flat points
     std::vector<std::optional<double>> typed;
     for (std::size_t p = 0; p < settings.size(); ++p) {
         fabrics.push_back(fabricOf(settings[p].material, state.materials, state.fabric));
@@ -158,7 +159,7 @@ void leaveOut(Derivation& made, const std::vector<PieceSettings>& settings) {
 
 void settle(Derivation& made, GarmentFlattener& flattener, Progress& progress) {
     if (!made.derived.lines) {
-        return;  // of older lines: what is shown is as it was asked for then
+        return;  // of older lines: leave it as it was asked for then
     }
     become(made, flattener.settle(*made.derived.garment, made.derived.results, progress, 0,
                                   *made.derived.lines));

@@ -16,6 +16,7 @@
 #include "core/project/project_file.h"
 
 namespace toile::app {
+
 Project projectOf(const DocumentState& state, const Derived& derived, const ViewState& view) {
     const Garment& garment = *derived.garment;
     Project project;
@@ -89,7 +90,7 @@ DocumentState stateOf(const Project& project, GarmentInputs inputs, const Garmen
 
 namespace {
 
-/// True where there is such a file, and it holds something else. Reads it.
+/// True if the file exists with another content. Reads it.
 bool wasChangedByOthers(const KnownFile& known) {
     if (!known.hash) {
         return false;
@@ -98,7 +99,7 @@ bool wasChangedByOthers(const KnownFile& known) {
     return bytes && contentHash(*bytes) != *known.hash;
 }
 
-/// What will be saved to, as it is on the disk now.
+/// The file that will be saved to, as it is on the disk now.
 KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const Project& project) {
     if (!project.recoveryOf) {
         return {path, hash};
@@ -107,10 +108,10 @@ KnownFile knownOf(const std::filesystem::path& path, std::uint64_t hash, const P
     return {*project.recoveryOf, bytes ? std::optional(contentHash(*bytes)) : std::nullopt};
 }
 
-/// Of a file that is looked at before it is written, bytes.
+/// Size of the preview of a file, bytes.
 constexpr std::size_t kMaxOfBeginning = 20000;
 
-/// What is saved of a state, also where its garment is still on its way.
+/// The project of a state, even if its garment is still being made.
 Result<Project> projectNow(DocumentState state, const Derived& derived,
                            const std::vector<PieceSettings>& settings, const ViewState& view,
                            Progress& progress) {
@@ -231,7 +232,7 @@ std::unique_ptr<Job> saveJob(const Document& document, SaveTarget target,
     auto work = [state = document.state(), derived = document.derived(),
                  settings = document.settings(), view = document.view(),
                  target = std::move(target)](Progress& progress) -> Result<SaveOutcome> {
-        // At the last moment: another program may be at it just now.
+        // As late as possible: another program may be writing it.
         KnownFile* known = target.known.get();
         if (known && known->path == target.path && !target.overwrite &&
             wasChangedByOthers(*known)) {

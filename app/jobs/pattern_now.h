@@ -12,14 +12,14 @@ namespace toile::app {
 
 class Document;
 
-/// What files are made of: a snapshot, whatever is edited meanwhile.
+/// A snapshot of the pattern for files.
 class PatternNow {
 public:
-    /// @param only  the pieces that are meant; none: all
-    /// @param settlingShare  of the time of what is done with it, where flat pieces are still warm
+    /// @param only  the pieces to use; none: all
+    /// @param settlingShare  share of the total time for flattening, if flat pieces are still warm
     PatternNow(const Document& document, std::set<int> only, double settlingShare = 0.7);
 
-    /// Flattens what is not flat yet, lays the pattern out and gives it to `use`, a function of
+    /// Flattens what is not flat yet, lays the pattern out and passes it to `use`, a function of
     /// `(const ExportSource&, const Progress&)` to a Result.
     template <class Use>
     auto with(const ExportOptions& options, Progress& progress, const Use& use) const

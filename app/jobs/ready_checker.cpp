@@ -11,7 +11,7 @@ namespace toile::app {
 
 namespace {
 
-/// Changes that come closer after each other than this are one.
+/// Changes closer together than this are answered once.
 constexpr int kDelayMilliseconds = 60;
 
 }  // namespace
@@ -22,7 +22,7 @@ ReadyChecker::ReadyChecker(Document& document, QObject* parent)
       follower_(
           readyToCut,
           [this](Attempt<Readiness> made, const CutPlan& plan, bool) {
-              if (made.answer) {  // else memory is short: what was found before stays
+              if (made.answer) {  // otherwise memory is short: keep the earlier findings
                   plan_ = plan;
                   readiness_ = *std::move(made.answer);
                   emit changed();

@@ -15,7 +15,7 @@ namespace toile::app {
 
 namespace {
 
-/// Names in one sentence.
+/// Maximum number of names in one sentence.
 constexpr int kNamed = 4;
 
 QString listOf(const QStringList& names) {
@@ -68,11 +68,11 @@ void ReferenceFinder::ask() {
 
 void ReferenceFinder::take(const Attempt<ReferenceMatch>& made) {
     if (!made.answer) {
-        return;  // out of memory: another pattern asks again
+        return;  // out of memory
     }
     document_.showReference(std::make_shared<const ReferenceMatch>(*made.answer));
     const ReferenceMatch* shown = document_.reference();
-    // Of pieces that are not flat yet there is nothing to tell.
+    // Wait until all pieces are flat.
     if (shown && document_.isFlattened() && told_.lock() != shown->file) {
         told_ = shown->file;
         emit paired(summaryOf(*shown));

@@ -16,7 +16,7 @@ namespace toile::app {
 
 class Document;
 
-/// What is to be found out of a reference pattern.
+/// How does a reference pattern lie on a pattern?
 struct ReferenceQuestion {
     std::shared_ptr<const Pattern> pattern{};
     std::shared_ptr<const PatternFile> file{};
@@ -29,14 +29,13 @@ struct ReferenceQuestion {
 /// @param path  absolute
 Result<ReferenceFile> readReference(const std::filesystem::path& path);
 
-/// What is to be found out of the document's reference pattern; none where none is open, or no
-/// pattern is there yet.
+/// The question for the document; none if no reference pattern is open, or there is no pattern yet.
 std::optional<ReferenceQuestion> referenceQuestion(const Document& document);
 
 /// Pairs the pieces and lays the file's outlines on them. Pure. Cost: of `matchPatterns`.
 ReferenceMatch layReference(const ReferenceQuestion& question);
 
-/// Lays the document's reference pattern on its pieces, on another thread, whenever one of the two
+/// Lays the document's reference pattern on its pieces on another thread, whenever one of the two
 /// changes, and shows the result (`Document::showReference`). GUI thread only.
 class ReferenceFinder : public QObject {
     Q_OBJECT
@@ -54,7 +53,7 @@ private:
     QString summaryOf(const ReferenceMatch& found) const;
 
     Document& document_;
-    std::weak_ptr<const PatternFile> told_;  ///< that was reported last
+    std::weak_ptr<const PatternFile> told_;  ///< reported last
     Follower<ReferenceQuestion, ReferenceMatch> follower_;
 };
 

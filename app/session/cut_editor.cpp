@@ -97,7 +97,7 @@ CutEditor::CutEditor(Workspace& workspace)
     });
 }
 
-std::shared_ptr<const Garment> CutEditor::garment() const {
+std::shared_ptr<const Garment> CutEditor::openGarment() const {
     return workspace_.isOpening() ? nullptr : document_.garment();
 }
 
@@ -176,10 +176,10 @@ std::optional<UserCut> CutEditor::DrawnCut::image(const Progress& progress) cons
 }
 
 void CutEditor::add(UserCut cut, std::optional<int> piece, const QString& text) {
-    if (!garment()) {
+    if (!openGarment()) {
         return;  // it was drawn on a garment that is being replaced
     }
-    DrawnCut drawn{std::move(cut), garment(), workspace_.loading().seams};
+    DrawnCut drawn{std::move(cut), openGarment(), workspace_.loading().seams};
     drawn.isMirrored = mirrorsEdits(document_);
     const CutWords words = wordsOf(drawn.cut.kind);
     drawn.text =
@@ -201,7 +201,7 @@ void CutEditor::add(UserCut cut, std::optional<int> piece, const QString& text) 
 }
 
 void CutEditor::make(const DrawnCut& drawn, std::optional<UserCut> image) {
-    if (!garment()) {
+    if (!openGarment()) {
         return;
     }
     if (drawn.isMirrored && !image) {
@@ -250,7 +250,7 @@ void CutEditor::search(const QString& text, bool isQuick,
 }
 
 void CutEditor::makeAll(const QString& text, std::vector<UserCut> cuts, int gesture) {
-    if (!garment() || cuts.empty()) {
+    if (!openGarment() || cuts.empty()) {
         return;
     }
     std::vector<UserCut> named = workspace_.loading().seams.cuts;
@@ -279,7 +279,7 @@ void CutEditor::refuseStale() {
 }
 
 void CutEditor::openPieces(const std::vector<int>& pieces) {
-    const auto garment = this->garment();
+    const auto garment = openGarment();
     if (!garment || pieces.empty()) {
         return;
     }
@@ -309,7 +309,7 @@ void CutEditor::openPieces(const std::vector<int>& pieces) {
     };
     search(tr("Cut open"), triangles <= kQuickTriangles, find,
            [this, garment](std::vector<UserCut> cuts) {
-               if (this->garment() == garment) {
+               if (openGarment() == garment) {
                    makeAll(tr("Cut open"), std::move(cuts));
                } else {
                    refuseStale();
@@ -318,7 +318,7 @@ void CutEditor::openPieces(const std::vector<int>& pieces) {
 }
 
 void CutEditor::cutAround(int piece, const SurfacePoint& place) {
-    const auto garment = this->garment();
+    const auto garment = openGarment();
     if (!garment) {
         return;
     }
@@ -348,7 +348,7 @@ void CutEditor::cutAround(int piece, const SurfacePoint& place) {
 }
 
 void CutEditor::dartToSeam(int seam) {
-    const auto garment = this->garment();
+    const auto garment = openGarment();
     if (!garment || !document_.isCurrent()) {
         return;
     }
@@ -369,7 +369,7 @@ std::optional<CutId> CutEditor::cutBeyond(int seam) const {
 
 void CutEditor::seamToDart(int seam) {
     const auto cut = cutBeyond(seam);
-    if (cut && garment()) {
+    if (cut && openGarment()) {
         change(tr("%1 to dart").arg(seamName(document_, seam)), removalOf({*cut}));
     }
 }
@@ -384,7 +384,7 @@ std::function<void(SeamsFile&)> CutEditor::removalOf(std::vector<CutId> cuts) co
 }
 
 void CutEditor::joinSeam(int seam) {
-    const auto garment = this->garment();
+    const auto garment = openGarment();
     if (!garment) {
         return;
     }

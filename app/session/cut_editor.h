@@ -104,7 +104,7 @@ private:
     };
 
     /// Null if there is no garment that can be cut now.
-    std::shared_ptr<const Garment> garment() const;
+    std::shared_ptr<const Garment> openGarment() const;
     void make(const DrawnCut& drawn, std::optional<UserCut> image);
     /// The cut that makes a seam of a dart.
     std::optional<CutId> cutBeyond(int seam) const;

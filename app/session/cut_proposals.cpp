@@ -23,7 +23,7 @@ AdviceQuestion questionOf(const Garment& garment, const std::shared_ptr<const Pi
     return {whole, own, garment.files[static_cast<std::size_t>(whole->file)]};
 }
 
-/// A piece of the garment before the cuts in it, with the person's own.
+/// The whole piece before its cuts, with the user's own cuts.
 AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece>& piece) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole == piece ||
@@ -34,7 +34,7 @@ AdviceQuestion wholeOf(const Garment& garment, const std::shared_ptr<const Piece
     return questionOf(garment, piece);
 }
 
-/// The same whole in another version of the garment; none where it is no more.
+/// The same whole piece in another version of the garment; none if it is gone.
 std::optional<AdviceQuestion> wholeWith(const Garment& garment, PieceId id) {
     for (const CutRecord& record : garment.cutRecords) {
         if (record.whole->id == id) {
@@ -81,7 +81,7 @@ CutProposals::CutProposals(Workspace& workspace)
     connect(&document_, &Document::changed, this, &CutProposals::onChanged);
     connect(&workspace_, &Workspace::refused, this, [this] {
         if (awaited_ > 0) {
-            ask(question_);  // what was to be made is proposed again
+            ask(question_);  // propose the refused cut again
         }
     });
 }
@@ -104,10 +104,10 @@ void CutProposals::open() {
     }
     AdviceQuestion question = wholeOf(*garment, *meant);
     if (isOpen() && question.piece == piece() && question.own == question_.own) {
-        emit opened();  // as they stand
+        emit opened();  // unchanged
         return;
     }
-    if (!isOpen()) {  // as automatic cuts have it
+    if (!isOpen()) {  // start with the settings of automatic cuts
         stated_ = document_.loading().enoughStrain;
         question_.options.isFrontSwapped = document_.loading().isFrontSwapped;
     }
@@ -173,7 +173,7 @@ void CutProposals::put(const CutAdvice& advice) {
         cut.what.cut.name = proposedName(cut.what.cut.name);
         cut.what.cut.evidence = wordingText(cut.evidence).toStdString();
     }
-    markNeeded(advice_, enough());  // which may have been stated since it was asked
+    markNeeded(advice_, enough());  // the strain may have been stated since
     advised_ = advice_.cuts;
     lines_ = linesOf(advice_);
     moving_.reset();
@@ -210,7 +210,7 @@ void CutProposals::onChanged(const DocumentChange& what) {
         close();
     } else if (what.hasOtherPieces()) {
         follow();
-    } else if (awaited_ > 0 && document_.isCurrent()) {  // it was not made after all
+    } else if (awaited_ > 0 && document_.isCurrent()) {  // it was refused
         ask(question_);
     } else if (what.touches(&DocumentState::fabric) && !stated_) {
         stateEnough(std::nullopt);
@@ -224,7 +224,7 @@ void CutProposals::follow() {
         return;
     }
     now->options = question_.options;
-    // What was made here, and nothing else: the others stay as they lie.
+    // Only the cut applied here is new: the other proposals stay.
     const bool isOurs = now->piece == piece() && now->own.size() == question_.own.size() + awaited_;
     if (*now == question_) {
         return;
@@ -326,7 +326,7 @@ void CutProposals::remove(std::size_t cut) {
     if (cut == 0) {
         advice_.before = advice_.cuts[0].predicted;
     }
-    for (std::size_t k = 0; k < cut; ++k) {  // those before it were flattened without
+    for (std::size_t k = 0; k < cut; ++k) {  // those before it were flattened without it
         advice_.cuts[k].solved.reset();
         advised_[k].solved.reset();
     }
@@ -338,7 +338,7 @@ void CutProposals::remove(std::size_t cut) {
     for (auto& lines : moves_) {
         drop(lines);
     }
-    for (std::size_t k = moves_.size(); k-- > 0;) {  // that moved nothing else
+    for (std::size_t k = moves_.size(); k-- > 0;) {  // drop moves of the removed cut alone
         if (moves_[k] == (k + 1 < moves_.size() ? moves_[k + 1] : lines_)) {
             moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(k));
         }

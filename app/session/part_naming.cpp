@@ -30,14 +30,14 @@ void PartNaming::await(PieceId whole, std::function<std::string(const Piece&)> n
 
 void PartNaming::nameParts() {
     if (!document_.isCurrent()) {
-        return;  // something has changed since: they are named once it is there
+        return;  // edited since: wait for the next garment
     }
     const auto nameOf = std::exchange(nameOf_, nullptr);
     const auto garment = document_.garment();
     const QUndoStack& history = document_.history();
     const auto* step = history.command(history.index() - 1);
     if (!nameOf || !garment || !step || step->id() != gesture_) {
-        return;  // taken back, or something else was done since
+        return;  // undone, or followed by another step
     }
     const auto record = std::ranges::find(garment->cutRecords, whole_,
                                           [](const CutRecord& one) { return one.whole->id; });

@@ -15,13 +15,13 @@ namespace toile::app {
 
 class Document;
 
-/// Calls the parts of a piece what a proposal has for them once they are there, in the same step of
-/// the history as the cuts that they come of. GUI thread only.
+/// Gives the parts of a cut piece the names that a proposal has for them, when they exist, in the
+/// same step of the history as the cuts. GUI thread only.
 class PartNaming : public QObject {
 public:
     explicit PartNaming(Document& document);
 
-    /// @param nameOf   of a part, in the words of the core; null: nothing is known
+    /// @param nameOf   name of a part in the words of the core; null: unknown
     /// @param gesture  of the step (Document::edit)
     void await(PieceId whole, std::function<std::string(const Piece&)> nameOf, int gesture);
 
@@ -30,7 +30,7 @@ private:
 
     Document& document_;
     PieceId whole_{};
-    std::function<std::string(const Piece&)> nameOf_;  ///< null where none is awaited
+    std::function<std::string(const Piece&)> nameOf_;  ///< null if no parts are awaited
     int gesture_ = -1;
 };
 

@@ -34,7 +34,7 @@ Workspace::Workspace(QObject* parent) : QObject(parent) {
     connect(&cuts_, &CutEditor::refused, this, &Workspace::refused);
     connect(&cuts_, &CutEditor::noted, this, &Workspace::noted);
     connect(&reference_, &ReferenceFinder::paired, this, &Workspace::noted);
-    // A job that makes room for another says nothing about what is asked for now.
+    // A replaced job says nothing about the present request.
     connect(&jobs_, &JobRunner::failed, this,
             [this](const QString&, const QString&, bool replaced) {
                 if (!replaced) {
@@ -93,7 +93,7 @@ void Workspace::cancel() {
         return;
     }
     jobs_.cancel();
-    onStopped(false);  // what is asked for until the job has stopped is not cancelled with it
+    onStopped(false);  // requests made until the job stops are not cancelled with it
 }
 
 void Workspace::startReading(std::unique_ptr<Job> job) {
@@ -107,13 +107,13 @@ void Workspace::open(Paths files) {
     }
     const bool another = opening_.isActive() && !opening_.files();
     const Paths before = opening_.files() ? opening_.files()->paths : openPaths();
-    // What was asked for while another is read was about that.
+    // Settings changed while another garment is read belong to that one.
     Opening::Files coming{std::move(files), another ? document_.loading() : loading()};
     if (!before.empty() && coming.paths != before) {
-        coming.loading = {};  // all of it was stated for the garment before
+        coming.loading = {};  // stated for the garment before
     }
     if (document_.garment() && coming.paths == openPaths()) {
-        coming.loading.known = knownPieces(*document_.garment());  // they may have changed
+        coming.loading.known = knownPieces(*document_.garment());  // the files may have changed
     }
     forOpening_.clear();
     opening_.begin(std::move(coming));
@@ -124,7 +124,7 @@ void Workspace::startOpening() {
     emit loadingChanged();
     const Opening::Files& files = *opening_.files();
     startReading(importJob(files.paths, files.loading, [this](const Derived& made) {
-        // What was decided for one garment is not carried over to another.
+        // Settings of one garment do not apply to another.
         const bool again = opening_.files()->paths == openPaths();
         arrived([this, again, made] {
             const bool isAnother = document_.garment() && !again;
@@ -163,7 +163,7 @@ void Workspace::arrived(std::function<void()> open) {
         });
     emit loadingChanged();
     next();
-    follow();  // where it was not opened: the reading took the place of this
+    follow();  // not opened: the reading had replaced this
 }
 
 void Workspace::notOpened() {
@@ -213,7 +213,7 @@ void Workspace::onStopped(bool failed) {
     } else if (!jobs_.isUnderWay(reading_)) {
         stopReading();
     }
-    follow();  // what this had taken the place of
+    follow();  // begin again what the job had replaced
 }
 
 template <class Value>
@@ -327,7 +327,7 @@ void Workspace::setCloseSlits(bool on) {
 
 void Workspace::changeLoading(LoadingChange change) {
     if (opening_.isActive() && !opening_.files()) {
-        // What the garment that comes will be like is not known before it is here.
+        // The coming garment is not known yet.
         forOpening_.push_back(std::move(change));
         return;
     }
@@ -347,7 +347,7 @@ void Workspace::changeLoading(LoadingChange change) {
     cutAlike.autoCut = before.autoCut;
     cutAlike.cutStyle = before.cutStyle;
     if (document_.garment() && document_.isCurrent() && !(cutAlike == before)) {
-        after.known = knownPieces(*document_.garment());  // they are divided again
+        after.known = knownPieces(*document_.garment());  // the files are divided again
     }
     DocumentState next = document_.state();
     next.inputs.loading = std::move(after);
@@ -410,7 +410,7 @@ void Workspace::openReference(const std::filesystem::path& path) {
         reading_ = 0;
         DocumentState next = document_.state();
         next.reference = std::move(read);
-        document_.setView(&ViewState::referencePanels, true);  // who opens it wants to see it
+        document_.setView(&ViewState::referencePanels, true);  // show what was opened
         document_.edit(tr("Reference pattern"), std::move(next));
         follow();
     }));

@@ -24,15 +24,14 @@ namespace toile::app {
 class CutProposals;
 class PatternProof;
 
-/// Whether the pattern is that of the garment: if not, whether an update is running.
+/// Whether the pattern is up to date with the garment; if not, whether an update is running.
 enum class PatternAge { UpToDate, Renewed, OutOfDate };
 
-/// What a person can ask of the open garment, without any widget: opening, cutting, flattening,
-/// writing. All that is asked for becomes a step of the document's history at once; what follows
-/// from it is worked out by one job (Recompute). Reading files comes before that: what is to be
-/// opened (Opening), or read again; steps of the history do not disturb it. A reading that is
-/// cancelled or fails leaves the garment as it was. Files are written beside all this. GUI thread
-/// only.
+/// Everything that the user can do with the open garment, without widgets: open, cut, flatten,
+/// write. Each request is one step of the document's history at once, and one job derives what
+/// follows from it (Recompute). Reading files comes first (Opening, `reload`): steps of the history
+/// do not disturb it, and if it is cancelled or fails, the garment stays. Files are written beside
+/// all this. GUI thread only.
 class Workspace : public QObject {
     Q_OBJECT
 
@@ -43,30 +42,29 @@ public:
     ~Workspace() override;
 
     Document& document() { return document_; }
-    /// The jobs that make the document what it is.
+    /// Jobs that read and derive the document.
     JobRunner& jobs() { return jobs_; }
-    /// Those that write files of it, as it was when they were begun: no edit touches them.
+    /// Jobs that write files of the document as it was when they began.
     JobRunner& writing() { return writing_; }
-    /// That which sews the pattern, as it was when it was begun.
+    /// The job that sews the pattern as it was when it began.
     JobRunner& proving() { return proving_; }
-    /// All of them.
+    /// All runners.
     std::vector<JobRunner*> runners() { return {&cuts_.searches(), &jobs_, &proving_, &writing_}; }
     bool isBusy() { return std::ranges::any_of(runners(), &JobRunner::isBusy); }
-    /// The person wants what is running stopped: cuts that are not made yet, else what changes the
-    /// document, else what is sewn, else what is written.
+    /// Cancels searches for cuts, else jobs that change the document, else sewing, else writing.
     void cancel();
-    /// Takes the last step back; where cuts are not made yet, the last of these; where proposed
-    /// cuts were moved, the last move.
+    /// Undoes the last request: the last cut that is still searched for, else the last moved handle
+    /// of a proposed cut, else the last step.
     void undo();
     bool canUndo() const;
-    /// Calls it once what is being written is written, and not where that fails; at once where
-    /// nothing is. A later call takes the place of an earlier one.
+    /// Calls `then` when all files are written, unless that fails; at once if none is being
+    /// written. A later call replaces an earlier one.
     void whenWritten(std::function<void()> then);
-    /// Cancels, writes to the end and waits: nothing is heard of the jobs any more.
+    /// Cancels all jobs, finishes writing and waits; nothing is announced any more.
     void shutdown();
-    /// True while another garment is being read, to replace the open one.
+    /// True while another garment is being read to replace the open one.
     bool isOpening() const { return opening_.isActive(); }
-    /// How files are read, divided and cut; of those that are being read, if any are.
+    /// How files are read, divided and cut; for the files that are being read, if any.
     const LoadOptions& loading() const;
     /// A change of how files are read, divided and cut.
     struct LoadingChange {
@@ -75,87 +73,85 @@ public:
         int gesture = -1;  ///< as for Document::edit
     };
     void changeLoading(LoadingChange change);
-    /// The files of the document's garment.
+    /// Files of the open garment.
     Paths openPaths() const;
 
-    /// Reads the files as one garment and flattens it. Whatever ran before is cancelled. Files
-    /// other than those before begin anew: the unit, the up axis, what the files are, cuts and ease
-    /// that were stated, and what automatic cuts were told, were said about another garment.
+    /// Reads the files as one garment and flattens it. Cancels whatever is running. If the files
+    /// are others than before, settings of reading start afresh: unit, up axis, kind of files,
+    /// cuts, ease, and automatic cuts belong to the garment before.
     void open(Paths files);
-    /// How the lines of garments that are opened from now on are drawn; a project says so itself.
+    /// How lines of newly opened garments are drawn; projects have their own setting.
     void setNewLines(LineSettings lines) { newLines_ = std::move(lines); }
-    /// Runs a job that reads what is to be opened and, when it is done, calls one of the two that
-    /// follow. Whatever ran before is cancelled; changes of the reading wait until it is open.
+    /// Runs a job that reads a garment and then calls one of the next two functions. Cancels
+    /// whatever is running; changes of the reading wait until it is open.
     void openBy(std::unique_ptr<Job> reading);
-    /// @param open  makes what was read the document; called at once, or not before the person has
-    ///              agreed to lose what was edited while it was read (`askBeforeLeaving`)
+    /// @param open  opens what was read; called at once, or after the user agrees to lose edits
+    ///              made while it was read (`askBeforeLeaving`)
     void arrived(std::function<void()> open);
     void notOpened();
-    /// What asks whether the open garment may go, and calls its argument where it may.
+    /// Sets the question whether the open garment may be closed; it calls its argument if so.
     void askBeforeLeaving(Opening::Ask ask) { opening_.setAsk(std::move(ask)); }
-    /// Reads the open garment's files again, as they are on the disk now.
+    /// Reads the open garment's files again from the disk.
     void reload();
     /// Reads an open garment again with these options.
     void setLoading(LoadOptions loading);
-    /// Unit of the files; none: guessed. Reads an open garment again where that is a change.
+    /// Unit of the files; none: guessed. Reads an open garment again if that is a change.
     void setUnit(std::optional<FileUnit> unit);
     /// The axis that points up in the files; none: guessed. As setUnit.
     void setUpAxis(std::optional<UpAxis> up);
-    /// What the files are, and what is done with them before. As setUnit.
+    /// The kind of the files, and how they are prepared. As setUnit.
     void setPreparing(Preparation preparing);
-    /// The same while a person tries values: one step of the history. @param gesture  as for
+    /// The same while the user tries values: one step of the history. @param gesture  as for
     /// Document::edit
     void tryPreparing(Preparation preparing, int gesture);
-    /// By what files are divided. As setUnit.
+    /// How files are divided into pieces. As setUnit.
     void setSplit(SplitMode split);
-    /// Whether pieces that are no disks are cut open. As setUnit.
+    /// Whether pieces that are not disks are cut open. As setUnit.
     void setAutoCut(bool on);
-    /// As tailors do also makes automatic cuts where there were none.
+    /// The style of automatic cuts; styles of tailors switch automatic cuts on.
     void setCutStyle(CutStyle style);
-    /// Whether vertices that lie on each other are joined. As setUnit.
+    /// Whether coincident vertices are joined. As setUnit.
     void setWeld(bool on);
-    /// Whether both sides of the slits inside pieces are made one. As setUnit.
+    /// Whether slits inside pieces are closed. As setUnit.
     void setCloseSlits(bool on);
-    /// Reads the pattern that the pieces are to be compared with, and shows it over them. Nothing
-    /// changes where it cannot be read, where nothing is open, or while something is being opened.
+    /// Reads the reference pattern and shows it over the pieces. Nothing changes if it cannot be
+    /// read, if nothing is open, or while something is being opened.
     /// @param path  absolute
     void openReference(const std::filesystem::path& path);
-    /// Compares with no pattern any more.
+    /// Removes the reference pattern.
     void closeReference();
     /// The cuts and joins that the user asks for.
     CutEditor& cuts() { return cuts_; }
     /// The cuts that Toile proposes.
     CutProposals& proposals() { return *proposals_; }
-    /// The pattern sewn back together.
+    /// Proofs of the pattern.
     PatternProof& proof() { return *proof_; }
     void setMethod(Method method);
     void setQuality(Quality quality);
     void setBoundarySolver(BoundarySolver solver);
 
-    /// Flattens all pieces, those that are flat already too. While a garment is being read or cut,
-    /// flattening follows by itself.
+    /// Flattens all pieces again. While a garment is being read or cut, that follows automatically.
     void flattenAgain();
-    /// Whether edits are followed by a flattening of what they changed; on at first. Opening is
-    /// always.
+    /// Whether edits are flattened automatically, as by default. Opened garments always are.
     void setAutoFlatten(bool on);
     bool autoFlatten() const { return recompute_.isAutomatic(); }
-    /// Holds flattening back while a person tries values that change the whole garment, until it is
-    /// let go, or asked for.
+    /// Suspends flattening while the user tries values that change the whole garment, until it is
+    /// resumed or requested.
     void holdFlattening(bool held);
-    /// How the pattern stands to what was edited since.
+    /// Whether the pattern is up to date.
     PatternAge patternAge() const;
-    /// True where there are results to write, and a flat piece among them.
+    /// True if there are results to write, with a flat piece among them.
     bool canExport() const;
-    /// Writes the pattern as it is now, whatever is edited meanwhile; several one after the other.
-    /// Requires canExport. The ending chooses the format.
-    /// @param only  the pieces that are written; none: all, here and in the two below
+    /// Writes the pattern as it is now; several files one after the other. Requires canExport. The
+    /// ending of the path chooses the format.
+    /// @param only  the pieces to write; none: all, here and in the two functions below
     void exportTo(const std::filesystem::path& path, const ExportOptions& options = {},
                   const Document::Selection& only = {});
-    /// The beginning of the file as it would be written now. Requires canExport.
+    /// The beginning of the file that would be written now. Requires canExport.
     JobRunner::Ticket beginFile(FormatId format, const ExportOptions& options,
                                 const Document::Selection& only,
                                 std::function<void(const std::string&)> done);
-    /// Draws it as files and paper would have it. Requires canExport.
+    /// Draws the pattern as in files and on paper. Requires canExport.
     JobRunner::Ticket drawPattern(std::function<void(std::shared_ptr<const DrawnPattern>)> done,
                                   const Document::Selection& only = {});
 
@@ -164,20 +160,20 @@ signals:
     void patternAged(toile::app::PatternAge age);
     /// `loading` has changed.
     void loadingChanged();
-    /// @param checked  what reading it again has found, for a person; may be empty
+    /// @param checked  the result of reading the file back; may be empty
     void exported(const QString& path, const QString& checked);
-    /// What was asked for cannot be done, and why; nothing has changed.
+    /// The request is impossible, and why; nothing has changed.
     void refused(const QString& sentence);
-    /// Something was done otherwise than might be expected.
+    /// Something was done differently than might be expected.
     void noted(const QString& sentence);
 
 private:
     void startOpening();
     void startReading(std::unique_ptr<Job> job);
-    /// Nothing is read any more: the garment is as it was.
+    /// Stops reading; the garment stays.
     void stopReading();
     bool isReading() const { return opening_.isActive() || jobs_.isUnderWay(reading_); }
-    /// Works out what is not there, unless something is being read.
+    /// Derives what is missing, unless something is being read.
     void follow();
     void followAge();
 
@@ -197,11 +193,11 @@ private:
     Opening opening_;
     CutEditor cuts_{*this};
     LineSettings newLines_{};
-    /// For what is being opened, where that is not known before it is there.
+    /// Changes for a garment that is being opened by `openBy`.
     std::vector<LoadingChange> forOpening_;
     JobRunner::Ticket reading_ = 0;
     int step_ = 0;                           ///< of the history
-    PatternAge age_ = PatternAge::UpToDate;  ///< as it was told last
+    PatternAge age_ = PatternAge::UpToDate;  ///< as announced last
     std::unique_ptr<CutProposals> proposals_;
     std::unique_ptr<PatternProof> proof_;
 };

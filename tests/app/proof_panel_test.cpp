@@ -481,16 +481,18 @@ private slots:
 
     void theWorkLeavesClothOnItsWay() {
         openSample("sheet.obj");
-        const auto tray = std::make_shared<ProofTray>();
+        const auto mailbox = std::make_shared<Mailbox<ShownProof>>();
         std::shared_ptr<const ShownProof> found;
-        const auto job = proofJob(document(), {}, tray, [&](auto made) { found = made; });
+        const auto job = proofJob(document(), {}, mailbox, [&](auto made) { found = made; });
         Progress progress;
         QVERIFY(job->process(progress));
         job->finalize();
         QVERIFY(found && found->proof);
-        QVERIFY(tray->sewing && !tray->sewing->proof && !tray->sewing->cloth->isMeasured);
-        QVERIFY(tray->sewing->ground == found->ground);
-        QVERIFY(tray->sewing->cloth->scene == document().scene());
+        const auto sewing = mailbox->take();
+        QVERIFY(sewing && !sewing->proof && !sewing->cloth->isMeasured);
+        QVERIFY(sewing->ground == found->ground);
+        QVERIFY(sewing->cloth->scene == document().scene());
+        QVERIFY(!mailbox->take());
     }
 
     void theCheckGoesOnWhileItIsProvedAgain() {
