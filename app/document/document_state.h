@@ -2,12 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
-#include "app/document/cloth_plans.h"
 #include "app/document/reference.h"
 #include "core/garment/fabric.h"
 #include "core/project/piece_settings.h"
@@ -15,6 +16,7 @@
 #include "core/toile/pipeline.h"
 
 namespace toile {
+struct MarkerPlan;
 struct Pattern;
 struct Symmetry;
 }  // namespace toile
@@ -22,6 +24,26 @@ struct Symmetry;
 namespace toile::app {
 
 struct Scene;
+
+/// The settings for laying the pieces on cloth, by material (`MarkerPlans`). Copies are cheap, as
+/// for all states of the history.
+class ClothPlans {
+public:
+    using Plans = std::map<std::string, MarkerPlan>;
+
+    ClothPlans();
+    explicit ClothPlans(Plans plans);
+
+    const Plans& all() const;
+    /// Default settings if there are none for the material.
+    const MarkerPlan& of(const std::string& material) const;
+    ClothPlans with(const std::string& material, MarkerPlan plan) const;
+
+    bool operator==(const ClothPlans& other) const;
+
+private:
+    std::shared_ptr<const Plans> plans_;
+};
 
 /// The user's decisions: one step of the history changes them, and undo brings them back. Nothing
 /// in it is derived; copies are cheap.

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "app/document/disposal.h"
+#include "app/document/document.h"
 #include "app/render/scene_builder.h"
 #include "app/text/error_text.h"
 #include "core/pattern/piece_grain.h"
 #include "core/pattern/target_lengths.h"
 #include "core/project/layer_materials.h"
+#include "core/project/piece_names.h"
 #include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
 #include "core/toile/garment_flattener.h"
@@ -43,7 +45,14 @@ std::size_t bytesOf(const FlatPiece& flat) {
     return (static_cast<std::size_t>(flat.Q.size()) + line) * sizeof(double);
 }
 
-/// One per piece.
+/// Replaces the results.
+void become(Derivation& made, PieceResults results) {
+    made.motions = flatMotions(made.derived.results, results);
+    made.derived.results = std::move(results);
+}
+
+}  // namespace
+
 std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById& settings) {
     std::vector<PieceSettings> found;
     for (const auto& piece : garment.pieces) {
@@ -52,14 +61,6 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
     }
     return found;
 }
-
-/// Replaces the results.
-void become(Derivation& made, PieceResults results) {
-    made.motions = flatMotions(made.derived.results, results);
-    made.derived.results = std::move(results);
-}
-
-}  // namespace
 
 Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
                                  const std::vector<PieceSettings>& settingsBefore,
@@ -220,6 +221,51 @@ SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
         settings[garment.pieces[i]->id] = std::move(placed[i]);
     }
     return settings;
+}
+
+PatternNow::PatternNow(const Document& document, std::set<int> only, double settlingShare)
+    : only_(std::move(only)),
+      settlingShare_(settlingShare),
+      derived_(document.derived()),
+      state_(document.state()),
+      words_(drawingWords()) {
+    state_.markers = {};
+    state_.proof = {};
+    for (std::size_t i = 0; i < document.settings().size(); ++i) {
+        // The state may already be without a piece that is still shown.
+        state_.settings.try_emplace(document.garment()->pieces[i]->id, document.settings()[i]);
+    }
+}
+
+FinishedPattern PatternNow::finished(Progress& progress) const {
+    Derivation derivation{derived_};
+    progress.setShare(0, settlingShare_);
+    GarmentFlattener flattener;
+    settle(derivation, flattener, progress);
+    if (progress.isCancelled()) {
+        return {};
+    }
+    progress.setShare(settlingShare_, 1);
+    SettingsById settings = settingsAfter(derivation, state_, {});
+    std::vector<PieceSettings> ofPieces;
+    for (const auto& piece : derived_.garment->pieces) {
+        ofPieces.push_back(settings[piece->id]);
+    }
+    for (std::size_t i = 0; i < ofPieces.size(); ++i) {
+        // A piece that has just been included again is not flat yet, and so not shown.
+        const bool isShown = !isLeftOut(*derivation.derived.results[i]) &&
+                             (only_.empty() || only_.contains(static_cast<int>(i)));
+        ofPieces[i].leftOut = ofPieces[i].leftOut || !isShown;
+    }
+    Garment garment = named(*derived_.garment, state_.labels);
+    PieceResults results =
+        withoutLeftOut(resultsFor(garment, derivation.derived.results), garment, ofPieces);
+    return makePattern(std::move(garment), std::move(results),
+                       {.lines = derivation.derived.lines.value_or(LineSettings{}),
+                        .fabric = state_.fabric,
+                        .materials = state_.materials,
+                        .pieces = std::move(ofPieces)},
+                       derivation.derived.symmetry);
 }
 
 }  // namespace toile::app

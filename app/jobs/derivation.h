@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,12 +16,15 @@
 #include "core/base/result.h"
 #include "core/project/piece_settings.h"
 #include "core/project/place_pieces.h"
+#include "core/toile/toile.h"
 
 namespace toile {
 class GarmentFlattener;
 }  // namespace toile
 
 namespace toile::app {
+
+class Document;
 
 /// What follows from a state, and how settings of its pieces carry over. Nothing here touches the
 /// document: each thread may work on a derivation of its own.
@@ -32,6 +37,9 @@ struct Derivation {
     /// For another garment, per piece: its usual material, if that has changed.
     std::vector<std::optional<std::string>> materials{};
 };
+
+/// One per piece of the garment.
+std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById& settings);
 
 /// The garment of the state, without a scene, with the flat pieces that were known. Errors: of
 /// `makeGarment`.
@@ -64,5 +72,39 @@ SettingsById settingsAfter(const Derivation& made, const DocumentState& state,
                            const std::vector<PieceSettings>& before);
 /// Makes pattern and scene; reuses the parts of the present scene that show the same results.
 void draw(Derived& derived, Progress& progress);
+
+/// A snapshot of the pattern for files.
+class PatternNow {
+public:
+    /// @param only  the pieces to use; none: all
+    /// @param settlingShare  share of the total time for flattening, if flat pieces are still warm
+    PatternNow(const Document& document, std::set<int> only, double settlingShare = 0.7);
+
+    /// Flattens what is not flat yet, lays the pattern out and passes it to `use`, a function of
+    /// `(const ExportSource&, const Progress&)` to a Result.
+    template <class Use>
+    auto with(const ExportOptions& options, Progress& progress, const Use& use) const
+        -> std::invoke_result_t<Use, const ExportSource&, const Progress&> {
+        const FinishedPattern made = finished(progress);
+        if (progress.isCancelled()) {
+            return Error{ErrorCode::Cancelled};
+        }
+        return use(made.source(options, words_), progress);
+    }
+
+    /// True if files of both are the same, apart from the language.
+    bool operator==(const PatternNow& other) const {
+        return only_ == other.only_ && derived_ == other.derived_ && state_ == other.state_;
+    }
+
+private:
+    FinishedPattern finished(Progress& progress) const;
+
+    std::set<int> only_;
+    double settlingShare_;
+    Derived derived_;
+    DocumentState state_;  ///< the parts that pieces and their drawing follow from
+    DrawingWords words_;
+};
 
 }  // namespace toile::app

@@ -8,7 +8,6 @@
 #include "app/base/text.h"
 #include "app/document/document.h"
 #include "app/jobs/derivation.h"
-#include "app/jobs/pattern_now.h"
 #include "app/jobs/reference_finder.h"
 #include "core/base/file.h"
 #include "core/base/id.h"
@@ -27,12 +26,7 @@ Project projectOf(const DocumentState& state, const Derived& derived, const View
     project.lines = state.lines;
     project.fabric = state.fabric;
     project.materials = state.materials;
-    std::vector<PieceSettings> settings;
-    for (const auto& piece : garment.pieces) {
-        const auto said = state.settings.find(piece->id);
-        settings.push_back(said == state.settings.end() ? PieceSettings{} : said->second);
-    }
-    project.pieces = projectPieces(garment, std::move(settings), derived.results);
+    project.pieces = projectPieces(garment, settingsOf(garment, state.settings), derived.results);
     project.labels = state.labels;
     project.markers = state.markers.all();
     project.proof = state.proof;

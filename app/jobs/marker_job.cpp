@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/base/text.h"
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/text/error_text.h"
 #include "core/formats/drawing/marker_drawing.h"
 #include "core/formats/export_file.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/document/document.h"
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/render/sewn_cloth.h"
 #include "core/prove/body_file.h"
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/jobs/pattern_now.h"
+#include "app/jobs/derivation.h"
 #include "app/marker/cloth_drag.h"
 #include "app/session/workspace.h"
 #include "app/text/error_text.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/document/document.h"
+#include "app/jobs/derivation.h"
 #include "app/jobs/marker_job.h"
-#include "app/jobs/pattern_now.h"
 
 namespace toile::app {
 

@@ -4,13 +4,13 @@
 #include <QObject>
 #include <QTimer>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/jobs/cut_adviser.h"
-#include "app/session/part_naming.h"
 #include "core/tailor/handles.h"
 
 namespace toile::app {
@@ -18,6 +18,25 @@ namespace toile::app {
 class Document;
 class DocumentChange;
 class Workspace;
+
+/// Gives the parts of a cut piece the names that a proposal has for them, when they exist, in the
+/// same step of the history as the cuts. GUI thread only.
+class PartNaming : public QObject {
+public:
+    explicit PartNaming(Document& document);
+
+    /// @param nameOf   name of a part in the words of the core; null: unknown
+    /// @param gesture  of the step (Document::edit)
+    void await(PieceId whole, std::function<std::string(const Piece&)> nameOf, int gesture);
+
+private:
+    void nameParts();
+
+    Document& document_;
+    PieceId whole_{};
+    std::function<std::string(const Piece&)> nameOf_;  ///< null if no parts are awaited
+    int gesture_ = -1;
+};
 
 /// Cuts that Toile proposes for one piece, from when the user asks for them until they are closed:
 /// what is known of each, which ones are ticked, which one is selected, and which handles were

@@ -8,8 +8,8 @@
 #include <QSlider>
 #include <algorithm>
 
-#include "app/document/internal_line_edits.h"
 #include "app/document/layout.h"
+#include "app/document/line_edits.h"
 #include "app/export/export_dialog.h"
 #include "app/export/print_dialog.h"
 #include "app/jobs/file_jobs.h"
