@@ -8,9 +8,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "app/jobs/cut_adviser.h"
+#include "app/base/worker.h"
+#include "core/base/result.h"
+#include "core/flatten/base/flat_piece.h"
+#include "core/garment/garment.h"
+#include "core/tailor/cut_advice.h"
 #include "core/tailor/handles.h"
 
 namespace toile::app {
@@ -19,23 +24,14 @@ class Document;
 class DocumentChange;
 class Workspace;
 
-/// Gives the parts of a cut piece the names that a proposal has for them, when they exist, in the
-/// same step of the history as the cuts. GUI thread only.
-class PartNaming : public QObject {
-public:
-    explicit PartNaming(Document& document);
+/// A piece to propose cuts for.
+struct AdviceQuestion {
+    std::shared_ptr<const Piece> piece{};
+    std::vector<UserCut> own{};                ///< cuts that are made in any case, mm
+    std::shared_ptr<const SourceFile> file{};  ///< of the piece; cuts follow its borders
+    AdviceOptions options{};                   ///< without borders
 
-    /// @param nameOf   name of a part in the words of the core; null: unknown
-    /// @param gesture  of the step (Document::edit)
-    void await(PieceId whole, std::function<std::string(const Piece&)> nameOf, int gesture);
-
-private:
-    void nameParts();
-
-    Document& document_;
-    PieceId whole_{};
-    std::function<std::string(const Piece&)> nameOf_;  ///< null if no parts are awaited
-    int gesture_ = -1;
+    bool operator==(const AdviceQuestion&) const = default;
 };
 
 /// Cuts that Toile proposes for one piece, from when the user asks for them until they are closed:
@@ -63,8 +59,8 @@ public:
     const std::shared_ptr<const Piece>& piece() const { return question_.piece; }
     /// The name of the piece.
     QString pieceName() const;
-    double fraction() const { return adviser_.fraction(); }
-    bool isSolving() const { return adviser_.isSolving(); }
+    double fraction() const { return asking_.progress() ? asking_.progress()->fraction() : 0; }
+    bool isSolving() const { return !counts_.empty(); }
     /// Why there are no proposals; usually empty.
     const QString& problem() const { return problem_; }
 
@@ -122,6 +118,15 @@ private:
         bool hasMoved = false;
     };
 
+    /// The piece to flatten with the first `count` cuts made.
+    struct Trial {
+        std::shared_ptr<const std::pair<AdviceQuestion, CutAdvice>> cuts;
+        FlattenOptions options{};
+        std::size_t count = 0;
+
+        bool operator==(const Trial&) const = default;
+    };
+
     void onChanged(const DocumentChange& what);
     void follow();
     void ask(AdviceQuestion question);
@@ -130,6 +135,13 @@ private:
     /// Makes these the lines of the proposals.
     void setLines(std::vector<UserCut> lines);
     void solve();
+    void solveNext();
+    void takeSolved(std::size_t count, const StrainFigures& figures);
+    void cancelSolving();
+    /// The parts of the piece get the names that the proposal has for them, when they exist.
+    void awaitParts();
+    /// In the same step of the history as the cuts.
+    void nameParts();
     void remove(std::size_t cut);
     bool isDeclined(const std::string& name) const;
     std::optional<double> fabricLimit() const;
@@ -153,9 +165,14 @@ private:
     std::optional<Moving> moving_;
     std::vector<std::vector<UserCut>> moves_;  ///< the lines before each
     std::size_t awaited_ = 0;                  ///< applied cuts that the garment does not have yet
-    PartNaming names_;
+    PieceId cutPiece_{};                       ///< whose parts get names
+    std::function<std::string(const Piece&)> nameOf_;  ///< of a part; null: none is awaited
+    int gesture_ = -1;                                 ///< of the step that cut it
     QTimer soon_;
-    CutAdviser adviser_;
+    Trial trial_;
+    std::vector<std::size_t> counts_;  ///< to flatten, the next one first
+    Follower<AdviceQuestion, CutAdvice> asking_;
+    Follower<Trial, Result<StrainFigures>> solving_;
 };
 
 }  // namespace toile::app
