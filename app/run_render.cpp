@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/run_render.h"
-
 #include <QBuffer>
 #include <QFile>
 #include <QGuiApplication>
@@ -16,6 +14,7 @@
 #include "app/jobs/reference_finder.h"
 #include "app/platform_choice.h"
 #include "app/render/offscreen.h"
+#include "app/run_window.h"
 #include "app/settings/language.h"
 #include "app/settings/theme.h"
 #include "app/views/view_picture.h"

@@ -178,7 +178,7 @@ void GarmentActions::askForBody() {
         ProofPlan plan = document.state().proof;
         plan.body = pathOf(QFileInfo(path).absoluteFilePath());
         plan.bodyUnit.reset();  // that of another file
-        document.setProofPlan(std::move(plan), tr("Proof on a body"));
+        document.edit(tr("Proof on a body"), &DocumentState::proof, std::move(plan));
     }
 }
 

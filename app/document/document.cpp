@@ -310,9 +310,7 @@ void Document::show(Derived derived, SettingsById settings) {
 }
 
 void Document::setOptions(const FlattenOptions& options, const QString& text) {
-    DocumentState next = state_;
-    next.options = options;
-    edit(text.isEmpty() ? tr("Change of method") : text, std::move(next));
+    edit(text.isEmpty() ? tr("Change of method") : text, &DocumentState::options, options);
 }
 
 const Fabric& Document::fabricOf(int piece) const {
@@ -322,16 +320,8 @@ const Fabric& Document::fabricOf(int piece) const {
 
 void Document::setLines(LineSettings lines, const QString& text, int gesture) {
     if (garment()) {
-        DocumentState next = state_;
-        next.lines = std::move(lines);
-        edit(text, std::move(next), gesture);
+        edit(text, &DocumentState::lines, std::move(lines), gesture);
     }
-}
-
-void Document::setProofPlan(ProofPlan plan, const QString& text, int gesture) {
-    DocumentState next = state_;
-    next.proof = std::move(plan);
-    edit(text, std::move(next), gesture);
 }
 
 template <class Value>

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "app/document/document_change.h"
@@ -118,6 +119,14 @@ public:
     /// @param gesture  edits with the same number (`newGesture`) become one step; -1: a step of its
     ///                 own
     void edit(const QString& text, DocumentState next, int gesture = -1);
+    /// Changes one member of the state.
+    template <class Value>
+    void edit(const QString& text, Value DocumentState::*field, std::type_identity_t<Value> value,
+              int gesture = -1) {
+        DocumentState next = state_;
+        next.*field = std::move(value);
+        edit(text, std::move(next), gesture);
+    }
     /// A number for the edits of one drag.
     int newGesture() { return ++gestures_; }
 
@@ -144,9 +153,6 @@ public:
     /// Sets how the lines of the pattern are drawn. Does nothing if no garment is open.
     /// @param text, gesture  as for `edit`
     void setLines(LineSettings lines, const QString& text, int gesture = -1);
-    /// Sets how the pattern is proved.
-    /// @param text, gesture  as for `edit`
-    void setProofPlan(ProofPlan plan, const QString& text, int gesture = -1);
     /// Only one kind of thing is selected at a time: pieces, a seam, or a mark. Selecting one
     /// deselects the others; selecting nothing of a kind keeps them.
 

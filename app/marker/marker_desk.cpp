@@ -179,12 +179,15 @@ const MarkerPlan& MarkerDesk::plan() const {
 
 void MarkerDesk::setSettings(const QString& text, const MarkerSettings& settings, int gesture) {
     if (document_.garment()) {
-        DocumentState next = document_.state();
         MarkerPlan said = plan();
         said.settings = settings;
-        next.markers = next.markers.with(material_, std::move(said));
-        document_.edit(text, std::move(next), gesture);
+        store(text, std::move(said), gesture);
     }
+}
+
+void MarkerDesk::store(const QString& text, MarkerPlan plan, int gesture) {
+    document_.edit(text, &DocumentState::markers,
+                   document_.state().markers.with(material_, std::move(plan)), gesture);
 }
 
 bool MarkerDesk::canImprove() const {
@@ -223,27 +226,21 @@ void MarkerDesk::keep(int copy, Placement placement, const QString& text) {
     std::ranges::sort(said.kept, {}, [](const KeptCopy& kept) {
         return std::pair(kept.copy.piece.value, kept.copy.number);
     });
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
     tried_.reset();
-    document_.edit(text.arg(nameOf(copy)), std::move(next));
+    store(text.arg(nameOf(copy)), std::move(said));
 }
 
 void MarkerDesk::release(int copy) {
     const CopyKey key = marker_->copies[static_cast<std::size_t>(copy)].key;
     MarkerPlan said = plan();
     std::erase_if(said.kept, [&](const KeptCopy& kept) { return kept.copy == key; });
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
-    document_.edit(tr("Release %1 on the cloth").arg(nameOf(copy)), std::move(next));
+    store(tr("Release %1 on the cloth").arg(nameOf(copy)), std::move(said));
 }
 
 void MarkerDesk::releaseAll() {
     MarkerPlan said = plan();
     said.kept.clear();
-    DocumentState next = document_.state();
-    next.markers = next.markers.with(material_, std::move(said));
-    document_.edit(tr("Release all on the cloth"), std::move(next));
+    store(tr("Release all on the cloth"), std::move(said));
 }
 
 QString MarkerDesk::nameOf(int copy) const {

@@ -127,8 +127,8 @@ void ProofForm::makeFold() {
 }
 
 void ProofForm::take(const SettingChange& change) {
-    document_.setProofPlan(fields_.changed(kProofFields, document_.state().proof, change),
-                           change.text, change.gesture);
+    document_.edit(change.text, &DocumentState::proof,
+                   fields_.changed(kProofFields, document_.state().proof, change), change.gesture);
     show();  // limited to its range
 }
 
@@ -137,7 +137,7 @@ void ProofForm::chooseUnit(int choice) {
     if (known < static_cast<int>(std::size(kLengthUnits))) {  // else the one that it has
         ProofPlan plan = document_.state().proof;
         plan.bodyUnit = known < 0 ? std::nullopt : std::optional<FileUnit>(kLengthUnits[known]);
-        document_.setProofPlan(std::move(plan), tr("Unit of the body"), -1);
+        document_.edit(tr("Unit of the body"), &DocumentState::proof, std::move(plan));
     }
 }
 
@@ -146,7 +146,7 @@ void ProofForm::chooseHolder(int choice) {
         ProofPlan plan = document_.state().proof;
         plan.body.clear();
         plan.bodyUnit.reset();
-        document_.setProofPlan(std::move(plan), tr("Proof on the design"), -1);
+        document_.edit(tr("Proof on the design"), &DocumentState::proof, std::move(plan));
         return;
     }
     if (choice == ByAnotherBody || proof_.plan().body.empty()) {

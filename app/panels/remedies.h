@@ -6,6 +6,8 @@
 
 #include "app/actions/action_table.h"
 #include "core/check/ready_to_cut.h"
+#include "core/diagnose/finding.h"
+#include "core/garment/garment.h"
 
 namespace toile::app {
 
@@ -24,6 +26,10 @@ enum class Remedy {
     PutDart,  ///< from the nearest edge to the worst place, as a proposal
     LayOutAgain,
 };
+
+/// Whether a finding is about pieces of a file that looks like a scan, while nobody has said how it
+/// is to be read: preparing it comes before anything that helps a piece.
+bool isOfUnpreparedScan(const Finding& finding, const Garment& garment);
 
 /// The best first; empty where a person has to find the way himself.
 /// @param finding  of this plan

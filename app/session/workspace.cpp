@@ -408,18 +408,14 @@ void Workspace::openReference(const std::filesystem::path& path) {
     }
     startReading(referenceJob(path, [this](ReferenceFile read) {
         reading_ = 0;
-        DocumentState next = document_.state();
-        next.reference = std::move(read);
         document_.setView(&ViewState::referencePanels, true);  // show what was opened
-        document_.edit(tr("Reference pattern"), std::move(next));
+        document_.edit(tr("Reference pattern"), &DocumentState::reference, std::move(read));
         follow();
     }));
 }
 
 void Workspace::closeReference() {
-    DocumentState next = document_.state();
-    next.reference = {};
-    document_.edit(tr("No reference pattern"), std::move(next));
+    document_.edit(tr("No reference pattern"), &DocumentState::reference, {});
 }
 
 }  // namespace toile::app

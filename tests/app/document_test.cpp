@@ -169,7 +169,7 @@ private slots:
         QCOMPARE(told.touched, (std::vector{true, false}));
         ProofPlan plan;
         plan.settings.edge = 7;
-        document.setProofPlan(plan, "Edge");
+        document.edit("Edge", &DocumentState::proof, plan);
         QCOMPARE(told.touched, (std::vector{false, true}));
         QVERIFY(document.options() == natural && document.state().proof == plan);
         QVERIFY(document.isCurrent());
