@@ -18,7 +18,7 @@
 namespace toile::app {
 namespace {
 
-/// Steps that can be undone. States share what they have in common, so most cost little.
+/// Number of steps that can be undone. States share their common parts, so most cost little.
 constexpr int kMaxSteps = 500;
 
 /// The first seam that one of the cuts has made.

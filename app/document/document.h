@@ -114,7 +114,7 @@ public:
     /// @param derived  its garment, and what else is known of it
     void open(DocumentState state, Derived derived);
     /// Makes `next` the state: one step of the history, or none if no garment is open. Does nothing
-    /// if the state is the same already. What follows from it is shown at once if it is known.
+    /// if the state is already the same. Known results are shown at once.
     /// @param text     for the undo menu: "Move piece"
     /// @param gesture  edits with the same number (`newGesture`) become one step; -1: a step of its
     ///                 own
@@ -134,7 +134,7 @@ public:
     /// state in one step. If the user has undone steps since then, they are done again.
     void takeBack(DocumentState rest);
 
-    /// Shows what follows from the present state; no step of the history.
+    /// Shows the results for the present state; no step of the history.
     /// @param settings  those of the state, with places for new pieces
     void show(Derived derived, SettingsById settings);
     DerivedCache& cache() { return cache_; }
@@ -176,7 +176,7 @@ public:
     /// Sets whether the stated ease of a seam is drawn: its longer side is that much longer in the
     /// pattern.
     void setEaseDrawn(int seam, bool drawn);
-    /// Sets what is painted; no step of the history.
+    /// Sets the view; no step of the history.
     void setView(const ViewState& view);
     void setView(bool ViewState::*field, bool on);
     void setOverlay(Overlay overlay);
@@ -193,9 +193,9 @@ private:
 
     /// Swaps the state with `other`.
     void exchange(DocumentState& other, bool& wasFlat);
-    /// What follows from the state, if it is known; else what is shown.
+    /// The results for the state, if they are known; else the shown ones.
     Derived knownOf(const DocumentState& state);
-    /// @return what was shown before
+    /// @return the results shown before
     Derived showOther(Derived derived);
     void keepSelection(const Derived& before);
     void refreshSettings(bool otherPieces);

@@ -10,7 +10,7 @@ namespace toile::app {
 /// in listeners.
 class DocumentChange {
 public:
-    /// Parts of the document besides its state and what is derived from it.
+    /// Parts of the document besides its state and results.
     enum Part : unsigned {
         Selection = 1U << 0,       ///< which pieces, seam or mark are selected
         View = 1U << 1,            ///< ViewState

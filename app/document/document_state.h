@@ -62,7 +62,7 @@ struct DocumentState {
     bool operator==(const DocumentState&) const = default;
 };
 
-/// What follows from a state. Immutable and shared; equality compares large parts by pointer.
+/// The results for a state. Immutable and shared; equality compares large parts by pointer.
 struct Derived {
     GarmentInputs inputs{};                    ///< inputs of the garment
     std::shared_ptr<const Garment> garment{};  ///< null if nothing is open

@@ -9,7 +9,7 @@
 
 namespace toile::app {
 
-/// What is painted on the cloth, in both views. The shaders know the overlays by number: see
+/// The overlay on the cloth, in both views. The shaders know the overlays by number: see
 /// resources/shaders/surface.glsl.
 enum class Overlay {
     None,        ///< the piece's colour alone

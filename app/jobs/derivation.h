@@ -26,7 +26,7 @@ namespace toile::app {
 
 class Document;
 
-/// What follows from a state, and how settings of its pieces carry over. Nothing here touches the
+/// The results for a state, and how settings of its pieces carry over. Nothing here touches the
 /// document: each thread may work on a derivation of its own.
 struct Derivation {
     Derived derived;
@@ -43,7 +43,7 @@ std::vector<PieceSettings> settingsOf(const Garment& garment, const SettingsById
 
 /// The garment of the state, without a scene, with the flat pieces that were known. Errors: of
 /// `makeGarment`.
-/// @param before    what was derived last, with the settings of its pieces
+/// @param before    the last results, with the settings of their pieces
 Result<Derivation> deriveGarment(const DocumentState& state, const Derived& before,
                                  const std::vector<PieceSettings>& settingsBefore,
                                  Progress& progress);
@@ -80,7 +80,7 @@ public:
     /// @param settlingShare  share of the total time for flattening, if flat pieces are still warm
     PatternNow(const Document& document, std::set<int> only, double settlingShare = 0.7);
 
-    /// Flattens what is not flat yet, lays the pattern out and passes it to `use`, a function of
+    /// Flattens the remaining pieces, lays the pattern out and passes it to `use`, a function of
     /// `(const ExportSource&, const Progress&)` to a Result.
     template <class Use>
     auto with(const ExportOptions& options, Progress& progress, const Use& use) const

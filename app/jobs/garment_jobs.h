@@ -39,9 +39,9 @@ struct RecomputeOrder {
     bool operator==(const RecomputeOrder&) const = default;
 };
 
-/// Derives what is missing of the document's state: garment, seams, flat pieces, and the content of
-/// both views. Unchanged parts are kept. A piece that fails does not affect the others. Requires an
-/// open garment.
+/// Derives the missing results for the document's state: garment, seams, flat pieces, and the
+/// content of both views. Unchanged parts are kept. A piece that fails does not affect the others.
+/// Requires an open garment.
 /// @param onGarment  called on the worker when another garment is made that will be flattened next
 std::unique_ptr<Job> recomputeJob(const Document& document, const RecomputeOrder& order,
                                   std::shared_ptr<GarmentFlattener> flattener,

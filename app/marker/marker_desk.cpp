@@ -185,9 +185,9 @@ void MarkerDesk::setSettings(const QString& text, const MarkerSettings& settings
     }
 }
 
-void MarkerDesk::store(const QString& text, MarkerPlan plan, int gesture) {
+void MarkerDesk::store(const QString& text, MarkerPlan next, int gesture) {
     document_.edit(text, &DocumentState::markers,
-                   document_.state().markers.with(material_, std::move(plan)), gesture);
+                   document_.state().markers.with(material_, std::move(next)), gesture);
 }
 
 bool MarkerDesk::canImprove() const {

@@ -94,7 +94,7 @@ signals:
     void failed(const QString& sentence);
 
 private:
-    void store(const QString& text, MarkerPlan plan, int gesture = -1);
+    void store(const QString& text, MarkerPlan next, int gesture = -1);
     void onOpened();
     void onDocumentChanged(const DocumentChange& what);
     void askForGround();

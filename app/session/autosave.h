@@ -68,8 +68,7 @@ public:
     void setTimes(std::optional<AutosaveTimes> times);
     /// Call it when the session's answers change.
     void noteChange();
-    /// Call it on every change of the document: compares what would be saved with what was compared
-    /// last.
+    /// Call it on every change of the document: ignores changes of parts that are not saved.
     void noteDocument();
     /// Makes the file this session's own.
     void adopt(RecoveryFile file);

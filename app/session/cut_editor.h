@@ -11,6 +11,8 @@
 
 #include "app/document/document.h"
 #include "app/jobs/job_runner.h"
+#include "core/cut/surface_point.h"
+#include "core/toile/pipeline.h"
 
 namespace toile::app {
 

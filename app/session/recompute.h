@@ -19,7 +19,7 @@ namespace toile::app {
 class Document;
 class DocumentChange;
 
-/// Derives what follows from the document's state, in one job, whenever part of it is missing. The
+/// Derives the results for the document's state, in one job, whenever part of them is missing. The
 /// garment is always made; whether it is flattened depends on the last request:
 ///
 ///     as usual   flattened if that is automatic, or if nothing is flat yet

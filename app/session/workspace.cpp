@@ -18,7 +18,6 @@ namespace toile::app {
 Workspace::Workspace(QObject* parent) : QObject(parent) {
     proposals_ = std::make_unique<CutProposals>(*this);
     proof_ = std::make_unique<PatternProof>(document_, proving_);
-    // Cuts of what was open before.
     connect(&document_, &Document::changed, this, &Workspace::onChanged);
     connect(&document_.history(), &QUndoStack::indexChanged, this, [this](int index) {
         opening_.noteEdit();

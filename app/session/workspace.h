@@ -173,7 +173,7 @@ private:
     /// Stops reading; the garment stays.
     void stopReading();
     bool isReading() const { return opening_.isActive() || jobs_.isUnderWay(reading_); }
-    /// Derives what is missing, unless something is being read.
+    /// Derives missing results, unless something is being read.
     void follow();
     void followAge();
 
